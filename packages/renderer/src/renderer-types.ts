@@ -1,0 +1,92 @@
+import type { Camera, Scene } from './scene/scene.ts';
+
+/** What draws: a GPU interface, or the double-precision tracer in a worker that makes one still picture. */
+export type Backend = 'webgpu' | 'webgl2' | 'cpu';
+
+/** Settings of one strip of the picture. */
+export interface Panel {
+  /** Mirror rays that may follow the camera ray, 0 … 64. */
+  readonly maxReflections: number;
+  /** Points on each light, 1 … 256; 1 = centre, 9 = the fixed grid, others stratified. */
+  readonly lightSamples: number;
+}
+/** Three strips of one picture, left to right, parted by two dividers at these shares (0 … 1) of the width. */
+export interface Comparison {
+  readonly panels: readonly [Panel, Panel, Panel];
+  readonly dividers: readonly [number, number];
+}
+
+/** Everything that may change from frame to frame without touching the scene. Changing any of it compiles nothing. */
+export interface RendererSettings {
+  maxReflections: number;
+  lightSamples: number;
+  /** Stops. */
+  exposure: number;
+  /** Film pixels per canvas pixel along one side, 0.1 … 1; the controller may go lower in motion, never higher. */
+  resolutionScale: number;
+  /** Whether the frame-time controller may lower resolution in motion to hold `targetFps`. */
+  adaptive: boolean;
+  targetFps: 30 | 60;
+  /** Film samples a pixel after which a still picture stops to be refined. */
+  maxSamples: number;
+  seed: number;
+  comparison: Comparison | null;
+}
+
+/** Figures of the last drawn frame. */
+export interface FrameStats {
+  readonly backend: Backend;
+  /** Frames drawn per second, smoothed. 0 while nothing needs drawing. */
+  readonly fps: number;
+  /** Milliseconds the device took for the last frame. */
+  readonly frameMs: number;
+  /** Film samples accumulated in each pixel. */
+  readonly samples: number;
+  /** Million rays a second: camera, mirror and shadow rays asked for; an upper bound as rays may end early. */
+  readonly mraysPerSecond: number;
+  readonly filmWidth: number;
+  readonly filmHeight: number;
+  readonly canvasWidth: number;
+  readonly canvasHeight: number;
+  /** Scene time, seconds. */
+  readonly time: number;
+}
+
+export interface RendererOptions {
+  /** 'auto' (default): WebGPU, else WebGL2, else CPU. A named one: that or a `DeviceError`. */
+  backend?: Backend | 'auto';
+  settings?: Partial<RendererSettings>;
+  /** Called after each drawn frame. */
+  onFrame?: (stats: FrameStats) => void;
+  /** Called when the device is lost ('lost'), back ('restored'), or gone for good ('failed'). */
+  onDevice?: (event: 'lost' | 'restored' | 'failed', reason: string) => void;
+}
+
+/** The public face of Mirrorball. All units as in `Scene`: metres, seconds, degrees, stops, linear Rec.709. */
+export interface Renderer {
+  readonly backend: Backend;
+  readonly canvas: HTMLCanvasElement;
+  readonly settings: Readonly<RendererSettings>;
+  readonly stats: FrameStats;
+  readonly scene: Scene | null;
+  /** The camera in use: the scene's own, possibly animated, until it is set; `resetCamera` goes back to the scene's. */
+  camera: Camera;
+  resetCamera(): void;
+  /** Shows this scene from now on, at time 0 with the scene's own render settings. Resolves when its first frame is drawn (or at once when stopped). */
+  setScene(scene: Scene): Promise<void>;
+  set(settings: Partial<RendererSettings>): void;
+  /** Draws from now on, one frame per animation frame while something changes or refines. */
+  start(): void;
+  stop(): void;
+  readonly running: boolean;
+  /** Scene time, seconds. Setting it restarts accumulation. */
+  time: number;
+  playing: boolean;
+  /** Scene seconds per second. */
+  speed: number;
+  /** Draws one frame now and resolves when the device has finished it. */
+  render(): Promise<void>;
+  /** The film: linear RGB + sample count, float32, width × height × 4, row 0 on top; mean radiance. */
+  readFilm(): Promise<{ width: number; height: number; pixels: Float32Array }>;
+  dispose(): void;
+}

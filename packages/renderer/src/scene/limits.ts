@@ -1,0 +1,17 @@
+/**
+ * How much a scene may hold. The packed scene lives in uniform blocks of at most 16 KiB each, which every WebGL2 and
+ * WebGPU device grants, so these are the same everywhere and a scene that parses can be drawn.
+ */
+export const SCENE_LIMITS = {
+  sphere: 128,
+  box: 128,
+  plane: 32,
+  quad: 64,
+  light: 16,
+  material: 352,
+  track: 1024,
+  keysPerTrack: 4096,
+  nameLength: 200,
+  maxReflections: 64,
+  lightSamples: 256,
+} as const;
