@@ -1,0 +1,588 @@
+// Linked from integrator/classic/classic.wesl by `npm run shaders`. Do not edit.
+// Below this share of the picture a mirror ray is not worth following.
+const leastWeight = 0.000244140625;
+
+fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f {
+  var ray = first;
+  var weight = 1.0;
+  var radiance = vec3f(0.0);
+  for (var reflection = 0u; reflection <= maxReflections; reflection++) {
+    let hit = closestHit(ray);
+    let seen = closestBall(ray, hit.t);
+    radiance += weight * halo(ray, seen.t);
+    if (seen.t < hit.t) {
+      radiance += weight * seen.ball;
+      break;
+    }
+    if (hit.shape == noShape) {
+      radiance += weight * sky(ray.direction);
+      break;
+    }
+    let shape = fetchShape(hit.shape);
+    let material = fetchMaterial(hit.shape);
+    let position = ray.origin + hit.t * ray.direction;
+    let outward = outwardNormal(hit.shape, shape, position);
+    let normal = select(outward, -outward, dot(outward, ray.direction) > 0.0);
+    let point = SurfacePoint(position, normal, outward, -ray.direction, hit.shape);
+    radiance += weight * (1.0 - material.reflectivity) * shade(point, material, hash, reflection, lightSamples);
+    weight *= material.reflectivity;
+    if (weight < leastWeight) {
+      break;
+    }
+    ray = rayFrom(position, reflect(ray.direction, normal), hit.shape, isFlat(hit.shape), outward);
+  }
+  return radiance;
+}
+
+// Adds one film sample to what the film holds: RGB sums, and in alpha how many.
+@fragment fn classic(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
+  let pixel = vec2u(fragment.xy);
+  let column = f32(pixel.x) + 0.5;
+  let panel = frame.panels[u32(column >= frame.dividers.x) + u32(column >= frame.dividers.y)];
+  let direction = pinholeDirection(floor(fragment.xy) + frame.jitter);
+  let hash = pixelHash0(pixel, frame.sampleIndex, frame.seed);
+  let radiance = trace(cameraRay(direction), hash, panel.x, panel.y);
+  var sum = vec4f(0.0);
+  if (frame.sampleIndex > 0u) {
+    sum = textureLoad(previousFilm, pixel, 0);
+  }
+  return sum + vec4f(radiance, 1.0);
+}
+
+struct Ray {
+  origin: vec3f,
+  direction: vec3f,
+  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
+  leaves: u32,
+  // The solid that the ray starts inside of: only its far side counts.
+  inside: u32,
+  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
+  tMin: f32,
+}
+
+
+fn closestHit(ray: Ray) -> Hit {
+  var hit = Hit(miss, noShape);
+  let count = shapeCount();
+  for (var i = 0u; i < count; i++) {
+    let t = intersectShape(i, fetchShape(i), ray);
+    if (t < hit.t) {
+      hit = Hit(t, i);
+    }
+  }
+  return hit;
+}
+
+// The nearest visible ball in front of distance t.
+fn closestBall(ray: Ray, t: f32) -> SeenLight {
+  var seen = SeenLight(t, vec3f(0.0));
+  for (var i = 0u; i < frame.lightCount; i++) {
+    let light = fetchLight(i);
+    if (light.visible < 0.0) {
+      continue;
+    }
+    let distance = intersectSphere(ray.origin, ray.direction, light.center, light.radius, ray.tMin, false);
+    if (distance < seen.t) {
+      seen = SeenLight(distance, light.visible * light.diffuse);
+    }
+  }
+  return seen;
+}
+
+// Light that haze along the first t metres of the ray sends back: the falloff 1 / d^2, integrated.
+fn halo(ray: Ray, t: f32) -> vec3f {
+  var sum = vec3f(0.0);
+  for (var i = 0u; i < frame.lightCount; i++) {
+    let light = fetchLight(i);
+    if (light.halo <= 0.0) {
+      continue;
+    }
+    let toLight = light.center - ray.origin;
+    let along = dot(toLight, ray.direction);
+    let across = toLight - along * ray.direction;
+    let b = max(length(across), light.radius);
+    sum += light.halo * light.diffuse * ((atan((min(t, haloEnd) - along) / b) + atan(along / b)) / b);
+  }
+  return sum;
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+fn fetchShape(i: u32) -> Shape {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Shape(t0.xyz, t0.w, t1.xyzw, t2.xyzw);
+}
+
+fn fetchMaterial(i: u32) -> Material {
+  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
+}
+
+// The geometric normal at a point on shape i, unit length, out of solids.
+fn outwardNormal(i: u32, shape: Shape, point: vec3f) -> vec3f {
+  if (isSphere(i)) {
+    return normalize(point - shape.center);
+  }
+  if (isFlat(i)) {
+    if (isPlane(i)) {
+      return shape.center;
+    }
+    return normalize(cross(shape.a.xyz, shape.b.xyz));
+  }
+  return rotateBack(shape.a, boxNormal(rotate(shape.a, point - shape.center), shape.b.xyz));
+}
+
+struct SurfacePoint {
+  position: vec3f,
+  // Unit, towards the side that the ray came from.
+  normal: vec3f,
+  // Unit, out of the solid.
+  outward: vec3f,
+  // Unit, back along the ray.
+  view: vec3f,
+  shape: u32,
+}
+
+
+fn shade(p: SurfacePoint, m: Material, pixelHash: u32, reflection: u32, sampleCount: u32) -> vec3f {
+  var color = vec3f(0.0);
+  for (var i = 0u; i < frame.lightCount; i++) {
+    let light = fetchLight(i);
+    let samples = lightSampler(sampleCount, pixelHash, i, reflection);
+    var sum = vec3f(0.0);
+    for (var first = 0u; first < sampleCount; first += 32u) {
+      let count = min(sampleCount - first, 32u);
+      let hidden = hiddenSamples(p.position, p.shape, p.outward, light, samples, first, count);
+      for (var k = 0u; k < count; k++) {
+        if (((hidden >> k) & 1u) == 1u) {
+          continue;
+        }
+        sum += sampleLight(p, m, light, light.center + light.radius * samplePoint(samples, first + k) - p.position);
+      }
+    }
+    color += light.ambient * m.baseColor + sum / f32(sampleCount);
+  }
+  return color;
+}
+
+// The ray from a point on `shape` towards `direction`. `outward` is the geometric normal that points out of a solid.
+fn rayFrom(point: vec3f, direction: vec3f, shape: u32, isFlat: bool, outward: vec3f) -> Ray {
+  let leaving = isFlat || dot(direction, outward) > 0.0;
+  return Ray(point, direction, select(noShape, shape, leaving), select(shape, noShape, leaving), relativeTMin * length(point));
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+struct Frame {
+  // camera r times tan(fov / 2) times aspect
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times tan(fov / 2)
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, plane and quad
+  shapeEnds: vec4u,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+}
+
+
+struct Hit {
+  t: f32,
+  shape: u32,
+}
+
+
+const miss = 1e30;
+
+fn shapeCount() -> u32 {
+  return frame.shapeEnds.w;
+}
+
+// Distance along the ray to shape i, or `miss`.
+fn intersectShape(i: u32, shape: Shape, ray: Ray) -> f32 {
+  if (i == ray.leaves) {
+    return miss;
+  }
+  let startsInside = i == ray.inside;
+  if (isSphere(i)) {
+    return intersectSphere(ray.origin, ray.direction, shape.center, shape.radius, ray.tMin, startsInside);
+  }
+  if (isFlat(i)) {
+    if (isPlane(i)) {
+      return intersectPlane(ray.origin, ray.direction, shape.center, shape.radius, ray.tMin);
+    }
+    return intersectQuad(ray.origin, ray.direction, shape.center, shape.a.xyz, shape.b.xyz, ray.tMin);
+  }
+  var origin = ray.origin - shape.center;
+  var direction = ray.direction;
+  if (shape.a.w != 1.0) {
+    origin = rotate(shape.a, origin);
+    direction = rotate(shape.a, direction);
+  }
+  return intersectBox(origin, direction, shape.b.xyz, ray.tMin, startsInside);
+}
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let inverse = safeReciprocal(direction);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  let near = max(max(enter.x, enter.y), enter.z);
+  let far = min(min(leave.x, leave.y), leave.z);
+  if (near > far) {
+    return miss;
+  }
+  if (near > tMin && !startsInside) {
+    return near;
+  }
+  return select(miss, far, far > tMin);
+}
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Shape {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  if (discriminant < 0.0) {
+    return miss;
+  }
+  let half = sqrt(discriminant);
+  let near = along - half;
+  let far = along + half;
+  if (near > tMin && !startsInside) {
+    return near;
+  }
+  return select(miss, far, far > tMin);
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.y && i < frame.shapeEnds.z;
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  if (speed == 0.0) {
+    return miss;
+  }
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / speed;
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
+  return select(miss, t, t > tMin && within);
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  if (speed == 0.0) {
+    return miss;
+  }
+  let t = (offset - dot(origin, normal)) / speed;
+  return select(miss, t, t > tMin);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+fn safeReciprocal(d: vec3f) -> vec3f {
+  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+}
+
+struct SeenLight {
+  t: f32,
+  // Radiance of the ball, when it is nearer than what was hit.
+  ball: vec3f,
+}
+
+
+fn fetchLight(i: u32) -> Light {
+  let t0 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(7u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+struct Light {
+  // eye-relative
+  center: vec3f,
+  // of the ball
+  radius: f32,
+  // added everywhere
+  ambient: vec3f,
+  // density of the haze times radiance times radius^2
+  halo: f32,
+  // colour of the diffuse part
+  diffuse: vec3f,
+  // radiance times radius^2: w = power / distance^2
+  power: f32,
+  // colour of the highlight
+  specular: vec3f,
+  // radiance of the ball that is seen; negative: not seen
+  visible: f32,
+}
+
+
+// Where a ray that meets nothing ends for the halo, metres.
+const haloEnd = 1e5;
+
+struct Material {
+  // share of light that comes back
+  baseColor: vec3f,
+  // weight of the mirror ray
+  reflectivity: f32,
+  // strength of the highlight
+  specular: f32,
+  // Blinn-Phong exponent, 2 / roughness^4 - 2
+  exponent: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+}
+
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+// Outward normal at a point on (or by rounding next to) the surface: the face that the point is nearest to, one axis only.
+fn boxNormal(point: vec3f, halfSize: vec3f) -> vec3f {
+  let gap = abs(abs(point) - halfSize);
+  if (gap.x <= gap.y && gap.x <= gap.z) {
+    return vec3f(select(-1.0, 1.0, point.x > 0.0), 0.0, 0.0);
+  }
+  if (gap.y <= gap.z) {
+    return vec3f(0.0, select(-1.0, 1.0, point.y > 0.0), 0.0);
+  }
+  return vec3f(0.0, 0.0, select(-1.0, 1.0, point.z > 0.0));
+}
+
+fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> LightSampler {
+  let h = pcg(pixelHash + 64u * light + reflection);
+  return LightSampler(count, vec2f(unitFloat(h), unitFloat(pcg(h))));
+}
+
+// Bit k set: sample point first + k is hidden from `point`. At most 32 at a time.
+fn hiddenSamples(point: vec3f, source: u32, outward: vec3f, light: Light, samples: LightSampler, first: u32, count: u32) -> u32 {
+  let cone = shadowCone(point, light, samples.count);
+  let allHidden = 0xffffffffu >> (32u - count);
+  let flatSource = isFlat(source);
+  let shapes = shapeCount();
+  var hidden = 0u;
+  for (var i = 0u; i < shapes; i++) {
+    let shape = fetchShape(i);
+    if (!mayOcclude(i, shape, cone)) {
+      continue;
+    }
+    for (var k = 0u; k < count; k++) {
+      if (((hidden >> k) & 1u) == 1u) {
+        continue;
+      }
+      let toSample = light.center + light.radius * samplePoint(samples, first + k) - point;
+      let distance = length(toSample);
+      let ray = rayFrom(point, toSample / distance, source, flatSource, outward);
+      if (intersectShape(i, shape, ray) < distance) {
+        hidden |= 1u << k;
+      }
+    }
+    if (hidden == allHidden) {
+      break;
+    }
+  }
+  return hidden;
+}
+
+// Light of one unoccluded sample point, w included.
+fn sampleLight(p: SurfacePoint, m: Material, light: Light, toSample: vec3f) -> vec3f {
+  let distance2 = dot(toSample, toSample);
+  let l = toSample * inverseSqrt(distance2);
+  let cosine = dot(p.normal, l);
+  if (cosine <= 0.0) {
+    return vec3f(0.0);
+  }
+  var c = m.baseColor * light.diffuse * cosine;
+  if (m.specular > 0.0) {
+    c += m.specular * light.specular * pow(max(dot(p.normal, normalize(l + p.view)), 1e-10), m.exponent);
+  }
+  return c * (light.power / distance2);
+}
+
+// Point k relative to the centre, in radii.
+fn samplePoint(s: LightSampler, k: u32) -> vec3f {
+  if (s.count == 1u) {
+    return vec3f(0.0);
+  }
+  let i = f32(k);
+  if (s.count == 9u) {
+    let row = floor((i + 0.5) / 3.0);
+    return vec3f(0.5 * (i - 3.0 * row) - 0.5, 0.0, 0.5 * row - 0.5);
+  }
+  let z = 1.0 - 2.0 * (i + s.shift.x) / f32(s.count);
+  let phi = 6.283185307 * fract(i * 0.61803398875 + s.shift.y);
+  let r = sqrt(max(1.0 - z * z, 0.0));
+  return vec3f(r * cos(phi), r * sin(phi), z);
+}
+
+struct LightSampler {
+  count: u32,
+  // Turns the Fibonacci lattice, different for each pixel, film sample, reflection and light.
+  shift: vec2f,
+}
+
+
+fn shadowCone(apex: vec3f, light: Light, count: u32) -> ShadowCone {
+  let toLight = light.center - apex;
+  let distance = length(toLight);
+  let reach = light.radius * sampleReach(count);
+  let sine = min(reach / max(distance, 1e-30), 1.0);
+  return ShadowCone(apex, toLight / max(distance, 1e-30), distance, reach, sine, sqrt(1.0 - sine * sine));
+}
+
+// False only when no ray of the cone can meet the shape.
+fn mayOcclude(i: u32, shape: Shape, cone: ShadowCone) -> bool {
+  if (isPlane(i)) {
+    // Apex and all sample points on one side.
+    let here = dot(shape.center, cone.apex) - shape.radius;
+    let there = here + dot(shape.center, cone.axis) * cone.length;
+    return here * there <= 0.0 || abs(there) <= cone.reach;
+  }
+  // Distance of the bounding sphere from the cone: perpendicular · cos − along · sin, compared without a root.
+  let toShape = shape.center - cone.apex;
+  let along = dot(toShape, cone.axis);
+  let perpendicular2 = dot(toShape, toShape) - along * along;
+  let limit = shape.radius + along * cone.sine;
+  let outside = limit < 0.0 || perpendicular2 * cone.cosine * cone.cosine > limit * limit;
+  let behind = along < -shape.radius || along > cone.length + cone.reach + shape.radius;
+  if ((outside && cone.sine < 1.0) || behind) {
+    return false;
+  }
+  if (!isBox(i)) {
+    return true;
+  }
+  // A face of the box between it and the cone's own box.
+  var near = -toShape;
+  var far = near + cone.axis * cone.length;
+  if (shape.a.w != 1.0) {
+    near = rotate(shape.a, near);
+    far = rotate(shape.a, far);
+  }
+  let low = min(near, far - cone.reach);
+  let high = max(near, far + cone.reach);
+  return all(low <= shape.b.xyz) && all(high >= -shape.b.xyz);
+}
+
+fn isBox(i: u32) -> bool {
+  return i >= frame.shapeEnds.x && i < frame.shapeEnds.y;
+}
+
+// The cone from `apex` to all sample points of a light.
+struct ShadowCone {
+  apex: vec3f,
+  axis: vec3f,
+  length: f32,
+  // Radius of the sphere around the light's centre that holds all sample points.
+  reach: f32,
+  sine: f32,
+  cosine: f32,
+}
+
+
+// How far the points reach from the light's centre, in radii.
+fn sampleReach(count: u32) -> f32 {
+  if (count == 1u) {
+    return 0.0;
+  }
+  return select(1.0, 0.70710678, count == 9u);
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+fn pinholeDirection(filmPoint: vec2f) -> vec3f {
+  let x = 2.0 * filmPoint.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
+  return normalize(frame.forward + x * frame.right + y * frame.up);
+}
+
+fn pixelHash0(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
+  return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
+}
+
+fn cameraRay(direction: vec3f) -> Ray {
+  return Ray(vec3f(0.0), direction, noShape, noShape, 0.0);
+}
+
+@group(0) @binding(2) var previousFilm: texture_2d<f32>;
