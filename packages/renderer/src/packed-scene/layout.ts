@@ -22,9 +22,11 @@ type Fields = Readonly<Record<string, { type: FieldType; doc: string }>>;
 const field = (type: FieldType, doc: string) => ({ type, doc });
 
 export const STRUCTS = {
-  Shape: {
+  Bounds: {
     center: field('vec3f', 'centre of the bounding sphere, eye-relative; of a plane: its unit normal'),
     radius: field('f32', 'of the bounding sphere; of a plane: dot(normal, p) of its points'),
+  },
+  Extent: {
     a: field('vec4f', 'box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge'),
     b: field('vec4f', 'box: half its size; quad: reciprocal of its v edge'),
   },
@@ -59,7 +61,11 @@ export const STRUCTS = {
     seed: field('u32', 'of the random numbers'),
     jitter: field('vec2f', 'position inside the pixel, 0 to 1'),
     dividers: field('vec2f', 'film columns where the second and third panel begin'),
-    shapeEnds: field('vec4u', 'index past the last sphere, box, plane and quad'),
+    shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
+    occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
+    spare0: field('u32', 'unused'),
+    spare1: field('u32', 'unused'),
+    spare2: field('u32', 'unused'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
   },
   Display: {
@@ -108,7 +114,7 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
 }
 
 /** Which structs share a row of the scene table, in this order from the left. */
-const TABLE_STRUCTS = ['Shape', 'Material', 'Light'] as const;
+const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light'] as const;
 export type TableStruct = (typeof TABLE_STRUCTS)[number];
 
 /** Texels (of 16 bytes) left of the struct in its row. */

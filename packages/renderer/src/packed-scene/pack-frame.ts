@@ -59,6 +59,7 @@ export function packFrame(
     jitter: filmJitter(sampleIndex),
     dividers: [dividers[0] * film.width, dividers[1] * film.width],
     shapeEnds: packed.shapeEnds,
+    occluderEnd: packed.occluderEnd,
     panels: panels.flatMap((p) => [p.maxReflections, p.lightSamples, 0, 0]),
   });
 }

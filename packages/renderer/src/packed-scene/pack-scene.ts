@@ -1,6 +1,6 @@
 /**
- * Scene → the scene table's bytes. Shapes are sorted by kind (spheres, boxes, planes, quads) and keep the file's order inside a
- * kind. Positions become relative to `eye` here, in double precision.
+ * Scene → the scene table's bytes. Shapes are sorted by kind (spheres, boxes, quads, planes) and keep the file's order inside a
+ * kind, except that planes which cast no shadow come last. Positions become relative to `eye` here, in double precision.
  */
 import type { Box, Light, Material, Plane, Quad, Scene, Shape, Sphere, Vec3 } from '../scene/scene.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
@@ -10,14 +10,16 @@ export interface PackedScene {
   /** Texels of the table, row by row; only the first `rows` rows hold anything. */
   readonly table: Block;
   readonly rows: number;
-  /** Index past the last sphere, box, plane and quad. */
+  /** Index past the last sphere, box, quad and plane. */
   readonly shapeEnds: readonly [number, number, number, number];
+  /** Index past the last shape that may stand between a light and a point. */
+  readonly occluderEnd: number;
   readonly lightCount: number;
   /** Names in table order, so that an index can be told to people. */
   readonly shapeNames: readonly string[];
 }
 
-const KINDS = ['sphere', 'box', 'plane', 'quad'] as const;
+const KINDS = ['sphere', 'box', 'quad', 'plane'] as const;
 const ROW_BYTES = TABLE_WIDTH * 16;
 
 const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -39,9 +41,14 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeStruct(table, name, row * ROW_BYTES + tableColumn(name) * 16, values);
 
+  const casts = ([, plane]: [string, Shape]) => castsShadow(plane as Plane, eye, lights);
+  const planes = sorted[3]!;
+  sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
   const ordered = sorted.flat();
   ordered.forEach(([, shape], row) => {
-    put('Shape', row, shapeValues(shape, eye));
+    const { center, radius, ...extent } = shapeValues(shape, eye);
+    put('Bounds', row, { center, radius });
+    put('Extent', row, extent);
     put('Material', row, materialValues(scene.materials[shape.material]!));
   });
   lights.forEach((light, row) => {
@@ -49,10 +56,25 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
   });
   let end = 0;
   const shapeEnds = sorted.map((kind) => (end += kind.length)) as [number, number, number, number];
-  return { table, rows, shapeEnds, lightCount: lights.length, shapeNames: ordered.map(([name]) => name) };
+  const occluderEnd = shapeEnds[2] + planes.filter(casts).length;
+  return { table, rows, shapeEnds, occluderEnd, lightCount: lights.length, shapeNames: ordered.map(([name]) => name) };
 }
 
-function shapeValues(shape: Shape, eye: Vec3): StructValues<'Shape'> {
+/**
+ * A plane that has the eye and every light wholly on one side casts no shadow that can be seen: what the camera sees, directly
+ * or by mirrors, lies on that side too, since the plane itself would be hit on the way to the other; and a line between two
+ * points of one side does not cross. This spares a closed room the tests of its six walls.
+ */
+function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly Light[]): boolean {
+  const length = Math.hypot(...normal);
+  const height = (p: Vec3) => dot(normal, subtract(p, point)) / length;
+  const side = Math.sign(height(eye));
+  return !lights.every((l) => height(l.center) * side > l.radius);
+}
+
+type ShapeValues = StructValues<'Bounds'> & StructValues<'Extent'>;
+
+function shapeValues(shape: Shape, eye: Vec3): ShapeValues {
   switch (shape.type) {
     case 'sphere':
       return sphereValues(shape, eye);
@@ -65,11 +87,11 @@ function shapeValues(shape: Shape, eye: Vec3): StructValues<'Shape'> {
   }
 }
 
-function sphereValues({ center, radius }: Sphere, eye: Vec3): StructValues<'Shape'> {
+function sphereValues({ center, radius }: Sphere, eye: Vec3): ShapeValues {
   return { center: subtract(center, eye), radius };
 }
 
-function boxValues({ center, size, rotation }: Box, eye: Vec3): StructValues<'Shape'> {
+function boxValues({ center, size, rotation }: Box, eye: Vec3): ShapeValues {
   const half = scale(size, 0.5);
   const q = eulerQuaternion(rotation);
   // The kernel turns from world to box: the inverse rotation.
@@ -81,12 +103,12 @@ function boxValues({ center, size, rotation }: Box, eye: Vec3): StructValues<'Sh
   };
 }
 
-function planeValues({ point, normal }: Plane, eye: Vec3): StructValues<'Shape'> {
+function planeValues({ point, normal }: Plane, eye: Vec3): ShapeValues {
   const n = scale(normal, 1 / Math.hypot(...normal));
   return { center: n, radius: dot(n, subtract(point, eye)) };
 }
 
-function quadValues({ corner, u, v }: Quad, eye: Vec3): StructValues<'Shape'> {
+function quadValues({ corner, u, v }: Quad, eye: Vec3): ShapeValues {
   const normal = cross(u, v);
   const area2 = dot(normal, normal);
   const reciprocalU = scale(cross(v, normal), 1 / area2);

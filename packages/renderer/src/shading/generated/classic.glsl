@@ -3,12 +3,15 @@
 precision highp float;
 precision highp int;
 
-struct Ray {
-    vec3 origin;
-    vec3 direction;
+struct Start {
+    vec3 point;
     uint leaves;
     uint inside;
     float tMin;
+};
+struct Ray {
+    Start start;
+    vec3 direction;
 };
 struct Hit {
     float t;
@@ -28,11 +31,17 @@ struct Frame {
     vec2 jitter;
     vec2 dividers;
     uvec4 shapeEnds;
+    uint occluderEnd;
+    uint spare0_;
+    uint spare1_;
+    uint spare2_;
     uvec4 panels[3];
 };
-struct Shape {
+struct Bounds {
     vec3 center;
     float radius;
+};
+struct Extent {
     vec4 a;
     vec4 b;
 };
@@ -59,11 +68,9 @@ struct Material {
     float spare1_;
 };
 struct SurfacePoint {
-    vec3 position;
+    Start start;
     vec3 normal;
-    vec3 outward;
     vec3 view;
-    uint shape;
 };
 struct LightSampler {
     uint count;
@@ -75,7 +82,7 @@ struct ShadowCone {
     float length_;
     float reach;
     float sine;
-    float cosine;
+    float cosine2_;
 };
 const uint noShape = 4294967295u;
 
@@ -121,22 +128,9 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     return ((far_1 > tMin) ? far_1 : 1e30);
 }
 
-bool isFlat(uint i_1) {
-    uint _e4 = frame.shapeEnds.y;
+bool isPlane(uint i_1) {
+    uint _e4 = frame.shapeEnds.z;
     return (i_1 >= _e4);
-}
-
-bool isPlane(uint i_2) {
-    bool local_1 = false;
-    uint _e4 = frame.shapeEnds.y;
-    if ((i_2 >= _e4)) {
-        uint _e11 = frame.shapeEnds.z;
-        local_1 = (i_2 < _e11);
-    } else {
-        local_1 = false;
-    }
-    bool _e14 = local_1;
-    return _e14;
 }
 
 float intersectPlane(vec3 origin_1, vec3 direction_1, vec3 normal, float offset, float tMin_1) {
@@ -148,9 +142,20 @@ float intersectPlane(vec3 origin_1, vec3 direction_1, vec3 normal, float offset,
     return ((t_2 > tMin_1) ? t_2 : 1e30);
 }
 
+Extent fetchExtent(uint i_2) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
+    return Extent(t0_.xyzw, t1_.xyzw);
+}
+
+bool isFlat(uint i_3) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_3 >= _e4);
+}
+
 float intersectQuad(vec3 origin_2, vec3 direction_2, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    bool local_1 = false;
     bool local_2 = false;
-    bool local_3 = false;
     vec3 normal_1 = cross(reciprocalU, reciprocalV);
     float speed_1 = dot(direction_2, normal_1);
     if ((speed_1 == 0.0)) {
@@ -160,17 +165,17 @@ float intersectQuad(vec3 origin_2, vec3 direction_2, vec3 center_1, vec3 recipro
     float t_3 = (dot(toCenter_1, normal_1) / speed_1);
     vec3 p_2 = ((t_3 * direction_2) - toCenter_1);
     if ((abs(dot(p_2, reciprocalU)) <= 0.500001)) {
-        local_2 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
+        local_1 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
+    } else {
+        local_1 = false;
+    }
+    bool within = local_1;
+    if ((t_3 > tMin_2)) {
+        local_2 = within;
     } else {
         local_2 = false;
     }
-    bool within = local_2;
-    if ((t_3 > tMin_2)) {
-        local_3 = within;
-    } else {
-        local_3 = false;
-    }
-    bool _e31 = local_3;
+    bool _e31 = local_2;
     return (_e31 ? t_3 : 1e30);
 }
 
@@ -184,7 +189,7 @@ vec3 safeReciprocal(vec3 d) {
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize, float tMin_3, bool startsInside_1) {
-    bool local_4 = false;
+    bool local_3 = false;
     vec3 _e5 = safeReciprocal(direction_3);
     vec3 middle = (-(origin_3) * _e5);
     vec3 reach = (halfSize * abs(_e5));
@@ -196,86 +201,85 @@ float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize, float tMin_3,
         return 1e30;
     }
     if ((near_2 > tMin_3)) {
-        local_4 = !(startsInside_1);
+        local_3 = !(startsInside_1);
     } else {
-        local_4 = false;
+        local_3 = false;
     }
-    bool _e29 = local_4;
+    bool _e29 = local_3;
     if (_e29) {
         return near_2;
     }
     return ((far_2 > tMin_3) ? far_2 : 1e30);
 }
 
-float intersectShape(uint i_3, Shape shape, Ray ray) {
+float intersectShape(uint i_4, Bounds bounds, Ray ray) {
     vec3 origin_4 = vec3(0.0);
     vec3 direction_4 = vec3(0.0);
-    if ((i_3 == ray.leaves)) {
+    if ((i_4 == ray.start.leaves)) {
         return 1e30;
     }
-    bool startsInside_2 = (i_3 == ray.inside);
-    bool _e8 = isSphere(i_3);
-    if (_e8) {
-        float _e14 = intersectSphere(ray.origin, ray.direction, shape.center, shape.radius, ray.tMin, startsInside_2);
-        return _e14;
+    bool startsInside_2 = (i_4 == ray.start.inside);
+    bool _e10 = isSphere(i_4);
+    if (_e10) {
+        float _e18 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, startsInside_2);
+        return _e18;
     }
-    bool _e15 = isFlat(i_3);
-    if (_e15) {
-        bool _e16 = isPlane(i_3);
-        if (_e16) {
-            float _e22 = intersectPlane(ray.origin, ray.direction, shape.center, shape.radius, ray.tMin);
-            return _e22;
-        }
-        float _e31 = intersectQuad(ray.origin, ray.direction, shape.center, shape.a.xyz, shape.b.xyz, ray.tMin);
-        return _e31;
+    bool _e19 = isPlane(i_4);
+    if (_e19) {
+        float _e27 = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+        return _e27;
     }
-    origin_4 = (ray.origin - shape.center);
+    Extent _e28 = fetchExtent(i_4);
+    bool _e29 = isFlat(i_4);
+    if (_e29) {
+        float _e40 = intersectQuad(ray.start.point, ray.direction, bounds.center, _e28.a.xyz, _e28.b.xyz, ray.start.tMin);
+        return _e40;
+    }
+    origin_4 = (ray.start.point - bounds.center);
     direction_4 = ray.direction;
-    if ((shape.a.w != 1.0)) {
-        vec3 _e43 = origin_4;
-        vec3 _e44 = rotate(shape.a, _e43);
-        origin_4 = _e44;
-        vec3 _e46 = direction_4;
-        vec3 _e47 = rotate(shape.a, _e46);
-        direction_4 = _e47;
+    if ((_e28.a.w != 1.0)) {
+        vec3 _e53 = origin_4;
+        vec3 _e54 = rotate(_e28.a, _e53);
+        origin_4 = _e54;
+        vec3 _e56 = direction_4;
+        vec3 _e57 = rotate(_e28.a, _e56);
+        direction_4 = _e57;
     }
-    vec3 _e48 = origin_4;
-    vec3 _e49 = direction_4;
-    float _e53 = intersectBox(_e48, _e49, shape.b.xyz, ray.tMin, startsInside_2);
-    return _e53;
+    vec3 _e58 = origin_4;
+    vec3 _e59 = direction_4;
+    float _e64 = intersectBox(_e58, _e59, _e28.b.xyz, ray.start.tMin, startsInside_2);
+    return _e64;
 }
 
-Shape fetchShape(uint i_4) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i_4)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(1u, i_4)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_4)), 0);
-    return Shape(t0_.xyz, t0_.w, t1_.xyzw, t2_.xyzw);
+Bounds fetchBounds(uint i_5) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_5)), 0);
+    return Bounds(t0_1.xyz, t0_1.w);
 }
 
 Hit closestHit(Ray ray_1) {
     Hit hit = Hit(1e30, 4294967295u);
-    uint i_5 = 0u;
+    uint i_6 = 0u;
     uint _e5 = shapeCount();
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e20 = i_5;
-            i_5 = (_e20 + 1u);
+            uint _e20 = i_6;
+            i_6 = (_e20 + 1u);
         }
         loop_init = false;
-        uint _e8 = i_5;
+        uint _e8 = i_6;
         if ((_e8 < _e5)) {
         } else {
             break;
         }
         {
-            uint _e10 = i_5;
-            uint _e11 = i_5;
-            Shape _e12 = fetchShape(_e11);
+            uint _e10 = i_6;
+            uint _e11 = i_6;
+            Bounds _e12 = fetchBounds(_e11);
             float _e13 = intersectShape(_e10, _e12, ray_1);
             float _e15 = hit.t;
             if ((_e13 < _e15)) {
-                uint _e17 = i_5;
+                uint _e17 = i_6;
                 hit = Hit(_e13, _e17);
             }
         }
@@ -284,80 +288,80 @@ Hit closestHit(Ray ray_1) {
     return _e22;
 }
 
-Light fetchLight(uint i_6) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_6)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(6u, i_6)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(7u, i_6)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_6)), 0);
-    return Light(t0_1.xyz, t0_1.w, t1_1.xyz, t1_1.w, t2_1.xyz, t2_1.w, t3_.xyz, t3_.w);
+Light fetchLight(uint i_7) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(5u, i_7)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(6u, i_7)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_7)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_7)), 0);
+    return Light(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w);
 }
 
 SeenLight closestBall(Ray ray_2, float t) {
     SeenLight seen = SeenLight(0.0, vec3(0.0));
-    uint i_7 = 0u;
+    uint i_8 = 0u;
     seen = SeenLight(t, vec3(0.0));
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e33 = i_7;
-            i_7 = (_e33 + 1u);
+            uint _e35 = i_8;
+            i_8 = (_e35 + 1u);
         }
         loop_init_1 = false;
-        uint _e8 = i_7;
+        uint _e8 = i_8;
         uint _e11 = frame.lightCount;
         if ((_e8 < _e11)) {
         } else {
             break;
         }
         {
-            uint _e13 = i_7;
+            uint _e13 = i_8;
             Light _e14 = fetchLight(_e13);
             if ((_e14.visible < 0.0)) {
                 continue;
             }
-            float _e24 = intersectSphere(ray_2.origin, ray_2.direction, _e14.center, _e14.radius, ray_2.tMin, false);
-            float _e26 = seen.t;
-            if ((_e24 < _e26)) {
-                seen = SeenLight(_e24, (_e14.visible * _e14.diffuse));
+            float _e26 = intersectSphere(ray_2.start.point, ray_2.direction, _e14.center, _e14.radius, ray_2.start.tMin, false);
+            float _e28 = seen.t;
+            if ((_e26 < _e28)) {
+                seen = SeenLight(_e26, (_e14.visible * _e14.diffuse));
             }
         }
     }
-    SeenLight _e35 = seen;
-    return _e35;
+    SeenLight _e37 = seen;
+    return _e37;
 }
 
 vec3 halo(Ray ray_3, float t_1) {
     vec3 sum_1 = vec3(0.0);
-    uint i_8 = 0u;
+    uint i_9 = 0u;
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e44 = i_8;
-            i_8 = (_e44 + 1u);
+            uint _e45 = i_9;
+            i_9 = (_e45 + 1u);
         }
         loop_init_2 = false;
-        uint _e7 = i_8;
+        uint _e7 = i_9;
         uint _e10 = frame.lightCount;
         if ((_e7 < _e10)) {
         } else {
             break;
         }
         {
-            uint _e12 = i_8;
+            uint _e12 = i_9;
             Light _e13 = fetchLight(_e12);
             if ((_e13.halo <= 0.0)) {
                 continue;
             }
-            vec3 toLight = (_e13.center - ray_3.origin);
+            vec3 toLight = (_e13.center - ray_3.start.point);
             float along_1 = dot(toLight, ray_3.direction);
             vec3 across_1 = (toLight - (along_1 * ray_3.direction));
             float b = max(length(across_1), _e13.radius);
-            vec3 _e28 = sum_1;
-            sum_1 = (_e28 + ((_e13.halo * _e13.diffuse) * ((atan(((min(t_1, 100000.0) - along_1) / b)) + atan((along_1 / b))) / b)));
+            vec3 _e29 = sum_1;
+            sum_1 = (_e29 + ((_e13.halo * _e13.diffuse) * ((atan(((min(t_1, 100000.0) - along_1) / b)) + atan((along_1 / b))) / b)));
         }
     }
-    vec3 _e46 = sum_1;
-    return _e46;
+    vec3 _e47 = sum_1;
+    return _e47;
 }
 
 vec3 sky(vec3 direction_5) {
@@ -366,26 +370,20 @@ vec3 sky(vec3 direction_5) {
     return mix(_e3, _e6, max(direction_5.y, 0.0));
 }
 
-Material fetchMaterial(uint i_9) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_9)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_9)), 0);
-    return Material(t0_2.xyz, t0_2.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
-}
-
 vec3 rotateBack(vec4 q_1, vec3 v_1) {
     vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
     return _e6;
 }
 
 vec3 boxNormal(vec3 point, vec3 halfSize_1) {
-    bool local_5 = false;
+    bool local_4 = false;
     vec3 gap = abs((abs(point) - halfSize_1));
     if ((gap.x <= gap.y)) {
-        local_5 = (gap.x <= gap.z);
+        local_4 = (gap.x <= gap.z);
     } else {
-        local_5 = false;
+        local_4 = false;
     }
-    bool _e14 = local_5;
+    bool _e14 = local_4;
     if (_e14) {
         return vec3(((point.x > 0.0) ? 1.0 : -1.0), 0.0, 0.0);
     }
@@ -395,23 +393,35 @@ vec3 boxNormal(vec3 point, vec3 halfSize_1) {
     return vec3(0.0, 0.0, ((point.z > 0.0) ? 1.0 : -1.0));
 }
 
-vec3 outwardNormal(uint i_10, Shape shape_1, vec3 point_1) {
+vec3 outwardNormal(uint i_10, vec3 point_1) {
+    Bounds _e2 = fetchBounds(i_10);
     bool _e3 = isSphere(i_10);
     if (_e3) {
-        return normalize((point_1 - shape_1.center));
+        return normalize((point_1 - _e2.center));
     }
-    bool _e7 = isFlat(i_10);
+    bool _e7 = isPlane(i_10);
     if (_e7) {
-        bool _e8 = isPlane(i_10);
-        if (_e8) {
-            return shape_1.center;
-        }
-        return normalize(cross(shape_1.a.xyz, shape_1.b.xyz));
+        return _e2.center;
     }
-    vec3 _e20 = rotate(shape_1.a, (point_1 - shape_1.center));
-    vec3 _e23 = boxNormal(_e20, shape_1.b.xyz);
-    vec3 _e24 = rotateBack(shape_1.a, _e23);
-    return _e24;
+    Extent _e9 = fetchExtent(i_10);
+    bool _e10 = isFlat(i_10);
+    if (_e10) {
+        return normalize(cross(_e9.a.xyz, _e9.b.xyz));
+    }
+    vec3 _e21 = rotate(_e9.a, (point_1 - _e2.center));
+    vec3 _e24 = boxNormal(_e21, _e9.b.xyz);
+    vec3 _e25 = rotateBack(_e9.a, _e24);
+    return _e25;
+}
+
+Start onSurface(vec3 point_2, uint shape, bool seenFromInside) {
+    return Start(point_2, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_2)));
+}
+
+Material fetchMaterial(uint i_11) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_11)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_11)), 0);
+    return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
 }
 
 uint pcg(uint x) {
@@ -441,203 +451,199 @@ float sampleReach(uint count_1) {
 
 ShadowCone shadowCone(vec3 apex, Light light_1, uint count_2) {
     vec3 toLight_1 = (light_1.center - apex);
-    float distance_ = length(toLight_1);
-    float _e7 = sampleReach(count_2);
-    float reach_1 = (light_1.radius * _e7);
-    float sine = min((reach_1 / max(distance_, 1e-30)), 1.0);
-    return ShadowCone(apex, (toLight_1 / vec3(max(distance_, 1e-30))), distance_, reach_1, sine, sqrt((1.0 - (sine * sine))));
+    float distance_ = max(length(toLight_1), 1e-30);
+    float _e9 = sampleReach(count_2);
+    float reach_1 = (light_1.radius * _e9);
+    float sine = min((reach_1 / distance_), 1.0);
+    return ShadowCone(apex, (toLight_1 / vec3(distance_)), distance_, reach_1, sine, (1.0 - (sine * sine)));
 }
 
-bool isBox(uint i_11) {
-    bool local_6 = false;
+bool isBox(uint i_12) {
+    bool local_5 = false;
     uint _e4 = frame.shapeEnds.x;
-    if ((i_11 >= _e4)) {
+    if ((i_12 >= _e4)) {
         uint _e11 = frame.shapeEnds.y;
-        local_6 = (i_11 < _e11);
+        local_5 = (i_12 < _e11);
     } else {
-        local_6 = false;
+        local_5 = false;
     }
-    bool _e14 = local_6;
+    bool _e14 = local_5;
     return _e14;
 }
 
-bool mayOcclude(uint i_12, Shape shape_2, ShadowCone cone) {
+bool mayOcclude(uint i_13, Bounds bounds_1, ShadowCone cone) {
+    bool local_6 = false;
     bool local_7 = false;
     bool local_8 = false;
     bool local_9 = false;
     bool local_10 = false;
-    bool local_11 = false;
     vec3 near = vec3(0.0);
     vec3 far = vec3(0.0);
-    bool local_12 = false;
-    bool _e3 = isPlane(i_12);
+    bool local_11 = false;
+    bool _e3 = isPlane(i_13);
     if (_e3) {
-        float here = (dot(shape_2.center, cone.apex) - shape_2.radius);
-        float there = (here + (dot(shape_2.center, cone.axis) * cone.length_));
+        float here = (dot(bounds_1.center, cone.apex) - bounds_1.radius);
+        float there = (here + (dot(bounds_1.center, cone.axis) * cone.length_));
         if (!(((here * there) <= 0.0))) {
-            local_7 = (abs(there) <= cone.reach);
+            local_6 = (abs(there) <= cone.reach);
         } else {
-            local_7 = true;
+            local_6 = true;
         }
-        bool _e25 = local_7;
+        bool _e25 = local_6;
         return _e25;
     }
-    vec3 toShape = (shape_2.center - cone.apex);
+    vec3 toShape = (bounds_1.center - cone.apex);
     float along_2 = dot(toShape, cone.axis);
     float perpendicular2_ = (dot(toShape, toShape) - (along_2 * along_2));
-    float limit = (shape_2.radius + (along_2 * cone.sine));
+    float limit = (bounds_1.radius + (along_2 * cone.sine));
     if (!((limit < 0.0))) {
-        local_8 = (((perpendicular2_ * cone.cosine) * cone.cosine) > (limit * limit));
+        local_7 = ((perpendicular2_ * cone.cosine2_) > (limit * limit));
+    } else {
+        local_7 = true;
+    }
+    bool outside = local_7;
+    if (!((along_2 < -(bounds_1.radius)))) {
+        local_8 = (along_2 > ((cone.length_ + cone.reach) + bounds_1.radius));
     } else {
         local_8 = true;
     }
-    bool outside = local_8;
-    if (!((along_2 < -(shape_2.radius)))) {
-        local_9 = (along_2 > ((cone.length_ + cone.reach) + shape_2.radius));
-    } else {
-        local_9 = true;
-    }
-    bool behind = local_9;
+    bool behind = local_8;
     if (outside) {
-        local_10 = (cone.sine < 1.0);
+        local_9 = (cone.sine < 1.0);
     } else {
-        local_10 = false;
+        local_9 = false;
     }
-    bool _e71 = local_10;
-    if (!(_e71)) {
-        local_11 = behind;
+    bool _e69 = local_9;
+    if (!(_e69)) {
+        local_10 = behind;
     } else {
-        local_11 = true;
+        local_10 = true;
     }
-    bool _e76 = local_11;
-    if (_e76) {
+    bool _e74 = local_10;
+    if (_e74) {
         return false;
     }
-    bool _e78 = isBox(i_12);
-    if (!(_e78)) {
+    bool _e76 = isBox(i_13);
+    if (!(_e76)) {
         return true;
     }
+    Extent _e79 = fetchExtent(i_13);
     near = -(toShape);
-    vec3 _e83 = near;
-    far = (_e83 + (cone.axis * cone.length_));
-    if ((shape_2.a.w != 1.0)) {
-        vec3 _e94 = near;
-        vec3 _e95 = rotate(shape_2.a, _e94);
-        near = _e95;
-        vec3 _e97 = far;
-        vec3 _e98 = rotate(shape_2.a, _e97);
-        far = _e98;
+    vec3 _e82 = near;
+    far = (_e82 + (cone.axis * cone.length_));
+    if ((_e79.a.w != 1.0)) {
+        vec3 _e93 = near;
+        vec3 _e94 = rotate(_e79.a, _e93);
+        near = _e94;
+        vec3 _e96 = far;
+        vec3 _e97 = rotate(_e79.a, _e96);
+        far = _e97;
     }
-    vec3 _e99 = near;
-    vec3 _e100 = far;
-    vec3 low = min(_e99, (_e100 - vec3(cone.reach)));
-    vec3 _e105 = near;
-    vec3 _e106 = far;
-    vec3 high = max(_e105, (_e106 + vec3(cone.reach)));
-    if (all(lessThanEqual(low, shape_2.b.xyz))) {
-        local_12 = all(greaterThanEqual(high, -(shape_2.b.xyz)));
+    vec3 _e98 = near;
+    vec3 _e99 = far;
+    vec3 low = min(_e98, (_e99 - vec3(cone.reach)));
+    vec3 _e104 = near;
+    vec3 _e105 = far;
+    vec3 high = max(_e104, (_e105 + vec3(cone.reach)));
+    if (all(lessThanEqual(low, _e79.b.xyz))) {
+        local_11 = all(greaterThanEqual(high, -(_e79.b.xyz)));
     } else {
-        local_12 = false;
+        local_11 = false;
     }
-    bool _e123 = local_12;
-    return _e123;
+    bool _e122 = local_11;
+    return _e122;
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
     if ((s.count == 1u)) {
         return vec3(0.0);
     }
-    float i_15 = float(k);
+    float i_16 = float(k);
     if ((s.count == 9u)) {
-        float row = floor(((i_15 + 0.5) / 3.0));
-        return vec3(((0.5 * (i_15 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
+        float row = floor(((i_16 + 0.5) / 3.0));
+        return vec3(((0.5 * (i_16 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
     }
-    float z = (1.0 - ((2.0 * (i_15 + s.shift.x)) / float(s.count)));
-    float phi = (6.2831855 * fract(((i_15 * 0.618034) + s.shift.y)));
+    float z = (1.0 - ((2.0 * (i_16 + s.shift.x)) / float(s.count)));
+    float phi = (6.2831855 * fract(((i_16 * 0.618034) + s.shift.y)));
     float r = sqrt(max((1.0 - (z * z)), 0.0));
     return vec3((r * cos(phi)), (r * sin(phi)), z);
 }
 
-Ray rayFrom(vec3 point_2, vec3 direction_6, uint shape_3, bool isFlat_1, vec3 outward) {
-    bool local_13 = false;
-    if (!(isFlat_1)) {
-        local_13 = (dot(direction_6, outward) > 0.0);
-    } else {
-        local_13 = true;
-    }
-    bool leaving = local_13;
-    return Ray(point_2, direction_6, (leaving ? shape_3 : noShape), (leaving ? noShape : shape_3), (1e-5 * length(point_2)));
-}
-
-uint hiddenSamples(vec3 point_3, uint source, vec3 outward_1, Light light_2, LightSampler samples, uint first, uint count_3) {
+uint hiddenSamples(Start start, Light light_2, LightSampler samples, uint first, uint count_3) {
     uint hidden = 0u;
-    uint i_13 = 0u;
+    uint i_14 = 0u;
+    bool local_12 = false;
     uint k_1 = 0u;
-    ShadowCone _e8 = shadowCone(point_3, light_2, samples.count);
+    ShadowCone _e7 = shadowCone(start.point, light_2, samples.count);
     uint allHidden = (4294967295u >> (32u - count_3));
-    bool _e13 = isFlat(source);
-    uint _e14 = shapeCount();
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e63 = i_13;
-            i_13 = (_e63 + 1u);
+            uint _e72 = i_14;
+            i_14 = (_e72 + 1u);
         }
         loop_init_3 = false;
-        uint _e19 = i_13;
-        if ((_e19 < _e14)) {
+        uint _e16 = i_14;
+        uint _e19 = frame.occluderEnd;
+        if ((_e16 < _e19)) {
         } else {
             break;
         }
         {
-            uint _e21 = i_13;
-            Shape _e22 = fetchShape(_e21);
-            uint _e23 = i_13;
-            bool _e24 = mayOcclude(_e23, _e22, _e8);
-            if (!(_e24)) {
+            uint _e21 = i_14;
+            Bounds _e22 = fetchBounds(_e21);
+            uint _e23 = i_14;
+            if (!((_e23 == start.leaves))) {
+                uint _e29 = i_14;
+                bool _e30 = mayOcclude(_e29, _e22, _e7);
+                local_12 = !(_e30);
+            } else {
+                local_12 = true;
+            }
+            bool _e33 = local_12;
+            if (_e33) {
                 continue;
             }
             k_1 = 0u;
             bool loop_init_4 = true;
             while(true) {
                 if (!loop_init_4) {
-                    uint _e58 = k_1;
-                    k_1 = (_e58 + 1u);
+                    uint _e67 = k_1;
+                    k_1 = (_e67 + 1u);
                 }
                 loop_init_4 = false;
-                uint _e28 = k_1;
-                if ((_e28 < count_3)) {
+                uint _e36 = k_1;
+                if ((_e36 < count_3)) {
                 } else {
                     break;
                 }
                 {
-                    uint _e30 = hidden;
-                    uint _e31 = k_1;
-                    if ((((_e30 >> _e31) & 1u) == 1u)) {
+                    uint _e38 = hidden;
+                    uint _e39 = k_1;
+                    if ((((_e38 >> _e39) & 1u) == 1u)) {
                         continue;
                     }
-                    uint _e39 = k_1;
-                    vec3 _e41 = samplePoint(samples, (first + _e39));
-                    vec3 toSample_1 = ((light_2.center + (light_2.radius * _e41)) - point_3);
+                    uint _e47 = k_1;
+                    vec3 _e49 = samplePoint(samples, (first + _e47));
+                    vec3 toSample_1 = ((light_2.center + (light_2.radius * _e49)) - start.point);
                     float distance_1 = length(toSample_1);
-                    Ray _e48 = rayFrom(point_3, (toSample_1 / vec3(distance_1)), source, _e13, outward_1);
-                    uint _e49 = i_13;
-                    float _e50 = intersectShape(_e49, _e22, _e48);
-                    if ((_e50 < distance_1)) {
-                        uint _e52 = hidden;
-                        uint _e54 = k_1;
-                        hidden = (_e52 | (1u << _e54));
+                    uint _e55 = i_14;
+                    float _e59 = intersectShape(_e55, _e22, Ray(start, (toSample_1 / vec3(distance_1))));
+                    if ((_e59 < distance_1)) {
+                        uint _e61 = hidden;
+                        uint _e63 = k_1;
+                        hidden = (_e61 | (1u << _e63));
                     }
                 }
             }
-            uint _e60 = hidden;
-            if ((_e60 == allHidden)) {
+            uint _e69 = hidden;
+            if ((_e69 == allHidden)) {
                 break;
             }
         }
     }
-    uint _e65 = hidden;
-    return _e65;
+    uint _e74 = hidden;
+    return _e74;
 }
 
 vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toSample) {
@@ -659,95 +665,101 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toSample) {
 
 vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, uint sampleCount) {
     vec3 color = vec3(0.0);
-    uint i_14 = 0u;
+    uint i_15 = 0u;
     vec3 sum_2 = vec3(0.0);
     uint first_1 = 0u;
     uint k_2 = 0u;
     bool loop_init_5 = true;
     while(true) {
         if (!loop_init_5) {
-            uint _e75 = i_14;
-            i_14 = (_e75 + 1u);
+            uint _e84 = i_15;
+            i_15 = (_e84 + 1u);
         }
         loop_init_5 = false;
-        uint _e10 = i_14;
+        uint _e10 = i_15;
         uint _e13 = frame.lightCount;
         if ((_e10 < _e13)) {
         } else {
             break;
         }
         {
-            uint _e15 = i_14;
+            uint _e15 = i_15;
             Light _e16 = fetchLight(_e15);
-            uint _e17 = i_14;
-            LightSampler _e18 = lightSampler(sampleCount, pixelHash_1, _e17, reflection_1);
+            vec3 _e17 = color;
+            color = (_e17 + (_e16.ambient * m_1.baseColor));
+            if ((dot(p_1.normal, (_e16.center - p_1.start.point)) <= -(_e16.radius))) {
+                continue;
+            }
+            uint _e31 = i_15;
+            LightSampler _e32 = lightSampler(sampleCount, pixelHash_1, _e31, reflection_1);
             sum_2 = vec3(0.0);
             first_1 = 0u;
             bool loop_init_6 = true;
             while(true) {
                 if (!loop_init_6) {
-                    uint _e61 = first_1;
-                    first_1 = (_e61 + 32u);
+                    uint _e74 = first_1;
+                    first_1 = (_e74 + 32u);
                 }
                 loop_init_6 = false;
-                uint _e24 = first_1;
-                if ((_e24 < sampleCount)) {
+                uint _e38 = first_1;
+                if ((_e38 < sampleCount)) {
                 } else {
                     break;
                 }
                 {
-                    uint _e26 = first_1;
-                    uint count_4 = min((sampleCount - _e26), 32u);
-                    uint _e33 = first_1;
-                    uint _e34 = hiddenSamples(p_1.position, p_1.shape, p_1.outward, _e16, _e18, _e33, count_4);
+                    uint _e40 = first_1;
+                    uint count_4 = min((sampleCount - _e40), 32u);
+                    uint _e45 = first_1;
+                    uint _e46 = hiddenSamples(p_1.start, _e16, _e32, _e45, count_4);
                     k_2 = 0u;
                     bool loop_init_7 = true;
                     while(true) {
                         if (!loop_init_7) {
-                            uint _e59 = k_2;
-                            k_2 = (_e59 + 1u);
+                            uint _e72 = k_2;
+                            k_2 = (_e72 + 1u);
                         }
                         loop_init_7 = false;
-                        uint _e37 = k_2;
-                        if ((_e37 < count_4)) {
+                        uint _e49 = k_2;
+                        if ((_e49 < count_4)) {
                         } else {
                             break;
                         }
                         {
-                            uint _e39 = k_2;
-                            if ((((_e34 >> _e39) & 1u) == 1u)) {
+                            uint _e51 = k_2;
+                            if ((((_e46 >> _e51) & 1u) == 1u)) {
                                 continue;
                             }
-                            vec3 _e45 = sum_2;
-                            uint _e48 = first_1;
-                            uint _e49 = k_2;
-                            vec3 _e51 = samplePoint(_e18, (_e48 + _e49));
-                            vec3 _e56 = sampleLight(p_1, m_1, _e16, ((_e16.center + (_e16.radius * _e51)) - p_1.position));
-                            sum_2 = (_e45 + _e56);
+                            vec3 _e57 = sum_2;
+                            uint _e60 = first_1;
+                            uint _e61 = k_2;
+                            vec3 _e63 = samplePoint(_e32, (_e60 + _e61));
+                            vec3 _e69 = sampleLight(p_1, m_1, _e16, ((_e16.center + (_e16.radius * _e63)) - p_1.start.point));
+                            sum_2 = (_e57 + _e69);
                         }
                     }
                 }
             }
-            vec3 _e64 = color;
-            vec3 _e68 = sum_2;
-            color = (_e64 + ((_e16.ambient * m_1.baseColor) + (_e68 / vec3(float(sampleCount)))));
+            vec3 _e77 = color;
+            vec3 _e78 = sum_2;
+            color = (_e77 + (_e78 / vec3(float(sampleCount))));
         }
     }
-    vec3 _e77 = color;
-    return _e77;
+    vec3 _e86 = color;
+    return _e86;
 }
 
 vec3 trace(Ray first_2, uint hash, uint maxReflections, uint lightSamples) {
-    Ray ray_4 = Ray(vec3(0.0), vec3(0.0), 0u, 0u, 0.0);
+    Ray ray_4 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
+    bool local_13 = false;
     ray_4 = first_2;
     bool loop_init_8 = true;
     while(true) {
         if (!loop_init_8) {
-            uint _e93 = reflection_2;
-            reflection_2 = (_e93 + 1u);
+            uint _e97 = reflection_2;
+            reflection_2 = (_e97 + 1u);
         }
         loop_init_8 = false;
         uint _e12 = reflection_2;
@@ -779,35 +791,41 @@ vec3 trace(Ray first_2, uint hash, uint maxReflections, uint lightSamples) {
                 radiance = (_e37 + (_e38 * _e41));
                 break;
             }
-            Shape _e45 = fetchShape(_e15.shape);
-            Material _e47 = fetchMaterial(_e15.shape);
-            vec3 _e49 = ray_4.origin;
-            vec3 _e52 = ray_4.direction;
-            vec3 position = (_e49 + (_e15.t * _e52));
-            vec3 _e56 = outwardNormal(_e15.shape, _e45, position);
-            vec3 _e59 = ray_4.direction;
-            vec3 normal_2 = ((dot(_e56, _e59) > 0.0) ? -(_e56) : _e56);
-            vec3 _e65 = ray_4.direction;
-            SurfacePoint point_4 = SurfacePoint(position, normal_2, _e56, -(_e65), _e15.shape);
-            vec3 _e69 = radiance;
-            float _e70 = weight;
-            uint _e75 = reflection_2;
-            vec3 _e76 = shade(point_4, _e47, hash, _e75, lightSamples);
-            radiance = (_e69 + ((_e70 * (1.0 - _e47.reflectivity)) * _e76));
-            float _e79 = weight;
-            weight = (_e79 * _e47.reflectivity);
-            float _e82 = weight;
-            if ((_e82 < 0.00024414063)) {
+            vec3 _e46 = ray_4.start.point;
+            vec3 _e49 = ray_4.direction;
+            vec3 position = (_e46 + (_e15.t * _e49));
+            vec3 _e53 = outwardNormal(_e15.shape, position);
+            vec3 _e55 = ray_4.direction;
+            bool seenFromBack = (dot(_e53, _e55) > 0.0);
+            vec3 normal_2 = (seenFromBack ? -(_e53) : _e53);
+            if (seenFromBack) {
+                bool _e65 = isFlat(_e15.shape);
+                local_13 = !(_e65);
+            } else {
+                local_13 = false;
+            }
+            bool _e68 = local_13;
+            Start _e69 = onSurface(position, _e15.shape, _e68);
+            Material _e71 = fetchMaterial(_e15.shape);
+            vec3 _e73 = ray_4.direction;
+            SurfacePoint point_3 = SurfacePoint(_e69, normal_2, -(_e73));
+            vec3 _e76 = radiance;
+            float _e77 = weight;
+            uint _e82 = reflection_2;
+            vec3 _e83 = shade(point_3, _e71, hash, _e82, lightSamples);
+            radiance = (_e76 + ((_e77 * (1.0 - _e71.reflectivity)) * _e83));
+            float _e86 = weight;
+            weight = (_e86 * _e71.reflectivity);
+            float _e89 = weight;
+            if ((_e89 < 0.00024414063)) {
                 break;
             }
-            vec3 _e86 = ray_4.direction;
-            bool _e90 = isFlat(_e15.shape);
-            Ray _e91 = rayFrom(position, reflect(_e86, normal_2), _e15.shape, _e90, _e56);
-            ray_4 = _e91;
+            vec3 _e93 = ray_4.direction;
+            ray_4 = Ray(_e69, reflect(_e93, normal_2));
         }
     }
-    vec3 _e95 = radiance;
-    return _e95;
+    vec3 _e99 = radiance;
+    return _e99;
 }
 
 vec3 pinholeDirection(vec2 filmPoint) {
@@ -829,8 +847,8 @@ uint pixelHash0_(uvec2 pixel, uint sampleIndex, uint seed) {
     return _e11;
 }
 
-Ray cameraRay(vec3 direction_7) {
-    return Ray(vec3(0.0), direction_7, noShape, noShape, 0.0);
+Start atEye() {
+    return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
 }
 
 void main() {
@@ -846,15 +864,15 @@ void main() {
     uint _e33 = frame.sampleIndex;
     uint _e36 = frame.seed;
     uint _e37 = pixelHash0_(pixel_1, _e33, _e36);
-    Ray _e38 = cameraRay(_e30);
-    vec3 _e41 = trace(_e38, _e37, panel.x, panel.y);
-    uint _e47 = frame.sampleIndex;
-    if ((_e47 > 0u)) {
-        vec4 _e52 = texelFetch(previousFilm, ivec2(pixel_1), 0);
-        sum = _e52;
+    Start _e38 = atEye();
+    vec3 _e42 = trace(Ray(_e38, _e30), _e37, panel.x, panel.y);
+    uint _e48 = frame.sampleIndex;
+    if ((_e48 > 0u)) {
+        vec4 _e53 = texelFetch(previousFilm, ivec2(pixel_1), 0);
+        sum = _e53;
     }
-    vec4 _e53 = sum;
-    _fs2p_location0 = (_e53 + vec4(_e41, 1.0));
+    vec4 _e54 = sum;
+    _fs2p_location0 = (_e54 + vec4(_e42, 1.0));
     return;
 }
 

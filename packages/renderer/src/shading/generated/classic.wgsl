@@ -18,18 +18,19 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
       radiance += weight * sky(ray.direction);
       break;
     }
-    let shape = fetchShape(hit.shape);
+    let position = ray.start.point + hit.t * ray.direction;
+    let outward = outwardNormal(hit.shape, position);
+    let seenFromBack = dot(outward, ray.direction) > 0.0;
+    let normal = select(outward, -outward, seenFromBack);
+    let start = onSurface(position, hit.shape, seenFromBack && !isFlat(hit.shape));
     let material = fetchMaterial(hit.shape);
-    let position = ray.origin + hit.t * ray.direction;
-    let outward = outwardNormal(hit.shape, shape, position);
-    let normal = select(outward, -outward, dot(outward, ray.direction) > 0.0);
-    let point = SurfacePoint(position, normal, outward, -ray.direction, hit.shape);
+    let point = SurfacePoint(start, normal, -ray.direction);
     radiance += weight * (1.0 - material.reflectivity) * shade(point, material, hash, reflection, lightSamples);
     weight *= material.reflectivity;
     if (weight < leastWeight) {
       break;
     }
-    ray = rayFrom(position, reflect(ray.direction, normal), hit.shape, isFlat(hit.shape), outward);
+    ray = Ray(start, reflect(ray.direction, normal));
   }
   return radiance;
 }
@@ -41,7 +42,7 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
   let panel = frame.panels[u32(column >= frame.dividers.x) + u32(column >= frame.dividers.y)];
   let direction = pinholeDirection(floor(fragment.xy) + frame.jitter);
   let hash = pixelHash0(pixel, frame.sampleIndex, frame.seed);
-  let radiance = trace(cameraRay(direction), hash, panel.x, panel.y);
+  let radiance = trace(Ray(atEye(), direction), hash, panel.x, panel.y);
   var sum = vec4f(0.0);
   if (frame.sampleIndex > 0u) {
     sum = textureLoad(previousFilm, pixel, 0);
@@ -50,8 +51,14 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
 }
 
 struct Ray {
-  origin: vec3f,
+  start: Start,
   direction: vec3f,
+}
+
+
+// Where a ray starts, whichever way it then goes.
+struct Start {
+  point: vec3f,
   // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
   leaves: u32,
   // The solid that the ray starts inside of: only its far side counts.
@@ -65,7 +72,7 @@ fn closestHit(ray: Ray) -> Hit {
   var hit = Hit(miss, noShape);
   let count = shapeCount();
   for (var i = 0u; i < count; i++) {
-    let t = intersectShape(i, fetchShape(i), ray);
+    let t = intersectShape(i, fetchBounds(i), ray);
     if (t < hit.t) {
       hit = Hit(t, i);
     }
@@ -81,7 +88,7 @@ fn closestBall(ray: Ray, t: f32) -> SeenLight {
     if (light.visible < 0.0) {
       continue;
     }
-    let distance = intersectSphere(ray.origin, ray.direction, light.center, light.radius, ray.tMin, false);
+    let distance = intersectSphere(ray.start.point, ray.direction, light.center, light.radius, ray.start.tMin, false);
     if (distance < seen.t) {
       seen = SeenLight(distance, light.visible * light.diffuse);
     }
@@ -97,7 +104,7 @@ fn halo(ray: Ray, t: f32) -> vec3f {
     if (light.halo <= 0.0) {
       continue;
     }
-    let toLight = light.center - ray.origin;
+    let toLight = light.center - ray.start.point;
     let along = dot(toLight, ray.direction);
     let across = toLight - along * ray.direction;
     let b = max(length(across), light.radius);
@@ -110,11 +117,29 @@ fn halo(ray: Ray, t: f32) -> vec3f {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-fn fetchShape(i: u32) -> Shape {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  return Shape(t0.xyz, t0.w, t1.xyzw, t2.xyzw);
+// The geometric normal at a point on shape i, unit length, out of solids.
+fn outwardNormal(i: u32, point: vec3f) -> vec3f {
+  let bounds = fetchBounds(i);
+  if (isSphere(i)) {
+    return normalize(point - bounds.center);
+  }
+  if (isPlane(i)) {
+    return bounds.center;
+  }
+  let extent = fetchExtent(i);
+  if (isFlat(i)) {
+    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  }
+  return rotateBack(extent.a, boxNormal(rotate(extent.a, point - bounds.center), extent.b.xyz));
+}
+
+// On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
+fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
+  return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
 }
 
 fn fetchMaterial(i: u32) -> Material {
@@ -123,29 +148,12 @@ fn fetchMaterial(i: u32) -> Material {
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 
-// The geometric normal at a point on shape i, unit length, out of solids.
-fn outwardNormal(i: u32, shape: Shape, point: vec3f) -> vec3f {
-  if (isSphere(i)) {
-    return normalize(point - shape.center);
-  }
-  if (isFlat(i)) {
-    if (isPlane(i)) {
-      return shape.center;
-    }
-    return normalize(cross(shape.a.xyz, shape.b.xyz));
-  }
-  return rotateBack(shape.a, boxNormal(rotate(shape.a, point - shape.center), shape.b.xyz));
-}
-
 struct SurfacePoint {
-  position: vec3f,
+  start: Start,
   // Unit, towards the side that the ray came from.
   normal: vec3f,
-  // Unit, out of the solid.
-  outward: vec3f,
   // Unit, back along the ray.
   view: vec3f,
-  shape: u32,
 }
 
 
@@ -153,31 +161,26 @@ fn shade(p: SurfacePoint, m: Material, pixelHash: u32, reflection: u32, sampleCo
   var color = vec3f(0.0);
   for (var i = 0u; i < frame.lightCount; i++) {
     let light = fetchLight(i);
+    color += light.ambient * m.baseColor;
+    // Wholly behind the surface.
+    if (dot(p.normal, light.center - p.start.point) <= -light.radius) {
+      continue;
+    }
     let samples = lightSampler(sampleCount, pixelHash, i, reflection);
     var sum = vec3f(0.0);
     for (var first = 0u; first < sampleCount; first += 32u) {
       let count = min(sampleCount - first, 32u);
-      let hidden = hiddenSamples(p.position, p.shape, p.outward, light, samples, first, count);
+      let hidden = hiddenSamples(p.start, light, samples, first, count);
       for (var k = 0u; k < count; k++) {
         if (((hidden >> k) & 1u) == 1u) {
           continue;
         }
-        sum += sampleLight(p, m, light, light.center + light.radius * samplePoint(samples, first + k) - p.position);
+        sum += sampleLight(p, m, light, light.center + light.radius * samplePoint(samples, first + k) - p.start.point);
       }
     }
-    color += light.ambient * m.baseColor + sum / f32(sampleCount);
+    color += sum / f32(sampleCount);
   }
   return color;
-}
-
-// The ray from a point on `shape` towards `direction`. `outward` is the geometric normal that points out of a solid.
-fn rayFrom(point: vec3f, direction: vec3f, shape: u32, isFlat: bool, outward: vec3f) -> Ray {
-  let leaving = isFlat || dot(direction, outward) > 0.0;
-  return Ray(point, direction, select(noShape, shape, leaving), select(shape, noShape, leaving), relativeTMin * length(point));
-}
-
-fn isFlat(i: u32) -> bool {
-  return i >= frame.shapeEnds.y;
 }
 
 fn sky(direction: vec3f) -> vec3f {
@@ -211,8 +214,16 @@ struct Frame {
   jitter: vec2f,
   // film columns where the second and third panel begin
   dividers: vec2f,
-  // index past the last sphere, box, plane and quad
+  // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // unused
+  spare0: u32,
+  // unused
+  spare1: u32,
+  // unused
+  spare2: u32,
   // per panel: max reflections, light samples, unused, unused
   panels: array<vec4u, 3>,
 }
@@ -231,31 +242,47 @@ fn shapeCount() -> u32 {
 }
 
 // Distance along the ray to shape i, or `miss`.
-fn intersectShape(i: u32, shape: Shape, ray: Ray) -> f32 {
-  if (i == ray.leaves) {
+fn intersectShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  if (i == ray.start.leaves) {
     return miss;
   }
-  let startsInside = i == ray.inside;
+  let startsInside = i == ray.start.inside;
   if (isSphere(i)) {
-    return intersectSphere(ray.origin, ray.direction, shape.center, shape.radius, ray.tMin, startsInside);
+    return intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, startsInside);
   }
+  if (isPlane(i)) {
+    return intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  }
+  let extent = fetchExtent(i);
   if (isFlat(i)) {
-    if (isPlane(i)) {
-      return intersectPlane(ray.origin, ray.direction, shape.center, shape.radius, ray.tMin);
-    }
-    return intersectQuad(ray.origin, ray.direction, shape.center, shape.a.xyz, shape.b.xyz, ray.tMin);
+    return intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
   }
-  var origin = ray.origin - shape.center;
+  var origin = ray.start.point - bounds.center;
   var direction = ray.direction;
-  if (shape.a.w != 1.0) {
-    origin = rotate(shape.a, origin);
-    direction = rotate(shape.a, direction);
+  if (extent.a.w != 1.0) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
   }
-  return intersectBox(origin, direction, shape.b.xyz, ray.tMin, startsInside);
+  return intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, startsInside);
+}
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
 }
 
 fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
 }
 
 fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
@@ -276,15 +303,11 @@ fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, sta
 }
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
-struct Shape {
+struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
   // of the bounding sphere; of a plane: dot(normal, p) of its points
   radius: f32,
-  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
-  a: vec4f,
-  // box: half its size; quad: reciprocal of its v edge
-  b: vec4f,
 }
 
 
@@ -305,8 +328,13 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   return select(miss, far, far > tMin);
 }
 
-fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.y && i < frame.shapeEnds.z;
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  if (speed == 0.0) {
+    return miss;
+  }
+  let t = (offset - dot(origin, normal)) / speed;
+  return select(miss, t, t > tMin);
 }
 
 fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
@@ -323,15 +351,6 @@ fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: ve
   return select(miss, t, t > tMin && within);
 }
 
-fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
-  let speed = dot(direction, normal);
-  if (speed == 0.0) {
-    return miss;
-  }
-  let t = (offset - dot(origin, normal)) / speed;
-  return select(miss, t, t > tMin);
-}
-
 // Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
 const quadOverlap = 1e-6;
 
@@ -340,6 +359,16 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   let t = 2.0 * cross(q.xyz, v);
   return v + q.w * t + cross(q.xyz, t);
 }
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
 
 fn safeReciprocal(d: vec3f) -> vec3f {
   return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
@@ -359,8 +388,6 @@ fn fetchLight(i: u32) -> Light {
   let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
   return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
 }
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Light {
   // eye-relative
@@ -385,22 +412,6 @@ struct Light {
 // Where a ray that meets nothing ends for the halo, metres.
 const haloEnd = 1e5;
 
-struct Material {
-  // share of light that comes back
-  baseColor: vec3f,
-  // weight of the mirror ray
-  reflectivity: f32,
-  // strength of the highlight
-  specular: f32,
-  // Blinn-Phong exponent, 2 / roughness^4 - 2
-  exponent: f32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-}
-
-
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
@@ -417,31 +428,47 @@ fn boxNormal(point: vec3f, halfSize: vec3f) -> vec3f {
   return vec3f(0.0, 0.0, select(-1.0, 1.0, point.z > 0.0));
 }
 
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+struct Material {
+  // share of light that comes back
+  baseColor: vec3f,
+  // weight of the mirror ray
+  reflectivity: f32,
+  // strength of the highlight
+  specular: f32,
+  // Blinn-Phong exponent, 2 / roughness^4 - 2
+  exponent: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+}
+
+
 fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> LightSampler {
   let h = pcg(pixelHash + 64u * light + reflection);
   return LightSampler(count, vec2f(unitFloat(h), unitFloat(pcg(h))));
 }
 
-// Bit k set: sample point first + k is hidden from `point`. At most 32 at a time.
-fn hiddenSamples(point: vec3f, source: u32, outward: vec3f, light: Light, samples: LightSampler, first: u32, count: u32) -> u32 {
-  let cone = shadowCone(point, light, samples.count);
+// Bit k set: sample point first + k is hidden from the start. At most 32 at a time.
+fn hiddenSamples(start: Start, light: Light, samples: LightSampler, first: u32, count: u32) -> u32 {
+  let cone = shadowCone(start.point, light, samples.count);
   let allHidden = 0xffffffffu >> (32u - count);
-  let flatSource = isFlat(source);
-  let shapes = shapeCount();
   var hidden = 0u;
-  for (var i = 0u; i < shapes; i++) {
-    let shape = fetchShape(i);
-    if (!mayOcclude(i, shape, cone)) {
+  for (var i = 0u; i < frame.occluderEnd; i++) {
+    let bounds = fetchBounds(i);
+    if (i == start.leaves || !mayOcclude(i, bounds, cone)) {
       continue;
     }
     for (var k = 0u; k < count; k++) {
       if (((hidden >> k) & 1u) == 1u) {
         continue;
       }
-      let toSample = light.center + light.radius * samplePoint(samples, first + k) - point;
+      let toSample = light.center + light.radius * samplePoint(samples, first + k) - start.point;
       let distance = length(toSample);
-      let ray = rayFrom(point, toSample / distance, source, flatSource, outward);
-      if (intersectShape(i, shape, ray) < distance) {
+      if (intersectShape(i, bounds, Ray(start, toSample / distance)) < distance) {
         hidden |= 1u << k;
       }
     }
@@ -492,27 +519,27 @@ struct LightSampler {
 
 fn shadowCone(apex: vec3f, light: Light, count: u32) -> ShadowCone {
   let toLight = light.center - apex;
-  let distance = length(toLight);
+  let distance = max(length(toLight), 1e-30);
   let reach = light.radius * sampleReach(count);
-  let sine = min(reach / max(distance, 1e-30), 1.0);
-  return ShadowCone(apex, toLight / max(distance, 1e-30), distance, reach, sine, sqrt(1.0 - sine * sine));
+  let sine = min(reach / distance, 1.0);
+  return ShadowCone(apex, toLight / distance, distance, reach, sine, 1.0 - sine * sine);
 }
 
 // False only when no ray of the cone can meet the shape.
-fn mayOcclude(i: u32, shape: Shape, cone: ShadowCone) -> bool {
+fn mayOcclude(i: u32, bounds: Bounds, cone: ShadowCone) -> bool {
   if (isPlane(i)) {
     // Apex and all sample points on one side.
-    let here = dot(shape.center, cone.apex) - shape.radius;
-    let there = here + dot(shape.center, cone.axis) * cone.length;
+    let here = dot(bounds.center, cone.apex) - bounds.radius;
+    let there = here + dot(bounds.center, cone.axis) * cone.length;
     return here * there <= 0.0 || abs(there) <= cone.reach;
   }
   // Distance of the bounding sphere from the cone: perpendicular · cos − along · sin, compared without a root.
-  let toShape = shape.center - cone.apex;
+  let toShape = bounds.center - cone.apex;
   let along = dot(toShape, cone.axis);
   let perpendicular2 = dot(toShape, toShape) - along * along;
-  let limit = shape.radius + along * cone.sine;
-  let outside = limit < 0.0 || perpendicular2 * cone.cosine * cone.cosine > limit * limit;
-  let behind = along < -shape.radius || along > cone.length + cone.reach + shape.radius;
+  let limit = bounds.radius + along * cone.sine;
+  let outside = limit < 0.0 || perpendicular2 * cone.cosine2 > limit * limit;
+  let behind = along < -bounds.radius || along > cone.length + cone.reach + bounds.radius;
   if ((outside && cone.sine < 1.0) || behind) {
     return false;
   }
@@ -520,15 +547,16 @@ fn mayOcclude(i: u32, shape: Shape, cone: ShadowCone) -> bool {
     return true;
   }
   // A face of the box between it and the cone's own box.
+  let extent = fetchExtent(i);
   var near = -toShape;
   var far = near + cone.axis * cone.length;
-  if (shape.a.w != 1.0) {
-    near = rotate(shape.a, near);
-    far = rotate(shape.a, far);
+  if (extent.a.w != 1.0) {
+    near = rotate(extent.a, near);
+    far = rotate(extent.a, far);
   }
   let low = min(near, far - cone.reach);
   let high = max(near, far + cone.reach);
-  return all(low <= shape.b.xyz) && all(high >= -shape.b.xyz);
+  return all(low <= extent.b.xyz) && all(high >= -extent.b.xyz);
 }
 
 fn isBox(i: u32) -> bool {
@@ -543,7 +571,7 @@ struct ShadowCone {
   // Radius of the sphere around the light's centre that holds all sample points.
   reach: f32,
   sine: f32,
-  cosine: f32,
+  cosine2: f32,
 }
 
 
@@ -568,9 +596,6 @@ fn unitFloat(h: u32) -> f32 {
   return f32(h >> 8u) * 5.9604644775390625e-8;
 }
 
-// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
-const relativeTMin = 1e-5;
-
 fn pinholeDirection(filmPoint: vec2f) -> vec3f {
   let x = 2.0 * filmPoint.x / frame.width - 1.0;
   let y = 1.0 - 2.0 * filmPoint.y / frame.height;
@@ -581,8 +606,8 @@ fn pixelHash0(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
 
-fn cameraRay(direction: vec3f) -> Ray {
-  return Ray(vec3f(0.0), direction, noShape, noShape, 0.0);
+fn atEye() -> Start {
+  return Start(vec3f(0.0), noShape, noShape, 0.0);
 }
 
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
