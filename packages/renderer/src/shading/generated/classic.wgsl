@@ -70,12 +70,18 @@ struct Start {
 
 fn closestHit(ray: Ray) -> Hit {
   var hit = Hit(miss, noShape);
-  let count = shapeCount();
-  for (var i = 0u; i < count; i++) {
-    let t = intersectShape(i, fetchBounds(i), ray);
-    if (t < hit.t) {
-      hit = Hit(t, i);
-    }
+  let ends = frame.shapeEnds;
+  for (var i = 0u; i < ends.x; i++) {
+    hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.x; i < ends.y; i++) {
+    hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.y; i < ends.z; i++) {
+    hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.z; i < ends.w; i++) {
+    hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
   }
   return hit;
 }
@@ -170,12 +176,12 @@ fn shade(p: SurfacePoint, m: Material, pixelHash: u32, reflection: u32, sampleCo
     var sum = vec3f(0.0);
     for (var first = 0u; first < sampleCount; first += 32u) {
       let count = min(sampleCount - first, 32u);
-      let hidden = hiddenSamples(p.start, light, samples, first, count);
+      let group = SampleGroup(p.start, light.center, light.radius, samples, first, count);
+      let hidden = hiddenSamples(group);
       for (var k = 0u; k < count; k++) {
-        if (((hidden >> k) & 1u) == 1u) {
-          continue;
+        if (((hidden >> k) & 1u) == 0u) {
+          sum += sampleLight(p, m, light, toSample(group, k));
         }
-        sum += sampleLight(p, m, light, light.center + light.radius * samplePoint(samples, first + k) - p.start.point);
       }
     }
     color += sum / f32(sampleCount);
@@ -237,33 +243,14 @@ struct Hit {
 
 const miss = 1e30;
 
-fn shapeCount() -> u32 {
-  return frame.shapeEnds.w;
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
 }
 
-// Distance along the ray to shape i, or `miss`.
-fn intersectShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  if (i == ray.start.leaves) {
-    return miss;
-  }
-  let startsInside = i == ray.start.inside;
-  if (isSphere(i)) {
-    return intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, startsInside);
-  }
-  if (isPlane(i)) {
-    return intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
-  }
-  let extent = fetchExtent(i);
-  if (isFlat(i)) {
-    return intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
-  }
-  var origin = ray.start.point - bounds.center;
-  var direction = ray.direction;
-  if (extent.a.w != 1.0) {
-    origin = rotate(extent.a, origin);
-    direction = rotate(extent.a, direction);
-  }
-  return intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, startsInside);
+// Distances along the ray to shape i of that kind, or `miss`.
+fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
 }
 
 fn fetchBounds(i: u32) -> Bounds {
@@ -271,12 +258,39 @@ fn fetchBounds(i: u32) -> Bounds {
   return Bounds(t0.xyz, t0.w);
 }
 
-fn isSphere(i: u32) -> bool {
-  return i < frame.shapeEnds.x;
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin && !startsInside);
+  return select(miss, t, discriminant >= 0.0 && t > tMin);
 }
 
-fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.z;
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  var origin = ray.start.point - bounds.center;
+  var direction = ray.direction;
+  if (extent.a.w != 1.0) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
+  }
+  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
 }
 
 fn fetchExtent(i: u32) -> Extent {
@@ -293,66 +307,9 @@ fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, sta
   let leave = middle + reach;
   let near = max(max(enter.x, enter.y), enter.z);
   let far = min(min(leave.x, leave.y), leave.z);
-  if (near > far) {
-    return miss;
-  }
-  if (near > tMin && !startsInside) {
-    return near;
-  }
-  return select(miss, far, far > tMin);
+  let t = select(far, near, near > tMin && !startsInside);
+  return select(miss, t, near <= far && t > tMin);
 }
-
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
-struct Bounds {
-  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
-  center: vec3f,
-  // of the bounding sphere; of a plane: dot(normal, p) of its points
-  radius: f32,
-}
-
-
-fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
-  let toCenter = center - origin;
-  let along = dot(toCenter, direction);
-  let across = toCenter - along * direction;
-  let discriminant = radius * radius - dot(across, across);
-  if (discriminant < 0.0) {
-    return miss;
-  }
-  let half = sqrt(discriminant);
-  let near = along - half;
-  let far = along + half;
-  if (near > tMin && !startsInside) {
-    return near;
-  }
-  return select(miss, far, far > tMin);
-}
-
-fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
-  let speed = dot(direction, normal);
-  if (speed == 0.0) {
-    return miss;
-  }
-  let t = (offset - dot(origin, normal)) / speed;
-  return select(miss, t, t > tMin);
-}
-
-fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
-  let normal = cross(reciprocalU, reciprocalV);
-  let speed = dot(direction, normal);
-  if (speed == 0.0) {
-    return miss;
-  }
-  let toCenter = center - origin;
-  let t = dot(toCenter, normal) / speed;
-  let p = t * direction - toCenter;
-  let reach = 0.5 + quadOverlap;
-  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
-  return select(miss, t, t > tMin && within);
-}
-
-// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
-const quadOverlap = 1e-6;
 
 // v turned by the unit quaternion q, and back.
 fn rotate(q: vec4f, v: vec3f) -> vec3f {
@@ -360,18 +317,47 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   return v + q.w * t + cross(q.xyz, t);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
-  // box: half its size; quad: reciprocal of its v edge
+  // box: half its size, and the smallest half; quad: reciprocal of its v edge
   b: vec4f,
 }
 
 
 fn safeReciprocal(d: vec3f) -> vec3f {
   return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+}
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
+  return select(miss, t, t > tMin && t < miss && within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, 1e-30, speed == 0.0);
+  return select(miss, t, t > tMin && t < miss);
 }
 
 struct SeenLight {
@@ -411,6 +397,14 @@ struct Light {
 
 // Where a ray that meets nothing ends for the halo, metres.
 const haloEnd = 1e5;
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
 
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
@@ -452,37 +446,66 @@ fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> Ligh
   return LightSampler(count, vec2f(unitFloat(h), unitFloat(pcg(h))));
 }
 
-// Bit k set: sample point first + k is hidden from the start. At most 32 at a time.
-fn hiddenSamples(start: Start, light: Light, samples: LightSampler, first: u32, count: u32) -> u32 {
-  let cone = shadowCone(start.point, light, samples.count);
-  let allHidden = 0xffffffffu >> (32u - count);
+// The samples first … first + count − 1 of a light seen from one point, at most 32.
+struct SampleGroup {
+  start: Start,
+  center: vec3f,
+  radius: f32,
+  points: LightSampler,
+  first: u32,
+  count: u32,
+}
+
+
+// Bit k group: sample k of the group is hidden.
+fn hiddenSamples(group: SampleGroup) -> u32 {
+  let all = 0xffffffffu >> (32u - group.count);
+  let ends = frame.shapeEnds;
+  let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
   var hidden = 0u;
-  for (var i = 0u; i < frame.occluderEnd; i++) {
+  for (var i = 0u; i < ends.x && hidden != all; i++) {
     let bounds = fetchBounds(i);
-    if (i == start.leaves || !mayOcclude(i, bounds, cone)) {
+    let meets = coneMeetsBall(cone, bounds.center, bounds.radius, bounds.radius);
+    if (meets == coneMisses || i == group.start.leaves) {
       continue;
     }
-    for (var k = 0u; k < count; k++) {
-      if (((hidden >> k) & 1u) == 1u) {
-        continue;
-      }
-      let toSample = light.center + light.radius * samplePoint(samples, first + k) - start.point;
-      let distance = length(toSample);
-      if (intersectShape(i, bounds, Ray(start, toSample / distance)) < distance) {
-        hidden |= 1u << k;
-      }
+    if (meets == coneHidden) {
+      hidden = all;
+    } else {
+      hidden = behindSphere(group, i, hidden);
     }
-    if (hidden == allHidden) {
-      break;
+  }
+  for (var i = ends.x; i < ends.y && hidden != all; i++) {
+    let bounds = fetchBounds(i);
+    let meets = coneMeetsBall(cone, bounds.center, bounds.radius, fetchExtent(i).b.w);
+    if (meets == coneMisses || i == group.start.leaves) {
+      continue;
+    }
+    if (meets == coneHidden) {
+      hidden = all;
+    } else {
+      hidden = behindBox(group, i, cone, hidden);
+    }
+  }
+  for (var i = ends.y; i < frame.occluderEnd && hidden != all; i++) {
+    let bounds = fetchBounds(i);
+    var meets = false;
+    if (isPlane(i)) {
+      meets = coneMeetsPlane(cone, bounds.center, bounds.radius);
+    } else {
+      meets = coneMeetsBall(cone, bounds.center, bounds.radius, 0.0) != coneMisses;
+    }
+    if (meets && i != group.start.leaves) {
+      hidden = behindFlat(group, i, hidden);
     }
   }
   return hidden;
 }
 
 // Light of one unoccluded sample point, w included.
-fn sampleLight(p: SurfacePoint, m: Material, light: Light, toSample: vec3f) -> vec3f {
-  let distance2 = dot(toSample, toSample);
-  let l = toSample * inverseSqrt(distance2);
+fn sampleLight(p: SurfacePoint, m: Material, light: Light, toLight: vec3f) -> vec3f {
+  let distance2 = dot(toLight, toLight);
+  let l = toLight * inverseSqrt(distance2);
   let cosine = dot(p.normal, l);
   if (cosine <= 0.0) {
     return vec3f(0.0);
@@ -492,6 +515,10 @@ fn sampleLight(p: SurfacePoint, m: Material, light: Light, toSample: vec3f) -> v
     c += m.specular * light.specular * pow(max(dot(p.normal, normalize(l + p.view)), 1e-10), m.exponent);
   }
   return c * (light.power / distance2);
+}
+
+fn toSample(group: SampleGroup, k: u32) -> vec3f {
+  return group.center + group.radius * samplePoint(group.points, group.first + k) - group.start.point;
 }
 
 // Point k relative to the centre, in radii.
@@ -517,53 +544,49 @@ struct LightSampler {
 }
 
 
-fn shadowCone(apex: vec3f, light: Light, count: u32) -> ShadowCone {
-  let toLight = light.center - apex;
+fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone {
+  let toLight = center - apex;
   let distance = max(length(toLight), 1e-30);
-  let reach = light.radius * sampleReach(count);
+  let reach = radius * sampleReach(count);
   let sine = min(reach / distance, 1.0);
-  return ShadowCone(apex, toLight / distance, distance, reach, sine, 1.0 - sine * sine);
+  return ShadowCone(apex, toLight / distance, distance, reach, sine, sqrt(1.0 - sine * sine));
 }
 
-// False only when no ray of the cone can meet the shape.
-fn mayOcclude(i: u32, bounds: Bounds, cone: ShadowCone) -> bool {
-  if (isPlane(i)) {
-    // Apex and all sample points on one side.
-    let here = dot(bounds.center, cone.apex) - bounds.radius;
-    let there = here + dot(bounds.center, cone.axis) * cone.length;
-    return here * there <= 0.0 || abs(there) <= cone.reach;
-  }
-  // Distance of the bounding sphere from the cone: perpendicular · cos − along · sin, compared without a root.
-  let toShape = bounds.center - cone.apex;
+// `outer`: radius of a ball that holds the shape; `inner`: of one within it. Distances from the cone's mantle are
+// perpendicular · cos − along · sin. coneMisses and coneHidden are certain; coneMeets is not.
+fn coneMeetsBall(cone: ShadowCone, center: vec3f, outer: f32, inner: f32) -> u32 {
+  let toShape = center - cone.apex;
   let along = dot(toShape, cone.axis);
-  let perpendicular2 = dot(toShape, toShape) - along * along;
-  let limit = bounds.radius + along * cone.sine;
-  let outside = limit < 0.0 || perpendicular2 * cone.cosine2 > limit * limit;
-  let behind = along < -bounds.radius || along > cone.length + cone.reach + bounds.radius;
-  if ((outside && cone.sine < 1.0) || behind) {
-    return false;
+  let perpendicular = sqrt(max(dot(toShape, toShape) - along * along, 0.0));
+  let beside = perpendicular * cone.cosine - along * cone.sine > outer && cone.sine < 1.0;
+  let behind = along < -outer || along > cone.length + cone.reach + outer;
+  if (beside || behind) {
+    return coneMisses;
   }
-  if (!isBox(i)) {
-    return true;
-  }
-  // A face of the box between it and the cone's own box.
-  let extent = fetchExtent(i);
-  var near = -toShape;
-  var far = near + cone.axis * cone.length;
-  if (extent.a.w != 1.0) {
-    near = rotate(extent.a, near);
-    far = rotate(extent.a, far);
-  }
-  let low = min(near, far - cone.reach);
-  let high = max(near, far + cone.reach);
-  return all(low <= extent.b.xyz) && all(high >= -extent.b.xyz);
+  // Every ray of the cone goes through the inner ball, which lies between the apex and the light. The margin covers rounding.
+  let covers = perpendicular * cone.cosine + along * cone.sine < inner * 0.9999;
+  let between = along > inner && along + inner < cone.length - cone.reach;
+  return select(coneMeets, coneHidden, covers && between);
 }
 
-fn isBox(i: u32) -> bool {
-  return i >= frame.shapeEnds.x && i < frame.shapeEnds.y;
+// How a ball lies to the cone.
+const coneMisses = 0u;
+
+const coneHidden = 2u;
+
+fn behindSphere(group: SampleGroup, i: u32, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let distance = length(d);
+    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d / distance)) < distance);
+  }
+  return bits;
 }
 
-// The cone from `apex` to all sample points of a light.
+const coneMeets = 1u;
+
 struct ShadowCone {
   apex: vec3f,
   axis: vec3f,
@@ -571,9 +594,67 @@ struct ShadowCone {
   // Radius of the sphere around the light's centre that holds all sample points.
   reach: f32,
   sine: f32,
-  cosine2: f32,
+  cosine: f32,
 }
 
+
+fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  let extent = fetchExtent(i);
+  let turned = extent.a.w != 1.0;
+  var origin = group.start.point - bounds.center;
+  var light = group.center - bounds.center;
+  if (turned) {
+    origin = rotate(extent.a, origin);
+    light = rotate(extent.a, light);
+  }
+  if (!coneMeetsBox(cone, origin, light, extent.b.xyz)) {
+    return hidden;
+  }
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let distance = length(d);
+    var direction = d / distance;
+    if (turned) {
+      direction = rotate(extent.a, direction);
+    }
+    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, i == group.start.inside);
+    bits |= select(0u, 1u << k, t < distance);
+  }
+  return bits;
+}
+
+// Whether the box that holds the cone meets a box about the origin; apex and the light's centre in that box's frame.
+fn coneMeetsBox(cone: ShadowCone, apex: vec3f, light: vec3f, halfSize: vec3f) -> bool {
+  return all(min(apex, light - cone.reach) <= halfSize) && all(max(apex, light + cone.reach) >= -halfSize);
+}
+
+// Whether a plane lies between the apex and some sample point.
+fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
+  let here = dot(normal, cone.apex) - offset;
+  let there = here + dot(normal, cone.axis) * cone.length;
+  return here * there <= 0.0 || abs(there) <= cone.reach;
+}
+
+fn behindFlat(group: SampleGroup, i: u32, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  let plane = isPlane(i);
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let distance = length(d);
+    let ray = Ray(group.start, d / distance);
+    var t = miss;
+    if (plane) {
+      t = hitPlane(i, bounds, ray);
+    } else {
+      t = hitQuad(i, bounds, ray);
+    }
+    bits |= select(0u, 1u << k, t < distance);
+  }
+  return bits;
+}
 
 // How far the points reach from the light's centre, in radii.
 fn sampleReach(count: u32) -> f32 {
