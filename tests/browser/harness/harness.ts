@@ -1,0 +1,14 @@
+import { describeDevices } from './devices.ts';
+
+/**
+ * What specs call inside the browser: `page.evaluate((size) => window.harness.something(size), 64)`.
+ * Arguments and results go through JSON-like copying, so results are plain objects and ordinary arrays.
+ */
+export const harness = { describeDevices };
+
+declare global {
+  interface Window {
+    harness: typeof harness;
+  }
+}
+window.harness = harness;
