@@ -1,5 +1,6 @@
 import { batch, signal } from '@preact/signals';
 import type { Problem, Scene } from 'mirrorball';
+import { stopMotion } from './camera-motion.ts';
 import { comparisonModes } from './comparison.ts';
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { builtInScene, readSceneFile } from './scene-files.ts';
@@ -23,6 +24,7 @@ export function takeScene(next: { id: string; scene: Scene; fileName?: string })
 }
 
 function show(next: { id: string; scene: Scene; fileName?: string }): void {
+  stopMotion();
   const renderer = state.renderer.peek();
   const shownNow = renderer?.setScene(next.scene);
   renderer?.resetCamera();
@@ -72,6 +74,7 @@ export function stepTime(): void {
 }
 
 export function resetView(): void {
+  stopMotion();
   state.renderer.peek()?.resetCamera();
   state.viewMoved.value = false;
 }

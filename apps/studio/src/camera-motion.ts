@@ -54,6 +54,8 @@ function wake(): void {
 function advance(now: number): void {
   const seconds = Math.min(Math.max((now - lastTime) / 1000, 0.004), 0.1);
   lastTime = now;
+  frame = 0;
+  if (held.size === 0 && pending === stillMove) return;
   for (const name of held) pending = addMoves(pending, scaleMove(heldRates[name], seconds));
   const share = prefersReducedMotion() || isNegligible(pending) ? 1 : 1 - Math.exp(-seconds / SMOOTHING);
   const target = renderer.peek();
@@ -62,5 +64,5 @@ function advance(now: number): void {
     viewMoved.value = true;
   }
   pending = share === 1 ? stillMove : scaleMove(pending, 1 - share);
-  frame = held.size > 0 || pending !== stillMove ? requestAnimationFrame(advance) : 0;
+  if (held.size > 0 || pending !== stillMove) frame = requestAnimationFrame(advance);
 }

@@ -1,6 +1,6 @@
 import { moveDivider, stripValues } from './comparison.ts';
 import { dictionary } from './i18n.ts';
-import { chosenDividers, comparisonMode, dividers, stageWidth, visibleShare } from './state.ts';
+import { chosenDividers, comparisonMode, dividers, stageWidth, textShare } from './state.ts';
 
 const percent = (share: number): string => `${share * 100}%`;
 
@@ -15,18 +15,18 @@ export function Dividers() {
   const [first, second] = dividers.value;
   const edges = [0, first, second, 1];
   return (
-    <div class="comparison" style={{ width: `${stageWidth.value}px` }}>
+    <section class="comparison" aria-label={t.compareWhat} style={{ width: `${stageWidth.value}px` }}>
       {stripValues[mode].map((value, i) => (
         <Label
           key={value}
           left={edges[i]!}
-          right={Math.min(edges[i + 1]!, visibleShare.value)}
+          right={Math.min(edges[i + 1]!, textShare.value)}
           text={mode === 'reflections' ? t.panelReflections(value) : t.panelSamples(value)}
         />
       ))}
       <Divider index={0} />
       <Divider index={1} />
-    </div>
+    </section>
   );
 }
 

@@ -84,6 +84,7 @@ export const en = {
 
   noticeCpuAlone: 'Neither WebGPU nor WebGL2 is to be had here, so this is a still picture, computed by the CPU.',
   noticeCpuChosen: 'This is a still picture, computed by the CPU in double precision.',
+  noticeCpuComputes: 'The CPU is computing its picture. The one before stays until then.',
   noticeLost: 'The graphics device was lost. Bringing the picture back…',
   noticeFailed: (reason: string) => `The graphics device is gone: ${reason}`,
   noticeSwitchFailed: (backend: string, reason: string) =>

@@ -45,8 +45,9 @@ function start(): void {
   followPointers(document.getElementById('stage')!);
   if (parameters.ui) mountAfter(session);
   session.catch((error: unknown) => {
-    const text = dictionary.peek().noticeNothing(reasonOf(error));
-    document.getElementById('loading')?.replaceChildren(text);
+    const reason = reasonOf(error);
+    document.getElementById('loading')?.replaceChildren(parameters.ui ? '' : dictionary.peek().noticeNothing(reason));
+    notify('error', (t) => t.noticeNothing(reason));
   });
 }
 

@@ -1,5 +1,6 @@
 import { batch, effect } from '@preact/signals';
 import { type Backend, createRenderer, type FrameStats, type Renderer } from 'mirrorball';
+import type { Dictionary } from './i18n.ts';
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { createCanvas, describePicture } from './stage.ts';
 import { playing, renderer, shown, speed, stats, switchingTo, time, viewMoved, wantedSettings } from './state.ts';
@@ -7,26 +8,29 @@ import { playing, renderer, shown, speed, stats, switchingTo, time, viewMoved, w
 /** The life of a renderer in this page: opened, followed by the settings, replaced by one on another backend. */
 
 let imageSamples = 0;
-let lastSamples = 0;
 
 /** Samples drawn so far for each pixel of the whole canvas; a film of fewer pixels counts by its share. */
 export const drawnImageSamples = (): number => imageSamples;
 
-function countFrame(frame: FrameStats): void {
-  const fresh = frame.samples > lastSamples ? frame.samples - lastSamples : frame.samples;
-  lastSamples = frame.samples;
-  imageSamples += (fresh * frame.filmWidth * frame.filmHeight) / (frame.canvasWidth * frame.canvasHeight || 1);
+function sampleCounter(): (frame: FrameStats) => void {
+  let before = 0;
+  return ({ samples, filmWidth, filmHeight, canvasWidth, canvasHeight }) => {
+    const fresh = samples > before ? samples - before : samples;
+    before = samples;
+    imageSamples += (fresh * filmWidth * filmHeight) / (canvasWidth * canvasHeight || 1);
+  };
 }
 
 /** A renderer on a fresh canvas. Rejects, and leaves no canvas behind, when it cannot be had. */
 export async function openRenderer(backend: Backend | 'auto'): Promise<Renderer> {
   const canvas = createCanvas();
+  const count = sampleCounter();
   try {
     return await createRenderer(canvas, {
       backend,
       settings: wantedSettings.peek(),
       onFrame(frame) {
-        countFrame(frame);
+        count(frame);
         document.getElementById('loading')?.remove();
       },
       onDevice(event, reason) {
@@ -58,40 +62,67 @@ async function carryOver(next: Renderer, from: Renderer | null): Promise<void> {
   next.speed = speed.peek();
 }
 
+function discard(unwanted: Renderer): void {
+  unwanted.dispose();
+  unwanted.canvas.remove();
+}
+
+/** A renderer that shows what the page shows, its first picture not yet drawn. */
+async function prepare(backend: Backend | 'auto', from: Renderer | null): Promise<Renderer> {
+  const next = await openRenderer(backend);
+  try {
+    await carryOver(next, from);
+    return next;
+  } catch (error) {
+    discard(next);
+    throw error;
+  }
+}
+
+/** Draws the first picture, and once more should another scene have been chosen meanwhile. */
+async function drawFirst(next: Renderer, from: Renderer | null): Promise<void> {
+  try {
+    await next.render();
+    if (next.scene === shown.peek()?.scene) return;
+    await carryOver(next, from);
+    await next.render();
+  } catch (error) {
+    discard(next);
+    throw error;
+  }
+}
+
 /** Lets another backend draw. The old one goes on until the new one has a picture, and stays if there is none. */
 export async function switchBackend(backend: Backend | 'auto'): Promise<void> {
   const old = renderer.peek();
   if (switchingTo.peek() !== null || old?.backend === backend) return;
   switchingTo.value = backend;
-  dismiss('backend');
-  let next: Renderer | null = null;
+  if (backend === 'cpu') notify('backend', (t) => t.noticeCpuComputes);
   try {
-    next = await openRenderer(backend);
-    do {
-      await carryOver(next, old);
-      await next.render();
-    } while (shown.peek() && next.scene !== shown.peek()!.scene);
+    const next = await prepare(backend, old);
+    await drawFirst(next, old);
+    dismiss('backend');
     takeOver(next, old);
   } catch (error) {
-    next?.dispose();
-    next?.canvas.remove();
-    const name = backend === 'auto' ? 'WebGPU / WebGL2' : backend;
-    notify('backend', (t) => t.noticeSwitchFailed(name === backend ? t.backendNames[backend] : name, reasonOf(error)));
+    const name = (t: Dictionary): string => (backend === 'auto' ? 'WebGPU / WebGL2' : t.backendNames[backend]);
+    notify('backend', (t) => t.noticeSwitchFailed(name(t), reasonOf(error)));
   } finally {
     switchingTo.value = null;
   }
 }
 
 function takeOver(next: Renderer, old: Renderer | null): void {
+  const still = next.backend === 'cpu';
   if (old) {
-    // The old one drew while the new one was made ready.
+    // The old one drew on while the new one was made ready.
     if (viewMoved.peek()) next.camera = old.camera;
-    next.time = old.time;
+    if (!still) next.time = old.time;
     old.dispose();
     if (document.activeElement === old.canvas) next.canvas.focus();
     old.canvas.remove();
   }
   dismiss('device');
+  if (still) playing.value = false;
   if (!document.hidden) next.start();
   renderer.value = next;
 }
@@ -100,13 +131,12 @@ function takeOver(next: Renderer, old: Renderer | null): void {
 export async function openSession(backend: Backend | null): Promise<Renderer> {
   let first: Renderer;
   try {
-    first = await openRenderer(backend ?? 'auto');
+    first = await prepare(backend ?? 'auto', null);
   } catch (error) {
     if (backend === null) throw error;
-    first = await openRenderer('auto');
+    first = await prepare('auto', null);
     notify('backend', (t) => t.noticeStartFailed(t.backendNames[backend], reasonOf(error)));
   }
-  await carryOver(first, null);
   takeOver(first, null);
   return first;
 }

@@ -49,7 +49,9 @@ export function belongsToControl(
 }
 
 function pressed(event: KeyboardEvent): void {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+  // AltGr, which types [ and ] on some keyboards, comes as Ctrl and Alt.
+  const command = event.metaKey || ((event.ctrlKey || event.altKey) && !event.getModifierState('AltGraph'));
+  if (command || event.isComposing) return;
   const element = event.target instanceof HTMLElement ? event.target : document.body;
   const role = element.getAttribute('role');
   if (element.isContentEditable) return;

@@ -46,11 +46,13 @@ const PANEL_WIDTH = 320;
 
 export const isPhone = computed(() => pageWidth.value <= PHONE_WIDTH);
 
-/** Share of the picture's width, from the left, that no panel covers. */
-export const visibleShare = computed(() => {
-  const free = isPhone.value || !panelOpen.value ? pageWidth.value : pageWidth.value - PANEL_WIDTH;
-  return Math.min(free / Math.max(stageWidth.value, 1), 1);
-});
+/** Share of the stage's width, from the left, that lies left of `pixels` at the page's right edge. */
+const shareLeftOf = (pixels: number): number => Math.min((pageWidth.value - pixels) / Math.max(stageWidth.value, 1), 1);
+
+/** What no panel covers of the picture's width. */
+export const visibleShare = computed(() => shareLeftOf(isPhone.value || !panelOpen.value ? 0 : PANEL_WIDTH));
+/** As far as texts at the top may reach: clear of the panel, or of the button that is left of it. */
+export const textShare = computed(() => (isPhone.value || panelOpen.value ? visibleShare.value : shareLeftOf(68)));
 export const dividers = computed<Dividers>(() => chosenDividers.value ?? evenDividers(visibleShare.value));
 
 /** What the renderer is to be set to. */

@@ -79,6 +79,7 @@ export const zhCN: Dictionary = {
 
   noticeCpuAlone: '当前浏览器既不支持 WebGPU 也不支持 WebGL2，这里显示的是由 CPU 计算的静态画面。',
   noticeCpuChosen: '这是由 CPU 以双精度计算的静态画面。',
+  noticeCpuComputes: 'CPU 正在计算画面，完成之前继续显示原来的画面。',
   noticeLost: '图形设备连接中断，正在恢复画面……',
   noticeFailed: (reason) => `图形设备已不可用：${reason}`,
   noticeSwitchFailed: (backend, reason) => `${backend} 启动失败，继续使用原来的后端：${reason}`,

@@ -7,7 +7,8 @@ interface ChoiceProps<Value extends string | number> {
   readonly id: string;
   readonly label: string;
   readonly options: readonly Option<Value>[];
-  readonly value: Value;
+  /** Null: none of them. */
+  readonly value: Value | null;
   readonly onChange: (value: Value) => void;
   /** One below the other instead of side by side. */
   readonly stacked?: boolean;

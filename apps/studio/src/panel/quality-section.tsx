@@ -24,7 +24,7 @@ export function QualitySection() {
         id="backend"
         label={t.backend}
         options={backends}
-        value={renderer.value?.backend ?? 'webgpu'}
+        value={renderer.value?.backend ?? null}
         onChange={(backend) => void chooseBackend(backend)}
         disabled={switchingTo.value !== null}
       />

@@ -26,7 +26,7 @@ export function SceneSection() {
         id="scene"
         label={t.scene}
         options={options}
-        value={now?.id ?? ''}
+        value={now?.id ?? null}
         onChange={(id) => id !== 'file' && chooseScene(id)}
         stacked
       />
