@@ -14,6 +14,11 @@ const source = resolve(dirname(fileURLToPath(import.meta.url)), '../packages/ren
 /** Linked programs: the module that holds the entry points, and what WebGL2 needs of each. */
 const PROGRAMS = [
   { name: 'classic', root: 'integrator/classic/classic', entries: [{ entry: 'classic', stage: 'fragment' }] },
+  {
+    name: 'preview',
+    root: 'integrator/classic/preview',
+    entries: [{ entry: 'preview', stage: 'fragment' }],
+  },
   { name: 'full_screen', root: 'shading/full_screen', entries: [{ entry: 'fullScreen', stage: 'vertex' }] },
   {
     name: 'display',

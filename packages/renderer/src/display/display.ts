@@ -31,9 +31,9 @@ export class Display {
     this.#uniforms = device.createUniforms(structSize('Display'));
   }
 
-  /** `exposure` in stops. */
-  show(film: FilmTexture, exposure: number): void {
-    writeStruct(this.#block, 'Display', 0, { exposure: 2 ** exposure, filmSize: [film.width, film.height] });
+  /** Fills the canvas with the first width × height pixels of the film. `exposure` in stops. */
+  show(film: FilmTexture, width: number, height: number, exposure: number): void {
+    writeStruct(this.#block, 'Display', 0, { exposure: 2 ** exposure, filmSize: [width, height] });
     this.#uniforms.write(this.#block.bytes);
     this.#device.draw(this.#pass, 'canvas', [this.#uniforms, film]);
   }

@@ -54,10 +54,12 @@ export interface FilmTexture extends FloatTexture {
 }
 export type Resource = UniformBuffer | FloatTexture;
 
-/** Film rows to draw, for work that is cut into short submits. */
-export interface Rows {
-  readonly first: number;
-  readonly count: number;
+/** The part of a film that is in use, from its first column and row, and which of its rows to draw now. */
+export interface Region {
+  readonly width: number;
+  readonly height: number;
+  readonly firstRow: number;
+  readonly rowCount: number;
 }
 
 /** What exists on the device now, for leak tests, and how many programs were ever made. */
@@ -79,14 +81,16 @@ export interface Device {
   createUniforms(byteLength: number): UniformBuffer;
   createTable(width: number, height: number): TableTexture;
   createFilm(width: number, height: number): FilmTexture;
-  /** Draws over the whole target, or some of its rows. Returns at once; see `finished`. */
-  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], rows?: Rows): void;
+  /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
+  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
   /** Resolves when all that was drawn so far is done. */
   finished(): Promise<void>;
-  /** RGBA float32, row 0 first. */
-  read(film: FilmTexture): Promise<Float32Array>;
+  /** RGBA float32 of the first columns and rows, row 0 first. */
+  read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;
   /** Resolves with the reason when the device is lost, not when it is destroyed on purpose. */
   readonly lost: Promise<string>;
+  /** After a loss: a new device on the same canvas. Rejects with `DeviceError` when there is none. */
+  reopen(): Promise<Device>;
   destroy(): void;
 }
 

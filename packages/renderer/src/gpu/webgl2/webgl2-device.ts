@@ -6,12 +6,15 @@ import {
   type FilmTexture,
   type Pass,
   type PassSource,
+  type Region,
   type Resource,
-  type Rows,
   type TableTexture,
   type UniformBuffer,
 } from '../device.ts';
 import { compileProgram } from './program.ts';
+
+/** How long a lost context may take to come back before the device counts as gone. */
+const RESTORE_TIMEOUT_MS = 3000;
 
 interface GlPass extends Pass {
   readonly program: WebGLProgram;
@@ -153,10 +156,10 @@ class WebGl2Device implements Device {
     return { ...base, framebuffer, renderable: true, destroy } as GlFilm;
   }
 
-  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], rows?: Rows): void {
+  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
     const gl = this.#gl;
     const { program } = pass as GlPass;
-    const { width, height } = target === 'canvas' ? this.#canvas : target;
+    const { width, height } = region ?? (target === 'canvas' ? this.#canvas : target);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target === 'canvas' ? null : (target as GlFilm).framebuffer);
     gl.viewport(0, 0, width, height);
     gl.useProgram(program);
@@ -167,12 +170,12 @@ class WebGl2Device implements Device {
         gl.bindTexture(gl.TEXTURE_2D, (r as unknown as GlTexture).texture);
       }
     });
-    if (rows) {
+    if (region) {
       gl.enable(gl.SCISSOR_TEST);
-      gl.scissor(0, rows.first, width, rows.count);
+      gl.scissor(0, region.firstRow, width, region.rowCount);
     }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    if (rows) gl.disable(gl.SCISSOR_TEST);
+    if (region) gl.disable(gl.SCISSOR_TEST);
     gl.flush();
   }
 
@@ -185,11 +188,11 @@ class WebGl2Device implements Device {
     gl.deleteSync(sync);
   }
 
-  async read(film: FilmTexture): Promise<Float32Array> {
+  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
     const gl = this.#gl;
-    const pixels = new Float32Array(film.width * film.height * 4);
+    const pixels = new Float32Array(width * height * 4);
     gl.bindFramebuffer(gl.FRAMEBUFFER, (film as GlFilm).framebuffer);
-    gl.readPixels(0, 0, film.width, film.height, gl.RGBA, gl.FLOAT, pixels);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
     return pixels;
   }
 
@@ -199,18 +202,25 @@ class WebGl2Device implements Device {
     for (const program of this.#programs) this.#gl.deleteProgram(program);
   }
 
-  /** Asks for a lost context back and resolves when it is there. Rejects with `DeviceError` after `timeoutMs`. */
-  async restored(timeoutMs: number): Promise<void> {
-    if (!this.#gl.isContextLost()) return;
-    await new Promise<void>((resolve, reject) => {
-      const failed = () => reject(new DeviceError('The WebGL2 context did not come back.'));
-      const timer = setTimeout(failed, timeoutMs);
+  async reopen(): Promise<Device> {
+    this.destroy();
+    if (this.#gl.isContextLost()) await this.#restored();
+    return openWebGl2(this.#canvas);
+  }
+
+  /** Resolves when the lost context is there again. */
+  #restored(): Promise<void> {
+    return new Promise((resolve, reject) => {
       const restored = () => {
         clearTimeout(timer);
         resolve();
       };
+      const timer = setTimeout(() => {
+        this.#canvas.removeEventListener('webglcontextrestored', restored);
+        reject(new DeviceError('The WebGL2 context did not come back.'));
+      }, RESTORE_TIMEOUT_MS);
       this.#canvas.addEventListener('webglcontextrestored', restored, { once: true });
-      // Only a context lost by this very extension is waiting to be asked; for others this does nothing.
+      // A context lost by this very extension waits to be asked; one that the browser took comes back by itself.
       setTimeout(() => this.#loseContext?.restoreContext(), 50);
     });
   }

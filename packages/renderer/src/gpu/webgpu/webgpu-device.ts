@@ -6,8 +6,8 @@ import {
   type FilmTexture,
   type Pass,
   type PassSource,
+  type Region,
   type Resource,
-  type Rows,
   type TableTexture,
   type UniformBuffer,
 } from '../device.ts';
@@ -28,13 +28,15 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null): Promise<Devi
   if (!gpu) throw new DeviceError('This browser has no WebGPU.');
   const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
   if (!adapter) throw new DeviceError('WebGPU found no graphics adapter.');
-  const device = await adapter.requestDevice();
+  const device = await adapter.requestDevice().catch((error: Error) => {
+    throw new DeviceError(`WebGPU gives no device: ${error.message}`);
+  });
   const context = canvas?.getContext('webgpu') ?? null;
   if (canvas && !context) {
     device.destroy();
     throw new DeviceError('The canvas gives no WebGPU context; it may have been used with another one before.');
   }
-  return new WebGpuDevice(device, context, gpu.getPreferredCanvasFormat(), describe(adapter.info));
+  return new WebGpuDevice(device, context, canvas, gpu.getPreferredCanvasFormat(), describe(adapter.info));
 }
 
 function describe(info: GPUAdapterInfo): string {
@@ -49,11 +51,19 @@ class WebGpuDevice implements Device {
   readonly lost: Promise<string>;
   readonly #device: GPUDevice;
   readonly #context: GPUCanvasContext | null;
+  readonly #canvas: HTMLCanvasElement | null;
   readonly #format: GPUTextureFormat;
   readonly #modules = new Map<string, GPUShaderModule>();
   #closed = false;
 
-  constructor(device: GPUDevice, context: GPUCanvasContext | null, format: GPUTextureFormat, description: string) {
+  constructor(
+    device: GPUDevice,
+    context: GPUCanvasContext | null,
+    canvas: HTMLCanvasElement | null,
+    format: GPUTextureFormat,
+    description: string,
+  ) {
+    this.#canvas = canvas;
     this.#device = device;
     this.#context = context;
     this.#format = format;
@@ -135,18 +145,21 @@ class WebGpuDevice implements Device {
     return { ...base, renderable: true } as FilmTexture;
   }
 
-  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], rows?: Rows): void {
+  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
     const { pipeline, layout } = pass as WebGpuPass;
     const view = target === 'canvas' ? this.#canvasView() : (target as unknown as { binding: GPUTextureView }).binding;
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
-    const whole = rows === undefined || rows.first === 0;
+    const clear = region === undefined || region.firstRow === 0;
     const renderPass = encoder.beginRenderPass({
-      colorAttachments: [{ view, loadOp: whole ? 'clear' : 'load', storeOp: 'store' }],
+      colorAttachments: [{ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' }],
     });
     renderPass.setPipeline(pipeline);
     const entries = resources.map((r, binding) => ({ binding, resource: (r as unknown as GpuResource).binding }));
     renderPass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
-    if (rows && target !== 'canvas') renderPass.setScissorRect(0, rows.first, target.width, rows.count);
+    if (region) {
+      renderPass.setViewport(0, 0, region.width, region.height, 0, 1);
+      renderPass.setScissorRect(0, region.firstRow, region.width, region.rowCount);
+    }
     renderPass.draw(3);
     renderPass.end();
     this.#device.queue.submit([encoder.finish()]);
@@ -161,8 +174,8 @@ class WebGpuDevice implements Device {
     return this.#device.queue.onSubmittedWorkDone();
   }
 
-  async read(film: FilmTexture): Promise<Float32Array> {
-    const { texture, width, height } = film as FilmTexture & { texture: GPUTexture };
+  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
+    const { texture } = film as FilmTexture & { texture: GPUTexture };
     const bytesPerRow = Math.ceil((width * 16) / 256) * 256;
     const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
     const buffer = this.#device.createBuffer({ size: bytesPerRow * height, usage });
@@ -178,6 +191,10 @@ class WebGpuDevice implements Device {
     }
     buffer.destroy();
     return pixels;
+  }
+
+  reopen(): Promise<Device> {
+    return openWebGpu(this.#canvas);
   }
 
   destroy(): void {

@@ -45,6 +45,12 @@ struct Extent {
     vec4 a;
     vec4 b;
 };
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
+};
 struct SeenLight {
     float t;
     vec3 ball;
@@ -125,14 +131,14 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
         local = false;
     }
     bool _e23 = local;
-    float t_4 = (_e23 ? near : far);
+    float t_5 = (_e23 ? near : far);
     if ((discriminant >= 0.0)) {
-        local_1 = (t_4 > tMin);
+        local_1 = (t_5 > tMin);
     } else {
         local_1 = false;
     }
     bool _e31 = local_1;
-    return (_e31 ? t_4 : 1e30);
+    return ((startsInside ? (t_5 > 0.0) : _e31) ? t_5 : 1e30);
 }
 
 float hitSphere(uint i, Bounds bounds, Ray ray) {
@@ -152,77 +158,80 @@ Extent fetchExtent(uint i_2) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_5 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
+    vec3 t_6 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
 }
 
 vec3 safeReciprocal(vec3 d) {
     return (vec3(1.0) / mix(d, vec3(1e-18), lessThan(abs(d), vec3(1e-18))));
 }
 
-float intersectBox(vec3 origin_1, vec3 direction_1, vec3 halfSize, float tMin_1, bool startsInside_1) {
-    bool local_2 = false;
-    bool local_3 = false;
-    vec3 _e5 = safeReciprocal(direction_1);
-    vec3 middle = (-(origin_1) * _e5);
-    vec3 reach = (halfSize * abs(_e5));
+Slabs boxSlabs(vec3 origin_1, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1);
+    vec3 middle = (-(origin_1) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
-    float near_1 = max(max(enter.x, enter.y), enter.z);
-    float far_1 = min(min(leave.x, leave.y), leave.z);
-    if ((near_1 > tMin_1)) {
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+float intersectBox(vec3 origin_2, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    bool local_2 = false;
+    bool local_3 = false;
+    Slabs _e5 = boxSlabs(origin_2, direction_2, halfSize_1);
+    if ((_e5.near > tMin_1)) {
         local_2 = !(startsInside_1);
     } else {
         local_2 = false;
     }
-    bool _e27 = local_2;
-    float t_6 = (_e27 ? near_1 : far_1);
-    if ((near_1 <= far_1)) {
-        local_3 = (t_6 > tMin_1);
+    bool _e14 = local_2;
+    float t_7 = (_e14 ? _e5.near : _e5.far);
+    if ((_e5.near <= _e5.far)) {
+        local_3 = (t_7 > (startsInside_1 ? 0.0 : tMin_1));
     } else {
         local_3 = false;
     }
-    bool _e34 = local_3;
-    return (_e34 ? t_6 : 1e30);
+    bool _e25 = local_3;
+    return (_e25 ? t_7 : 1e30);
 }
 
 float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
-    vec3 origin_2 = vec3(0.0);
-    vec3 direction_2 = vec3(0.0);
+    vec3 origin_3 = vec3(0.0);
+    vec3 direction_3 = vec3(0.0);
     Extent _e3 = fetchExtent(i_3);
-    origin_2 = (ray_1.start.point - bounds_1.center);
-    direction_2 = ray_1.direction;
+    origin_3 = (ray_1.start.point - bounds_1.center);
+    direction_3 = ray_1.direction;
     if ((_e3.a.w != 1.0)) {
-        vec3 _e16 = origin_2;
+        vec3 _e16 = origin_3;
         vec3 _e17 = rotate(_e3.a, _e16);
-        origin_2 = _e17;
-        vec3 _e19 = direction_2;
+        origin_3 = _e17;
+        vec3 _e19 = direction_3;
         vec3 _e20 = rotate(_e3.a, _e19);
-        direction_2 = _e20;
+        direction_3 = _e20;
     }
-    vec3 _e21 = origin_2;
-    vec3 _e22 = direction_2;
+    vec3 _e21 = origin_3;
+    vec3 _e22 = direction_3;
     float _e30 = intersectBox(_e21, _e22, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
     return ((i_3 == ray_1.start.leaves) ? 1e30 : _e30);
 }
 
-float intersectQuad(vec3 origin_3, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
     bool local_4 = false;
     bool local_5 = false;
     bool local_6 = false;
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_3, normal_2);
-    vec3 toCenter_1 = (center_1 - origin_3);
-    float t_7 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
-    vec3 p_2 = ((t_7 * direction_3) - toCenter_1);
+    float speed = dot(direction_4, normal_2);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_8 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
+    vec3 p_2 = ((t_8 * direction_4) - toCenter_1);
     if ((abs(dot(p_2, reciprocalU)) <= 0.500001)) {
         local_4 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
     } else {
         local_4 = false;
     }
     bool within = local_4;
-    if ((t_7 > tMin_2)) {
-        local_5 = (t_7 < 1e30);
+    if ((t_8 > tMin_2)) {
+        local_5 = (t_8 < 1e30);
     } else {
         local_5 = false;
     }
@@ -233,7 +242,7 @@ float intersectQuad(vec3 origin_3, vec3 direction_3, vec3 center_1, vec3 recipro
         local_6 = false;
     }
     bool _e38 = local_6;
-    return (_e38 ? t_7 : 1e30);
+    return (_e38 ? t_8 : 1e30);
 }
 
 float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
@@ -242,17 +251,17 @@ float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
     return ((i_4 == ray_2.start.leaves) ? 1e30 : _e14);
 }
 
-float intersectPlane(vec3 origin_4, vec3 direction_4, vec3 normal, float offset, float tMin_3) {
+float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
     bool local_7 = false;
-    float speed_1 = dot(direction_4, normal);
-    float t_8 = ((offset - dot(origin_4, normal)) / ((speed_1 == 0.0) ? 1e-30 : speed_1));
-    if ((t_8 > tMin_3)) {
-        local_7 = (t_8 < 1e30);
+    float speed_1 = dot(direction_5, normal);
+    float t_9 = ((offset - dot(origin_5, normal)) / ((speed_1 == 0.0) ? 1e-30 : speed_1));
+    if ((t_9 > tMin_3)) {
+        local_7 = (t_9 < 1e30);
     } else {
         local_7 = false;
     }
     bool _e19 = local_7;
-    return (_e19 ? t_8 : 1e30);
+    return (_e19 ? t_9 : 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
@@ -442,10 +451,10 @@ vec3 halo(Ray ray_6, float t_2) {
     return _e47;
 }
 
-vec3 sky(vec3 direction_5) {
+vec3 sky(vec3 direction_6) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_5.y, 0.0));
+    return mix(_e3, _e6, max(direction_6.y, 0.0));
 }
 
 bool isSphere(uint i_13) {
@@ -463,52 +472,58 @@ bool isFlat(uint i_15) {
     return (i_15 >= _e4);
 }
 
+vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    bool local_8 = false;
+    Slabs _e5 = boxSlabs(origin_6, direction_7, halfSize_2);
+    if ((_e5.near > tMin_4)) {
+        local_8 = !(startsInside_2);
+    } else {
+        local_8 = false;
+    }
+    bool entering = local_8;
+    vec3 crossed = (entering ? _e5.enter : _e5.leave);
+    float t_10 = (entering ? _e5.near : _e5.far);
+    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
+    if ((crossed.x == t_10)) {
+        return vec3(side.x, 0.0, 0.0);
+    }
+    if ((crossed.y == t_10)) {
+        return vec3(0.0, side.y, 0.0);
+    }
+    return vec3(0.0, 0.0, side.z);
+}
+
 vec3 rotateBack(vec4 q_1, vec3 v_1) {
     vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
     return _e6;
 }
 
-vec3 boxNormal(vec3 point, vec3 halfSize_1) {
-    bool local_8 = false;
-    vec3 gap = abs((abs(point) - halfSize_1));
-    if ((gap.x <= gap.y)) {
-        local_8 = (gap.x <= gap.z);
-    } else {
-        local_8 = false;
+vec3 outwardNormal(uint i_16, Ray ray_7, float t_3) {
+    Bounds _e3 = fetchBounds(i_16);
+    vec3 origin_8 = (ray_7.start.point - _e3.center);
+    bool _e8 = isSphere(i_16);
+    if (_e8) {
+        return normalize((origin_8 + (t_3 * ray_7.direction)));
     }
-    bool _e14 = local_8;
-    if (_e14) {
-        return vec3(((point.x > 0.0) ? 1.0 : -1.0), 0.0, 0.0);
+    bool _e13 = isPlane(i_16);
+    if (_e13) {
+        return _e3.center;
     }
-    if ((gap.y <= gap.z)) {
-        return vec3(0.0, ((point.y > 0.0) ? 1.0 : -1.0), 0.0);
+    Extent _e15 = fetchExtent(i_16);
+    bool _e16 = isFlat(i_16);
+    if (_e16) {
+        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    return vec3(0.0, 0.0, ((point.z > 0.0) ? 1.0 : -1.0));
+    bool inside = (i_16 == ray_7.start.inside);
+    vec3 _e27 = rotate(_e15.a, origin_8);
+    vec3 _e30 = rotate(_e15.a, ray_7.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
+    vec3 _e37 = rotateBack(_e15.a, _e35);
+    return _e37;
 }
 
-vec3 outwardNormal(uint i_16, vec3 point_1) {
-    Bounds _e2 = fetchBounds(i_16);
-    bool _e3 = isSphere(i_16);
-    if (_e3) {
-        return normalize((point_1 - _e2.center));
-    }
-    bool _e7 = isPlane(i_16);
-    if (_e7) {
-        return _e2.center;
-    }
-    Extent _e9 = fetchExtent(i_16);
-    bool _e10 = isFlat(i_16);
-    if (_e10) {
-        return normalize(cross(_e9.a.xyz, _e9.b.xyz));
-    }
-    vec3 _e21 = rotate(_e9.a, (point_1 - _e2.center));
-    vec3 _e24 = boxNormal(_e21, _e9.b.xyz);
-    vec3 _e25 = rotateBack(_e9.a, _e24);
-    return _e25;
-}
-
-Start onSurface(vec3 point_2, uint shape_1, bool seenFromInside) {
-    return Start(point_2, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point_2)));
+Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
+    return Start(point, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point)));
 }
 
 Material fetchMaterial(uint i_17) {
@@ -648,10 +663,10 @@ uint behindSphere(SampleGroup group_1, uint i_18, uint hidden) {
     return _e29;
 }
 
-bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_2) {
+bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_3) {
     bool local_14 = false;
-    if (all(lessThanEqual(min(apex_1, (light_1 - vec3(cone_1.reach))), halfSize_2))) {
-        local_14 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_1.reach))), -(halfSize_2)));
+    if (all(lessThanEqual(min(apex_1, (light_1 - vec3(cone_1.reach))), halfSize_3))) {
+        local_14 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_1.reach))), -(halfSize_3)));
     } else {
         local_14 = false;
     }
@@ -660,25 +675,25 @@ bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_2)
 }
 
 uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1) {
-    vec3 origin_5 = vec3(0.0);
+    vec3 origin_7 = vec3(0.0);
     vec3 light_2 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
-    vec3 direction_6 = vec3(0.0);
+    vec3 direction_8 = vec3(0.0);
     Bounds _e4 = fetchBounds(i_19);
     Extent _e5 = fetchExtent(i_19);
     bool turned = (_e5.a.w != 1.0);
-    origin_5 = (group_2.start.point - _e4.center);
+    origin_7 = (group_2.start.point - _e4.center);
     light_2 = (group_2.center - _e4.center);
     if (turned) {
-        vec3 _e20 = origin_5;
+        vec3 _e20 = origin_7;
         vec3 _e21 = rotate(_e5.a, _e20);
-        origin_5 = _e21;
+        origin_7 = _e21;
         vec3 _e23 = light_2;
         vec3 _e24 = rotate(_e5.a, _e23);
         light_2 = _e24;
     }
-    vec3 _e25 = origin_5;
+    vec3 _e25 = origin_7;
     vec3 _e26 = light_2;
     bool _e29 = coneMeetsBox(cone_2, _e25, _e26, _e5.b.xyz);
     if (!(_e29)) {
@@ -701,14 +716,14 @@ uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1)
             uint _e37 = k_3;
             vec3 _e38 = toSample(group_2, _e37);
             float distance_2 = length(_e38);
-            direction_6 = (_e38 / vec3(distance_2));
+            direction_8 = (_e38 / vec3(distance_2));
             if (turned) {
-                vec3 _e44 = direction_6;
+                vec3 _e44 = direction_8;
                 vec3 _e45 = rotate(_e5.a, _e44);
-                direction_6 = _e45;
+                direction_8 = _e45;
             }
-            vec3 _e46 = origin_5;
-            vec3 _e47 = direction_6;
+            vec3 _e46 = origin_7;
+            vec3 _e47 = direction_8;
             float _e55 = intersectBox(_e46, _e47, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
             uint _e56 = bits_1;
             uint _e59 = k_3;
@@ -735,7 +750,7 @@ bool coneMeetsPlane(ShadowCone cone_3, vec3 normal_1, float offset_1) {
 uint behindFlat(SampleGroup group_3, uint i_20, uint hidden_2) {
     uint bits_2 = 0u;
     uint k_4 = 0u;
-    float t_3 = 0.0;
+    float t_4 = 0.0;
     Bounds _e3 = fetchBounds(i_20);
     bool _e4 = isPlane(i_20);
     bits_2 = hidden_2;
@@ -755,18 +770,18 @@ uint behindFlat(SampleGroup group_3, uint i_20, uint hidden_2) {
             uint _e11 = k_4;
             vec3 _e12 = toSample(group_3, _e11);
             float distance_3 = length(_e12);
-            Ray ray_8 = Ray(group_3.start, (_e12 / vec3(distance_3)));
-            t_3 = 1e30;
+            Ray ray_9 = Ray(group_3.start, (_e12 / vec3(distance_3)));
+            t_4 = 1e30;
             if (_e4) {
-                float _e20 = hitPlane(i_20, _e3, ray_8);
-                t_3 = _e20;
+                float _e20 = hitPlane(i_20, _e3, ray_9);
+                t_4 = _e20;
             } else {
-                float _e21 = hitQuad(i_20, _e3, ray_8);
-                t_3 = _e21;
+                float _e21 = hitQuad(i_20, _e3, ray_9);
+                t_4 = _e21;
             }
             uint _e22 = bits_2;
             uint _e25 = k_4;
-            float _e27 = t_3;
+            float _e27 = t_4;
             bits_2 = (_e22 | ((_e27 < distance_3) ? (1u << _e25) : 0u));
         }
     }
@@ -1034,17 +1049,17 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
 }
 
 vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
-    Ray ray_7 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
+    Ray ray_8 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
     bool local_22 = false;
-    ray_7 = first_1;
+    ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
         if (!loop_init_15) {
-            uint _e97 = reflection_2;
-            reflection_2 = (_e97 + 1u);
+            uint _e99 = reflection_2;
+            reflection_2 = (_e99 + 1u);
         }
         loop_init_15 = false;
         uint _e12 = reflection_2;
@@ -1053,13 +1068,13 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             break;
         }
         {
-            Ray _e14 = ray_7;
+            Ray _e14 = ray_8;
             Hit _e15 = closestHit(_e14);
-            Ray _e16 = ray_7;
+            Ray _e16 = ray_8;
             SeenLight _e18 = closestBall(_e16, _e15.t);
             vec3 _e19 = radiance;
             float _e20 = weight;
-            Ray _e21 = ray_7;
+            Ray _e21 = ray_8;
             vec3 _e23 = halo(_e21, _e18.t);
             radiance = (_e19 + (_e20 * _e23));
             if ((_e18.t < _e15.t)) {
@@ -1071,46 +1086,47 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             if ((_e15.shape == noShape)) {
                 vec3 _e37 = radiance;
                 float _e38 = weight;
-                vec3 _e40 = ray_7.direction;
+                vec3 _e40 = ray_8.direction;
                 vec3 _e41 = sky(_e40);
                 radiance = (_e37 + (_e38 * _e41));
                 break;
             }
-            vec3 _e46 = ray_7.start.point;
-            vec3 _e49 = ray_7.direction;
+            vec3 _e46 = ray_8.start.point;
+            vec3 _e49 = ray_8.direction;
             vec3 position = (_e46 + (_e15.t * _e49));
-            vec3 _e53 = outwardNormal(_e15.shape, position);
-            vec3 _e55 = ray_7.direction;
-            bool seenFromBack = (dot(_e53, _e55) > 0.0);
-            vec3 normal_3 = (seenFromBack ? -(_e53) : _e53);
+            Ray _e53 = ray_8;
+            vec3 _e55 = outwardNormal(_e15.shape, _e53, _e15.t);
+            vec3 _e57 = ray_8.direction;
+            bool seenFromBack = (dot(_e55, _e57) > 0.0);
+            vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
-                bool _e65 = isFlat(_e15.shape);
-                local_22 = !(_e65);
+                bool _e67 = isFlat(_e15.shape);
+                local_22 = !(_e67);
             } else {
                 local_22 = false;
             }
-            bool _e68 = local_22;
-            Start _e69 = onSurface(position, _e15.shape, _e68);
-            Material _e71 = fetchMaterial(_e15.shape);
-            vec3 _e73 = ray_7.direction;
-            SurfacePoint point_3 = SurfacePoint(_e69, normal_3, -(_e73));
-            vec3 _e76 = radiance;
-            float _e77 = weight;
-            uint _e82 = reflection_2;
-            vec3 _e83 = shade(point_3, _e71, hash, _e82, lightSamples);
-            radiance = (_e76 + ((_e77 * (1.0 - _e71.reflectivity)) * _e83));
-            float _e86 = weight;
-            weight = (_e86 * _e71.reflectivity);
-            float _e89 = weight;
-            if ((_e89 < 0.00024414063)) {
+            bool _e70 = local_22;
+            Start _e71 = onSurface(position, _e15.shape, _e70);
+            Material _e73 = fetchMaterial(_e15.shape);
+            vec3 _e75 = ray_8.direction;
+            SurfacePoint point_1 = SurfacePoint(_e71, normal_3, -(_e75));
+            vec3 _e78 = radiance;
+            float _e79 = weight;
+            uint _e84 = reflection_2;
+            vec3 _e85 = shade(point_1, _e73, hash, _e84, lightSamples);
+            radiance = (_e78 + ((_e79 * (1.0 - _e73.reflectivity)) * _e85));
+            float _e88 = weight;
+            weight = (_e88 * _e73.reflectivity);
+            float _e91 = weight;
+            if ((_e91 < 0.00024414063)) {
                 break;
             }
-            vec3 _e93 = ray_7.direction;
-            ray_7 = Ray(_e69, reflect(_e93, normal_3));
+            vec3 _e95 = ray_8.direction;
+            ray_8 = Ray(_e71, reflect(_e95, normal_3));
         }
     }
-    vec3 _e99 = radiance;
-    return _e99;
+    vec3 _e101 = radiance;
+    return _e101;
 }
 
 vec3 pinholeDirection(vec2 filmPoint) {

@@ -19,7 +19,7 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
       break;
     }
     let position = ray.start.point + hit.t * ray.direction;
-    let outward = outwardNormal(hit.shape, position);
+    let outward = outwardNormal(hit.shape, ray, hit.t);
     let seenFromBack = dot(outward, ray.direction) > 0.0;
     let normal = select(outward, -outward, seenFromBack);
     let start = onSurface(position, hit.shape, seenFromBack && !isFlat(hit.shape));
@@ -123,11 +123,12 @@ fn halo(ray: Ray, t: f32) -> vec3f {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-// The geometric normal at a point on shape i, unit length, out of solids.
-fn outwardNormal(i: u32, point: vec3f) -> vec3f {
+// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
+fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
   let bounds = fetchBounds(i);
+  let origin = ray.start.point - bounds.center;
   if (isSphere(i)) {
-    return normalize(point - bounds.center);
+    return normalize(origin + t * ray.direction);
   }
   if (isPlane(i)) {
     return bounds.center;
@@ -136,7 +137,9 @@ fn outwardNormal(i: u32, point: vec3f) -> vec3f {
   if (isFlat(i)) {
     return normalize(cross(extent.a.xyz, extent.b.xyz));
   }
-  return rotateBack(extent.a, boxNormal(rotate(extent.a, point - bounds.center), extent.b.xyz));
+  let inside = i == ray.start.inside;
+  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
+  return rotateBack(extent.a, normal);
 }
 
 // On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
@@ -267,7 +270,8 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   let near = along - half;
   let far = along + half;
   let t = select(far, near, near > tMin && !startsInside);
-  return select(miss, t, discriminant >= 0.0 && t > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(miss, t, select(discriminant >= 0.0 && t > tMin, t > 0.0, startsInside));
 }
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
@@ -300,15 +304,9 @@ fn fetchExtent(i: u32) -> Extent {
 }
 
 fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
-  let inverse = safeReciprocal(direction);
-  let middle = -origin * inverse;
-  let reach = halfSize * abs(inverse);
-  let enter = middle - reach;
-  let leave = middle + reach;
-  let near = max(max(enter.x, enter.y), enter.z);
-  let far = min(min(leave.x, leave.y), leave.z);
-  let t = select(far, near, near > tMin && !startsInside);
-  return select(miss, t, near <= far && t > tMin);
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin && !startsInside);
+  return select(miss, t, s.near <= s.far && t > select(tMin, 0.0, startsInside));
 }
 
 // v turned by the unit quaternion q, and back.
@@ -325,9 +323,28 @@ struct Extent {
 }
 
 
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
 fn safeReciprocal(d: vec3f) -> vec3f {
   return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
 }
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
 
 fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);
@@ -406,20 +423,25 @@ fn isPlane(i: u32) -> bool {
   return i >= frame.shapeEnds.z;
 }
 
-fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
-  return rotate(vec4f(-q.xyz, q.w), v);
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = s.near > tMin && !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  if (crossed.x == t) {
+    return vec3f(side.x, 0.0, 0.0);
+  }
+  if (crossed.y == t) {
+    return vec3f(0.0, side.y, 0.0);
+  }
+  return vec3f(0.0, 0.0, side.z);
 }
 
-// Outward normal at a point on (or by rounding next to) the surface: the face that the point is nearest to, one axis only.
-fn boxNormal(point: vec3f, halfSize: vec3f) -> vec3f {
-  let gap = abs(abs(point) - halfSize);
-  if (gap.x <= gap.y && gap.x <= gap.z) {
-    return vec3f(select(-1.0, 1.0, point.x > 0.0), 0.0, 0.0);
-  }
-  if (gap.y <= gap.z) {
-    return vec3f(0.0, select(-1.0, 1.0, point.y > 0.0), 0.0);
-  }
-  return vec3f(0.0, 0.0, select(-1.0, 1.0, point.z > 0.0));
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
 }
 
 // Float rounding of a point grows with its distance from the eye, where all positions are relative to.
