@@ -1,0 +1,70 @@
+import { SCENE_LIMITS } from '../scene/limits.ts';
+import type { Camera, Scene, Shape } from '../scene/scene.ts';
+import { cameraFault, planeIsWellFormed, quadIsWellFormed } from '../scene/well-formed.ts';
+import type { FaultyPlaces } from './faulty-places.ts';
+import { nearest, type ProblemList, quote } from './problem.ts';
+
+/** The parts of a scene that refer to one another, or that tracks point into. */
+export type Sections = Pick<Scene, 'camera' | 'sky' | 'materials' | 'shapes' | 'lights'>;
+
+/** Checks what a scene must keep beyond the form of its parts; passes over parts that are faulty in themselves. */
+export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: ProblemList): void {
+  if (!faulty.touches('camera')) checkCamera(scene.camera, problems);
+  if (!faulty.touches('shapes') && !faulty.touches('lights')) checkNotEmpty(scene, problems);
+  const shapes = Object.entries(scene.shapes).filter(([name]) => !faulty.has('shapes', name));
+  checkCounts(shapes, problems);
+  for (const [name, shape] of shapes) {
+    if (!faulty.has('materials')) checkMaterial(name, shape.material, Object.keys(scene.materials), problems);
+    checkForm(name, shape, problems);
+  }
+}
+
+function checkCamera(camera: Camera, problems: ProblemList): void {
+  const fault = cameraFault(camera);
+  if (fault === 'target') {
+    const message = 'The camera looks at the point where it stands; please move "eye" and "target" apart.';
+    problems.add(['camera', 'target'], 'the place of the eye', 'a point at least 1e-6 metres from "eye"', message);
+  }
+  if (fault === 'up') {
+    const message = 'The camera\'s "up" is zero or lies along its line of sight, so that no side of the picture is up.';
+    const allowed = 'a direction across the line from "eye" to "target"';
+    problems.add(['camera', 'up'], `[${camera.up.join(', ')}]`, allowed, message);
+  }
+}
+
+function checkNotEmpty({ shapes, lights }: Sections, problems: ProblemList): void {
+  if (Object.keys(shapes).length > 0 || Object.values(lights).some((light) => light.visible)) return;
+  const message = 'There is nothing to see: a scene needs at least one shape or a visible light.';
+  problems.add(['shapes'], 'no shape, and no visible light', 'at least one shape or a visible light', message);
+}
+
+function checkCounts(shapes: readonly (readonly [string, Shape])[], problems: ProblemList): void {
+  for (const type of ['sphere', 'box', 'plane', 'quad'] as const) {
+    const count = shapes.filter(([, shape]) => shape.type === type).length;
+    const most = SCENE_LIMITS[type];
+    if (count > most) problems.add(['shapes'], `${count} shapes of type "${type}"`, `at most ${most} of this type`);
+  }
+}
+
+function checkMaterial(shape: string, material: string, names: readonly string[], problems: ProblemList): void {
+  if (names.includes(material)) return;
+  const some = names.slice(0, 8).map((name) => quote(name));
+  const more = names.length > 8 ? ` and ${names.length - 8} more` : '';
+  const listed = names.length === 0 ? 'a material; this scene has none yet' : `one of ${some.join(', ')}${more}`;
+  const meant = nearest(material, names);
+  const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
+  const message = `The shape ${quote(shape)} uses the material ${quote(material)}, which this scene does not have; it needs ${listed}.${hint}`;
+  problems.add(['shapes', shape, 'material'], `the name ${quote(material)}`, listed, message);
+}
+
+function checkForm(name: string, shape: Shape, problems: ProblemList): void {
+  if (shape.type === 'plane' && !planeIsWellFormed(shape)) {
+    const allowed = 'a direction of length 1e-6 or more';
+    problems.add(['shapes', name, 'normal'], `[${shape.normal.join(', ')}]`, allowed);
+  }
+  if (shape.type === 'quad' && !quadIsWellFormed(shape)) {
+    const found = `u = [${shape.u.join(', ')}] and v = [${shape.v.join(', ')}], which span no area`;
+    const message = `The quad ${quote(name)} has no area: its sides "u" and "v" are zero or point the same way.`;
+    problems.add(['shapes', name, 'v'], found, 'a side that is not along "u", both at least 1e-6 metres long', message);
+  }
+}

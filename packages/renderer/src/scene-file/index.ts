@@ -1,0 +1,3 @@
+export { type ParsedScene, parseScene } from './parse-scene.ts';
+export type { Problem } from './problem.ts';
+export { writeScene } from './write-scene.ts';

@@ -1,0 +1,13 @@
+import { toJsonSchema } from '@valibot/to-json-schema';
+import { sceneSchema } from './schema.ts';
+
+/** The text of `scene.schema.json`, which editors use to complete and check scene files. Not part of the library. */
+export function jsonSchemaText(): string {
+  const schema = toJsonSchema(sceneSchema, {
+    target: 'draft-07',
+    typeMode: 'input',
+    // `transform` (one sky colour → two) changes nothing of what may be written.
+    ignoreActions: ['transform'],
+  });
+  return `${JSON.stringify({ title: 'Mirrorball scene', ...schema }, null, 2)}\n`;
+}

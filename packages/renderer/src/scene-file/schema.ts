@@ -1,0 +1,160 @@
+import * as v from 'valibot';
+import { SCENE_LIMITS } from '../scene/limits.ts';
+import type { Color } from '../scene/scene.ts';
+import { choice, color, direction, integer, kind, number, object, point, share, text, triple } from './values.ts';
+
+/** The structure of a scene file, with its defaults: the one source for reading, writing and the editors' JSON Schema. */
+
+const BRIGHTEST = 1e6;
+const LIGHT_COLOR = 1e3;
+const SMALLEST = 1e-6;
+const LARGEST = 1e9;
+
+const nameRule = `a name: 1 to ${SCENE_LIMITS.nameLength} characters on one line, no space at either end`;
+const name = v.pipe(
+  v.string(nameRule),
+  v.maxLength(SCENE_LIMITS.nameLength, nameRule),
+  v.regex(/^\S(?:.*\S)?$/, nameRule),
+);
+
+function named<Schema extends v.GenericSchema>(what: string, value: Schema, max: number) {
+  const allowed = `${what} by name, at most ${max} of them`;
+  return v.pipe(v.record(name, value, allowed), v.maxEntries(max, allowed), v.description(allowed));
+}
+
+const camera = object('the camera: an object with "eye" and "target"', {
+  eye: point('where the camera stands'),
+  target: point('where the camera looks'),
+  up: v.optional(direction('the direction that is up in the picture'), [0, 1, 0]),
+  verticalFov: v.optional(number('the vertical field of view in degrees', 0.01, 179), 45),
+});
+
+const skyRule = 'the sky: one colour [red, green, blue], or an object with "horizon" and "zenith"';
+const sky = v.pipe(
+  v.union(
+    [
+      color('the colour of the sky', BRIGHTEST),
+      object(skyRule, {
+        horizon: color('the colour of the sky at and below the horizon', BRIGHTEST),
+        zenith: color('the colour of the sky overhead', BRIGHTEST),
+      }),
+    ],
+    skyRule,
+  ),
+  v.description(skyRule),
+  v.transform((value) => (isColor(value) ? { horizon: value, zenith: value } : value)),
+);
+const isColor = (value: unknown): value is Color => Array.isArray(value);
+
+const material = object('a material: an object', {
+  baseColor: v.optional(color('the share of light that comes back', 1), [0.8, 0.8, 0.8]),
+  roughness: v.optional(share('the width of the highlight'), 0.5),
+  specular: v.optional(share('the strength of the highlight'), 0),
+  reflectivity: v.optional(share('the weight of the mirror ray'), 0),
+});
+
+const materialName = text('the name of a material of this scene', SCENE_LIMITS.nameLength);
+const shapeTypes = '"sphere", "box", "plane" or "quad"';
+const shape = v.variant(
+  'type',
+  [
+    object('a sphere: an object', {
+      type: kind('sphere'),
+      center: point('the centre'),
+      radius: number('the radius in metres', SMALLEST, LARGEST),
+      material: materialName,
+    }),
+    object('a box: an object', {
+      type: kind('box'),
+      center: point('the centre'),
+      size: triple('the lengths of the three sides, metres', SMALLEST, LARGEST),
+      rotation: v.optional(triple('the turn about X, then Y, then Z, degrees', -1e6, 1e6), [0, 0, 0]),
+      material: materialName,
+    }),
+    object('a plane: an object', {
+      type: kind('plane'),
+      point: point('a point of the plane'),
+      normal: direction('the direction across the plane'),
+      material: materialName,
+    }),
+    object('a quad: an object', {
+      type: kind('quad'),
+      corner: point('one corner'),
+      u: point('the way from the corner along one side'),
+      v: point('the way from the corner along the other side'),
+      material: materialName,
+    }),
+  ],
+  (issue) => (issue.expected === 'Object' ? `a shape: an object whose "type" is ${shapeTypes}` : shapeTypes),
+);
+
+const light = object('a light: an object', {
+  type: kind('sphere'),
+  center: point('the centre'),
+  radius: number('the radius in metres', SMALLEST, 1e6),
+  radiance: number('what the ball sends out', 0, BRIGHTEST),
+  ambient: v.optional(color('what the light adds everywhere', LIGHT_COLOR), [0, 0, 0]),
+  diffuse: v.optional(color('the colour of the light', LIGHT_COLOR), [1, 1, 1]),
+  specular: v.optional(color('the colour of the highlights', LIGHT_COLOR), [0, 0, 0]),
+  halo: v.optional(number('the density of haze around the light, per metre', 0, LIGHT_COLOR), 0),
+  visible: v.optional(
+    v.pipe(
+      v.boolean('true or false'),
+      v.description('whether camera and mirrors see the ball and its halo: true or false'),
+    ),
+    true,
+  ),
+});
+
+const keyValueRule = 'the value at that time: a number or a list of three numbers';
+const key = object('a key: an object with "time" and "value"', {
+  time: number('the time in seconds', -1e9, 1e9),
+  value: v.union([number('the value', -1e9, 1e9), triple('the value', -1e9, 1e9)], keyValueRule),
+});
+const keysRule = `the keys: a list of 1 to ${SCENE_LIMITS.keysPerTrack} keys`;
+export const trackSchema = object('a track: an object with "target" and "keys"', {
+  target: text('a JSON Pointer to what moves, such as "/shapes/ball/center"', 1000),
+  interpolation: v.optional(choice('the way from key to key', ['step', 'linear', 'smooth']), 'linear'),
+  repeat: v.optional(choice('what follows the last key', ['once', 'loop', 'ping-pong']), 'loop'),
+  keys: v.pipe(
+    v.array(key, keysRule),
+    v.minLength(1, keysRule),
+    v.maxLength(SCENE_LIMITS.keysPerTrack, keysRule),
+    v.description(keysRule),
+  ),
+});
+
+const renderRule = 'the render settings: an object';
+const render = object(renderRule, {
+  integrator: v.optional(choice('the way to trace light', ['classic']), 'classic'),
+  maxReflections: v.optional(integer('mirror rays that may follow a ray', 0, SCENE_LIMITS.maxReflections), 5),
+  lightSamples: v.optional(integer('sample points on each light', 1, SCENE_LIMITS.lightSamples), 9),
+  exposure: v.optional(number('the exposure in stops', -32, 32), 0),
+});
+
+const versionRule = 'the version of the file format, which is 1';
+const shapeCount = SCENE_LIMITS.sphere + SCENE_LIMITS.box + SCENE_LIMITS.plane + SCENE_LIMITS.quad;
+const tracksRule = `the animation: a list of at most ${SCENE_LIMITS.track} tracks`;
+const still = {
+  $schema: v.optional(text('the address of the JSON Schema, for editors', 2000)),
+  version: v.pipe(v.literal(1, versionRule), v.description(versionRule)),
+  name: text('the name of the scene', SCENE_LIMITS.nameLength),
+  description: v.optional(text('what the scene shows', 10_000), ''),
+  camera,
+  sky: v.optional(sky, [0, 0, 0]),
+  materials: v.optional(named('the materials', material, SCENE_LIMITS.material), {}),
+  shapes: v.optional(named('the shapes', shape, shapeCount), {}),
+  lights: v.optional(named('the lights', light, SCENE_LIMITS.light), {}),
+  render: v.optional(render, {}),
+};
+const tracks = <Schema extends v.GenericSchema>(track: Schema) =>
+  v.optional(
+    v.pipe(v.array(track, tracksRule), v.maxLength(SCENE_LIMITS.track, tracksRule), v.description(tracksRule)),
+    [],
+  );
+const sceneRule = 'a scene: an object with "version", "name", "camera", "shapes" and "lights"';
+
+/** The whole file. */
+export const sceneSchema = object(sceneRule, { ...still, animation: tracks(trackSchema) });
+/** The file with its tracks left unread: these are read one by one, so that problems in many keys stay few in memory. */
+export const stillSchema = object(sceneRule, { ...still, animation: tracks(v.unknown()) });

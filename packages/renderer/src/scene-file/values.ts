@@ -1,0 +1,80 @@
+import * as v from 'valibot';
+
+/**
+ * The kinds of value in a scene file. The message of each schema is a phrase that says what is allowed; it completes
+ * "it must be …" in a problem and is what an editor shows.
+ */
+
+/** 1e9 rather than 1000000000. */
+const short = (n: number): string => (Math.abs(n) >= 1e6 ? n.toExponential().replace('+', '') : String(n));
+
+/** A finite number from `min` to `max`. */
+export function number(what: string, min: number, max: number) {
+  const allowed = `${what}: a number from ${short(min)} to ${short(max)}`;
+  return v.pipe(v.number(allowed), v.minValue(min, allowed), v.maxValue(max, allowed), v.description(allowed));
+}
+
+/** A whole number from `min` to `max`. */
+export function integer(what: string, min: number, max: number) {
+  const allowed = `${what}: a whole number from ${short(min)} to ${short(max)}`;
+  return v.pipe(
+    v.number(allowed),
+    v.integer(allowed),
+    v.minValue(min, allowed),
+    v.maxValue(max, allowed),
+    v.description(allowed),
+  );
+}
+
+type Triple = readonly [number, number, number];
+
+/** A list of three numbers, each from `min` to `max`. */
+export function triple(what: string, min: number, max: number) {
+  const allowed = `${what}: a list of three numbers, each from ${short(min)} to ${short(max)}`;
+  const one = `one number of ${what}: from ${short(min)} to ${short(max)}`;
+  const item = v.pipe(v.number(one), v.minValue(min, one), v.maxValue(max, one));
+  // Not a tuple: a list of the wrong length is one problem of the list, not one of each number that is missing.
+  const schema = v.pipe(v.array(item, allowed), v.length(3, allowed), v.description(allowed));
+  return schema as unknown as v.GenericSchema<Triple, Triple>;
+}
+
+const FARTHEST = 1e9;
+export const point = (what: string) => triple(`${what}, metres`, -FARTHEST, FARTHEST);
+export const direction = (what: string) => triple(what, -FARTHEST, FARTHEST);
+export const color = (what: string, max: number) => triple(`${what}, linear [red, green, blue]`, 0, max);
+export const share = (what: string) => number(what, 0, 1);
+
+/** A text of at most `max` characters. */
+export function text(what: string, max: number) {
+  const allowed = `${what}: a text of at most ${short(max)} characters`;
+  return v.pipe(v.string(allowed), v.maxLength(max, allowed), v.description(allowed));
+}
+
+/** One of these words. */
+export function choice<const Options extends readonly string[]>(what: string, options: Options) {
+  const allowed = `${what}: ${options.map((option) => `"${option}"`).join(' or ')}`;
+  return v.pipe(v.picklist(options, allowed), v.description(allowed));
+}
+
+/** Exactly this word, which tells which kind of thing an object is. */
+export const kind = <const Word extends string>(word: Word) => v.literal(word, `"${word}"`);
+
+type Message = string | ((issue: { expected: string | null }) => string) | undefined;
+interface HasMessage {
+  readonly message?: Message;
+  readonly wrapped?: HasMessage;
+}
+const allowedBy = ({ message, wrapped }: HasMessage): string => {
+  if (wrapped !== undefined) return allowedBy(wrapped);
+  return typeof message === 'function' ? message({ expected: 'Object' }) : (message ?? 'a value');
+};
+
+/** An object with these keys and no others. */
+export function object<const Entries extends v.ObjectEntries>(what: string, entries: Entries) {
+  const message = (issue: { expected: string | null }): string => {
+    const missing = issue.expected?.match(/^"(.*)"$/)?.[1];
+    const entry = missing === undefined ? undefined : entries[missing];
+    return entry === undefined ? what : allowedBy(entry as unknown as HasMessage);
+  };
+  return v.pipe(v.strictObject(entries, message), v.description(what));
+}

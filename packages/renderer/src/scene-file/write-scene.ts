@@ -1,0 +1,54 @@
+import type { Scene } from '../scene/scene.ts';
+import { sceneSchema } from './schema.ts';
+import { entryOf, optionOfType, type SchemaTree, treeOf, unwrap } from './schema-tree.ts';
+
+/**
+ * The text of a scene file for this scene: defaults left out, and what fits on a line in one line, so that a person can
+ * read it. `parseScene` reads it back to an equal scene. `schema` is the address of the JSON Schema, for editors.
+ */
+export function writeScene(scene: Scene, schema?: string): string {
+  const { horizon, zenith } = scene.sky;
+  const sky = equal(horizon, zenith) ? horizon : scene.sky;
+  const file = { ...(schema === undefined ? {} : { $schema: schema }), ...scene, sky };
+  return `${format(withoutDefaults(treeOf(sceneSchema), file), '', 0)}\n`;
+}
+
+function withoutDefaults(schema: SchemaTree, value: unknown): unknown {
+  const form = unwrap(schema);
+  if (Array.isArray(value)) return form.item ? value.map((item) => withoutDefaults(form.item!, item)) : value;
+  if (typeof value !== 'object' || value === null) return value;
+  const kind = form.type === 'variant' ? optionOfType(form, (value as { type?: unknown }).type) : form;
+  const kept = Object.entries(value).flatMap(([key, part]): [string, unknown][] => {
+    const entry = (kind && entryOf(kind, key)) ?? kind?.value;
+    if (entry === undefined) return [[key, part]];
+    const slim = withoutDefaults(entry, part);
+    return entry.type === 'optional' && equal(slim, entry.default) ? [] : [[key, slim]];
+  });
+  return Object.fromEntries(kept);
+}
+
+/** Whether two plain values are the same in content and order. */
+const equal = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
+
+const LINE = 100;
+
+/** JSON with every value on one line that fits there; what lies directly in the file or a section gets its own lines. */
+function format(value: unknown, indent: string, depth: number): string {
+  const line = inline(value);
+  const short = depth > 1 || (depth === 1 && Array.isArray(value) && typeof value[0] === 'number');
+  if (typeof value !== 'object' || value === null || (short && indent.length + line.length <= LINE)) return line;
+  const inner = `${indent}  `;
+  const isList = Array.isArray(value);
+  const parts = isList
+    ? value.map((item) => inner + format(item, inner, depth + 1))
+    : Object.entries(value).map(([key, part]) => `${inner}${JSON.stringify(key)}: ${format(part, inner, depth + 1)}`);
+  const [open, close] = isList ? '[]' : '{}';
+  return parts.length === 0 ? `${open}${close}` : `${open}\n${parts.join(',\n')}\n${indent}${close}`;
+}
+
+function inline(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(inline).join(', ')}]`;
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  const parts = Object.entries(value).map(([key, part]) => `${JSON.stringify(key)}: ${inline(part)}`);
+  return parts.length === 0 ? '{}' : `{ ${parts.join(', ')} }`;
+}

@@ -1,0 +1,62 @@
+import type { Camera, Plane, Quad, Vec3 } from './scene.ts';
+
+/**
+ * What must hold between several numbers of one thing, so that no later stage divides by zero. The file reader refuses
+ * what breaks these rules, and animation mends it.
+ */
+
+/** Shortest length, metres, of anything that gives a direction. */
+export const SHORTEST = 1e-6;
+/** Smallest sine of the angle between two directions that span a frame or a quad. */
+export const SMALLEST_SINE = 1e-6;
+
+const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
+const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/** Whether the two span a plane. */
+export function spansPlane(u: Vec3, v: Vec3): boolean {
+  return length(u) >= SHORTEST && length(v) >= SHORTEST && length(cross(u, v)) >= SMALLEST_SINE * length(u) * length(v);
+}
+
+/** What is wrong between eye, target and up, or null. */
+export function cameraFault(camera: Pick<Camera, 'eye' | 'target' | 'up'>): 'target' | 'up' | null {
+  const view = subtract(camera.target, camera.eye);
+  if (!(length(view) >= SHORTEST)) return 'target';
+  return spansPlane(view, camera.up) ? null : 'up';
+}
+
+/** Whether the plane has a direction. */
+export const planeIsWellFormed = (plane: Pick<Plane, 'normal'>): boolean => length(plane.normal) >= SHORTEST;
+
+/** Whether the quad has an area. */
+export const quadIsWellFormed = (quad: Pick<Quad, 'u' | 'v'>): boolean => spansPlane(quad.u, quad.v);
+
+const AXES: readonly Vec3[] = [
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/**
+ * A camera that can be used: `camera` itself, or, at the instant when moving keys make it impossible, with the view
+ * direction and the up of `rest`, the camera as the file has it.
+ */
+export function mendCamera(camera: Camera, rest: Camera): Camera {
+  let mended = camera;
+  if (cameraFault(mended) === 'target') {
+    const view = subtract(rest.target, rest.eye);
+    // A step that the eye's own size does not swallow in rounding.
+    const step = Math.max(1, length(mended.eye) * 1e-6) / length(view);
+    const [x, y, z] = mended.eye;
+    mended = { ...mended, target: [x + view[0] * step, y + view[1] * step, z + view[2] * step] };
+  }
+  for (const up of [rest.up, ...AXES]) {
+    if (cameraFault(mended) === null) return mended;
+    mended = { ...mended, up };
+  }
+  return mended;
+}
