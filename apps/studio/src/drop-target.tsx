@@ -1,0 +1,28 @@
+import { openSceneFile } from './actions.ts';
+import { dictionary } from './i18n.ts';
+import { dragOver } from './state.ts';
+
+const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
+
+/** Lets a scene file be dropped anywhere on the page. */
+export function followDrops(): void {
+  addEventListener('dragover', (event) => {
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    dragOver.value = true;
+  });
+  addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) dragOver.value = false;
+  });
+  addEventListener('drop', (event) => {
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    dragOver.value = false;
+    const file = event.dataTransfer?.files[0];
+    if (file) void openSceneFile(file);
+  });
+}
+
+export function DropTarget() {
+  return dragOver.value ? <div class="drop-target">{dictionary.value.dropHere}</div> : null;
+}

@@ -1,0 +1,49 @@
+import { Dialog } from './controls/dialog.tsx';
+import { type Dictionary, dictionary } from './i18n.ts';
+import { helpOpen } from './state.ts';
+
+const keyRows = (t: Dictionary): readonly (readonly [readonly string[], string])[] => [
+  [[t.keyNames.space], t.keys.play],
+  [['.'], t.keys.step],
+  [['1', '2', '3'], t.keys.scene],
+  [['[', ']'], t.keys.reflections],
+  [['C'], t.keys.compare],
+  [[t.keyNames.arrows, 'A', 'D'], t.keys.orbit],
+  [[t.keyNames.shiftArrows], t.keys.pan],
+  [['+', '−', 'W', 'S'], t.keys.dolly],
+  [['R'], t.keys.reset],
+  [['F'], t.keys.fullScreen],
+  [['P'], t.keys.panel],
+  [['H', '?'], t.keys.help],
+];
+
+/** Every key and gesture. */
+export function Help() {
+  const t = dictionary.value;
+  return (
+    <Dialog id="help" title={t.help} open={helpOpen.value} onClose={() => (helpOpen.value = false)}>
+      <h3>{t.keysTitle}</h3>
+      <dl class="keys">
+        {keyRows(t).map(([keys, what]) => (
+          <div key={what}>
+            <dt>
+              {keys.map((key) => (
+                <kbd key={key}>{key}</kbd>
+              ))}
+            </dt>
+            <dd>{what}</dd>
+          </div>
+        ))}
+      </dl>
+      <h3>{t.gesturesTitle}</h3>
+      <dl class="keys gestures">
+        {Object.values(t.gestures).map(([gesture, what]) => (
+          <div key={gesture}>
+            <dt>{gesture}</dt>
+            <dd>{what}</dd>
+          </div>
+        ))}
+      </dl>
+    </Dialog>
+  );
+}

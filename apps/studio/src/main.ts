@@ -1,0 +1,77 @@
+import { batch } from '@preact/signals';
+import type { Renderer } from 'mirrorball';
+import { takeScene } from './actions.ts';
+import { mountApp } from './app.tsx';
+import { dictionary, startLanguage } from './i18n.ts';
+import { notify, reasonOf } from './notices.ts';
+import { followPointers } from './pointer-gestures.ts';
+import { builtInScene, sceneIds } from './scene-files.ts';
+import { drawnImageSamples, followRenderer, followState, openSession } from './session.ts';
+import { followKeys } from './shortcuts.ts';
+import { followStageSize } from './stage.ts';
+import * as state from './state.ts';
+import { followTheme, prefersReducedMotion } from './theme.ts';
+import { readParameters, type UrlParameters } from './url-parameters.ts';
+
+declare global {
+  interface Window {
+    /** For the console: `mirrorball.renderer` is what draws at this moment. */
+    mirrorball: { readonly renderer: Renderer | null };
+    /** For benchmarks: samples drawn so far for each pixel of the canvas. */
+    benchSamples: () => number;
+  }
+}
+
+/** The first picture comes first: the scene is under way before the controls are built. */
+function start(): void {
+  const parameters = readParameters(location.search, sceneIds);
+  startLanguage(parameters.lang);
+  followTheme();
+  followStageSize(parameters.size);
+  takeScene(builtInScene(parameters.scene));
+  takeParameters(parameters);
+
+  const session = openSession(parameters.backend);
+  window.mirrorball = {
+    get renderer() {
+      return state.renderer.peek();
+    },
+  };
+  window.benchSamples = drawnImageSamples;
+
+  followState();
+  followRenderer();
+  followKeys();
+  followPointers(document.getElementById('stage')!);
+  if (parameters.ui) mountAfter(session);
+  session.catch((error: unknown) => {
+    const reason = reasonOf(error);
+    document.getElementById('loading')?.replaceChildren(parameters.ui ? '' : dictionary.peek().noticeNothing(reason));
+    notify('error', (t) => t.noticeNothing(reason));
+  });
+}
+
+function takeParameters(given: UrlParameters): void {
+  batch(() => {
+    state.reflections.value = given.reflections ?? state.reflections.value;
+    state.lightSamples.value = given.samples ?? state.lightSamples.value;
+    state.exposure.value = given.exposure ?? state.exposure.value;
+    state.resolutionScale.value = given.scale ?? state.resolutionScale.value;
+    state.adaptive.value = given.adaptive ?? state.adaptive.value;
+    state.seed.value = given.seed ?? state.seed.value;
+    state.comparisonMode.value = given.compare ?? state.comparisonMode.value;
+    state.time.value = given.time ?? 0;
+    state.playing.value = !(given.paused ?? prefersReducedMotion());
+    state.panelOpen.value = given.ui && !state.isPhone.value;
+  });
+  if (given.problems.length > 0) notify('parameters', (t) => t.noticeParameters(given.problems.join('; ')));
+}
+
+/** Builds the controls once the first frame is asked for, or when that takes long. */
+function mountAfter(session: Promise<Renderer>): void {
+  const late = new Promise((resolve) => setTimeout(resolve, 400));
+  const mount = (): void => mountApp(document.getElementById('ui')!);
+  Promise.race([session, late]).then(mount, mount);
+}
+
+start();

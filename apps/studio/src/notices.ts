@@ -1,0 +1,21 @@
+import { signal } from '@preact/signals';
+import type { Dictionary } from './i18n.ts';
+
+/** A sentence over the picture. It is a function of the dictionary, so that it follows the language. */
+export interface Notice {
+  /** One notice a subject: a newer one takes the place of the older. */
+  readonly subject: 'backend' | 'cpu' | 'device' | 'file' | 'parameters' | 'error';
+  readonly text: (dictionary: Dictionary) => string;
+}
+
+export const notices = signal<readonly Notice[]>([]);
+
+export function dismiss(subject: Notice['subject']): void {
+  notices.value = notices.peek().filter((notice) => notice.subject !== subject);
+}
+
+export function notify(subject: Notice['subject'], text: Notice['text']): void {
+  notices.value = [...notices.peek().filter((notice) => notice.subject !== subject), { subject, text }];
+}
+
+export const reasonOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

@@ -1,0 +1,78 @@
+import { useSignal } from '@preact/signals';
+import { Choice } from '../controls/choice.tsx';
+import { Slider } from '../controls/slider.tsx';
+import { dictionary } from '../i18n.ts';
+import { exposure, lightSamples, reflections } from '../state.ts';
+import { Section } from './section.tsx';
+
+const presets = [1, 9, 16, 64];
+const signed = (n: number): string => (n > 0 ? '+' : n < 0 ? '−' : '') + Math.abs(n).toFixed(1);
+
+export function LightSection() {
+  const t = dictionary.value;
+  return (
+    <Section id="light" title={t.light}>
+      <Slider
+        id="reflections"
+        label={t.reflections}
+        min={0}
+        max={64}
+        step={1}
+        value={reflections.value}
+        text={String(reflections.value)}
+        onInput={(value) => (reflections.value = value)}
+      />
+      <LightSamples />
+      <Slider
+        id="exposure"
+        label={t.exposure}
+        min={-5}
+        max={5}
+        step={0.1}
+        value={exposure.value}
+        text={t.stops(signed(exposure.value))}
+        onInput={(value) => (exposure.value = value)}
+      />
+    </Section>
+  );
+}
+
+function LightSamples() {
+  const t = dictionary.value;
+  const wishesOther = useSignal(false);
+  const other = wishesOther.value || !presets.includes(lightSamples.value);
+  const options = [...presets.map((n) => ({ value: n, label: String(n) })), { value: 0, label: t.lightSamplesCustom }];
+  const choose = (value: number): void => {
+    wishesOther.value = value === 0;
+    if (value > 0) lightSamples.value = value;
+  };
+  const typed = (input: HTMLInputElement): void => {
+    const value = input.valueAsNumber;
+    if (Number.isInteger(value) && value >= 1 && value <= 256) lightSamples.value = value;
+  };
+  return (
+    <div class="with-number">
+      <Choice
+        id="light-samples"
+        label={t.lightSamples}
+        options={options}
+        value={other ? 0 : lightSamples.value}
+        onChange={choose}
+      />
+      {other && (
+        <input
+          id="light-samples-number"
+          class="number"
+          type="number"
+          min={1}
+          max={256}
+          step={1}
+          aria-label={t.lightSamplesNumber}
+          value={lightSamples.value}
+          onInput={(event) => typed(event.currentTarget)}
+          onBlur={(event) => (event.currentTarget.value = String(lightSamples.value))}
+        />
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,38 @@
+import { useSignal, useSignalEffect } from '@preact/signals';
+import { resetView, toggleFullScreen } from '../actions.ts';
+import { Button } from '../controls/button.tsx';
+import { dictionary } from '../i18n.ts';
+import { helpOpen } from '../state.ts';
+import { Section } from './section.tsx';
+
+export function ViewSection() {
+  const t = dictionary.value;
+  return (
+    <Section id="view" title={t.view}>
+      <div class="buttons">
+        <Button id="reset-view" icon="reset" onClick={resetView}>
+          {t.resetView}
+        </Button>
+        {document.fullscreenEnabled && <FullScreenButton />}
+        <Button id="show-help" icon="keys" onClick={() => (helpOpen.value = true)}>
+          {t.help}
+        </Button>
+      </div>
+    </Section>
+  );
+}
+
+function FullScreenButton() {
+  const t = dictionary.value;
+  const full = useSignal(document.fullscreenElement !== null);
+  useSignalEffect(() => {
+    const follow = (): void => void (full.value = document.fullscreenElement !== null);
+    document.addEventListener('fullscreenchange', follow);
+    return () => document.removeEventListener('fullscreenchange', follow);
+  });
+  return (
+    <Button id="full-screen" icon={full.value ? 'smallScreen' : 'fullScreen'} onClick={() => void toggleFullScreen()}>
+      {full.value ? t.leaveFullScreen : t.fullScreen}
+    </Button>
+  );
+}

@@ -1,0 +1,68 @@
+import { useSignal } from '@preact/signals';
+import type { Problem } from 'mirrorball';
+import { refusedFile } from './actions.ts';
+import { Dialog } from './controls/dialog.tsx';
+import { dictionary } from './i18n.ts';
+
+const asText = (problems: readonly Problem[]): string =>
+  problems.map((p) => `${p.path || '/'}: ${p.message} | ${p.found} | ${p.allowed}`).join('\n');
+
+/** Puts the text on the clipboard; where the browser refuses, it selects the list, ready to be copied by hand. */
+async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const list = document.querySelector('.problems');
+    if (list) getSelection()?.selectAllChildren(list);
+    return false;
+  }
+}
+
+/** Everything that is wrong with a scene file that was refused. */
+export function ProblemsDialog() {
+  const t = dictionary.value;
+  const copied = useSignal(false);
+  const file = refusedFile.value;
+  const problems = file?.problems ?? [];
+  const close = (): void => {
+    refusedFile.value = null;
+    copied.value = false;
+  };
+  const copy = (
+    <button
+      id="copy-problems"
+      type="button"
+      class="button"
+      onClick={async () => (copied.value = await copyText(asText(problems)))}
+    >
+      {copied.value ? t.copied : t.copy}
+    </button>
+  );
+  return (
+    <Dialog id="problems" title={t.problemsTitle(file?.name ?? '')} open={file !== null} onClose={close} actions={copy}>
+      <p>{t.problemsIntro}</p>
+      <ol class="problems">
+        {problems.map((problem, i) => (
+          <ProblemItem key={i} {...problem} />
+        ))}
+      </ol>
+    </Dialog>
+  );
+}
+
+function ProblemItem({ path, found, allowed, message }: Problem) {
+  const t = dictionary.value;
+  return (
+    <li>
+      <code class="path">{path || t.wholeFile}</code>
+      <p>{message}</p>
+      <dl>
+        <dt>{t.problemFound}</dt>
+        <dd>{found}</dd>
+        <dt>{t.problemAllowed}</dt>
+        <dd>{allowed}</dd>
+      </dl>
+    </li>
+  );
+}

@@ -1,0 +1,72 @@
+import { computed, signal } from '@preact/signals';
+import type { Backend, FrameStats, Renderer, RendererSettings, Scene } from 'mirrorball';
+import { type ComparisonMode, comparisonFor, type Dividers, evenDividers } from './comparison.ts';
+
+/** Everything the page knows. Components read it; `actions.ts` and its neighbours write it. */
+
+/** What draws; null until the first one is ready. */
+export const renderer = signal<Renderer | null>(null);
+/** The scene on show and its id: a built-in scene's, or 'file'. */
+export const shown = signal<{ id: string; scene: Scene; fileName?: string } | null>(null);
+/** Whether the view is the person's own and no longer the scene's. */
+export const viewMoved = signal(false);
+/** The backend being started to take over, if any. */
+export const switchingTo = signal<Backend | 'auto' | null>(null);
+/** Figures of the last frame, taken four times a second. */
+export const stats = signal<FrameStats | null>(null);
+
+// Settings of the renderer
+export const reflections = signal(10);
+export const lightSamples = signal(9);
+export const exposure = signal(0);
+export const resolutionScale = signal(1);
+export const adaptive = signal(true);
+export const targetFps = signal<30 | 60>(60);
+export const seed = signal(0);
+export const comparisonMode = signal<ComparisonMode>('off');
+/** Where the person put the dividers; null: evenly over what can be seen. */
+export const chosenDividers = signal<Dividers | null>(null);
+
+// Motion
+export const playing = signal(true);
+export const speed = signal(1);
+export const time = signal(0);
+
+// The page
+export const panelOpen = signal(true);
+export const helpOpen = signal(false);
+export const pageWidth = signal(0);
+export const stageWidth = signal(0);
+export const dragOver = signal(false);
+
+/** At most this wide, the panel is a sheet at the bottom. The same number stands in styles/panel.css. */
+export const PHONE_WIDTH = 640;
+/** What the open panel takes of the stage's width, its margins included. */
+const PANEL_WIDTH = 320;
+
+export const isPhone = computed(() => pageWidth.value <= PHONE_WIDTH);
+
+/** Share of the stage's width, from the left, that lies left of `pixels` at the page's right edge. */
+const shareLeftOf = (pixels: number): number => Math.min((pageWidth.value - pixels) / Math.max(stageWidth.value, 1), 1);
+
+/** What no panel covers of the picture's width. */
+export const visibleShare = computed(() => shareLeftOf(isPhone.value || !panelOpen.value ? 0 : PANEL_WIDTH));
+/** As far as texts at the top may reach: clear of the panel, or of the button that is left of it. */
+export const textShare = computed(() => (isPhone.value || panelOpen.value ? visibleShare.value : shareLeftOf(68)));
+export const dividers = computed<Dividers>(() => chosenDividers.value ?? evenDividers(visibleShare.value));
+
+/** What the renderer is to be set to. */
+export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples'>>(() => ({
+  maxReflections: reflections.value,
+  lightSamples: lightSamples.value,
+  exposure: exposure.value,
+  resolutionScale: resolutionScale.value,
+  adaptive: adaptive.value,
+  targetFps: targetFps.value,
+  seed: seed.value,
+  comparison: comparisonFor(
+    comparisonMode.value,
+    { maxReflections: reflections.value, lightSamples: lightSamples.value },
+    dividers.value,
+  ),
+}));

@@ -1,0 +1,16 @@
+import { expect, test } from 'vitest';
+import { figure } from './status-line.tsx';
+
+test('figures keep three digits', () => {
+  expect([0, 0.4249, 4.2, 9.949, 9.96, 42.42, 99.6, 1234.5].map(figure)).toEqual([
+    '0',
+    '0.42',
+    '4.20',
+    '9.95',
+    '10.0',
+    '42.4',
+    '100',
+    '1235',
+  ]);
+  expect(figure(Number.NaN)).toBe('–');
+});

@@ -1,0 +1,86 @@
+/**
+ * The address as an input, so that a picture can be linked, tested and measured:
+ *
+ *     ?scene=cube-room      one of the built-in scenes: cube-room, mirror-blocks, moving-shadows
+ *     &backend=webgl2       webgpu, webgl2 or cpu; else the best there is
+ *     &reflections=10       0 … 64               &samples=9     points on each light, 1 … 256
+ *     &exposure=0.5         stops, −10 … 10      &compare=reflections    or samples: three strips side by side
+ *     &time=1.3             seconds to start at  &paused=1      stand still (0: move, even where reduced motion is wished)
+ *     &scale=1              resolution scale, 0.1 … 1           &adaptive=0    hold that scale in motion
+ *     &seed=1               of the random numbers
+ *     &size=512             a canvas of 512 × 512 pixels at the top left, device pixel ratio 1
+ *     &ui=0                 nothing but the picture             &lang=zh       en or zh
+ *
+ * What cannot be understood is left out and reported in `problems`.
+ */
+export interface UrlParameters {
+  readonly scene: string | null;
+  readonly backend: 'webgpu' | 'webgl2' | 'cpu' | null;
+  readonly size: number | null;
+  readonly reflections: number | null;
+  readonly samples: number | null;
+  readonly exposure: number | null;
+  readonly compare: 'off' | 'reflections' | 'samples' | null;
+  readonly time: number | null;
+  readonly paused: boolean | null;
+  readonly scale: number | null;
+  readonly adaptive: boolean | null;
+  readonly seed: number | null;
+  readonly ui: boolean;
+  readonly lang: string | null;
+  /** Such as "reflections=100 (0 … 64)". */
+  readonly problems: readonly string[];
+}
+
+class Reader {
+  readonly problems: string[] = [];
+  private readonly query: URLSearchParams;
+  constructor(search: string) {
+    this.query = new URLSearchParams(search);
+  }
+
+  number(name: string, low: number, high: number, whole = false): number | null {
+    const text = this.query.get(name);
+    if (text === null) return null;
+    const value = text.trim() === '' ? Number.NaN : Number(text);
+    if (value >= low && value <= high && (!whole || Number.isInteger(value))) return value;
+    return this.refuse(name, text, `${low} … ${high}`);
+  }
+
+  choice<Choice extends string>(name: string, choices: readonly Choice[]): Choice | null {
+    const text = this.query.get(name);
+    if (text === null) return null;
+    return choices.find((choice) => choice === text) ?? this.refuse(name, text, choices.join(', '));
+  }
+
+  flag(name: string): boolean | null {
+    const choice = this.choice(name, ['0', '1']);
+    return choice === null ? null : choice === '1';
+  }
+
+  private refuse(name: string, text: string, allowed: string): null {
+    this.problems.push(`${name}=${text.slice(0, 40)} (${allowed})`);
+    return null;
+  }
+}
+
+export function readParameters(search: string, sceneIds: readonly string[]): UrlParameters {
+  const read = new Reader(search);
+  return {
+    scene: read.choice('scene', sceneIds),
+    backend: read.choice('backend', ['webgpu', 'webgl2', 'cpu']),
+    size: read.number('size', 1, 8192, true),
+    reflections: read.number('reflections', 0, 64, true),
+    samples: read.number('samples', 1, 256, true),
+    exposure: read.number('exposure', -10, 10),
+    compare: read.choice('compare', ['off', 'reflections', 'samples']),
+    time: read.number('time', 0, 1e6),
+    paused: read.flag('paused'),
+    scale: read.number('scale', 0.1, 1),
+    adaptive: read.flag('adaptive'),
+    seed: read.number('seed', 0, 0xffffffff, true),
+    ui: read.flag('ui') ?? true,
+    lang: read.choice('lang', ['en', 'zh', 'zh-CN']),
+    problems: read.problems,
+  };
+}

@@ -1,0 +1,40 @@
+/** The film on the canvas: mean, exposure, clip, sRGB curve. */
+import type { Device, FilmTexture, Pass, PassSource, UniformBuffer } from '../gpu/device.ts';
+import { structSize } from '../packed-scene/layout.ts';
+import { createBlock, writeStruct } from '../packed-scene/write-struct.ts';
+import displayWgsl from '../shading/generated/display.wgsl?raw';
+import screenGlsl from '../shading/generated/screen.glsl?raw';
+import showGlsl from '../shading/generated/show.glsl?raw';
+
+const SOURCE: PassSource = {
+  label: 'display',
+  wgsl: { vertex: displayWgsl, fragment: displayWgsl },
+  entries: { vertex: 'screen', fragment: 'show' },
+  glsl: { vertex: screenGlsl, fragment: showGlsl },
+  bindings: [{ block: 'Display' }, { texture: 'film' }],
+  target: 'canvas',
+};
+
+export class Display {
+  readonly #device: Device;
+  readonly #pass: Pass;
+  readonly #uniforms: UniformBuffer;
+  readonly #block = createBlock(structSize('Display'));
+
+  static async create(device: Device): Promise<Display> {
+    return new Display(device, await device.createPass(SOURCE));
+  }
+
+  private constructor(device: Device, pass: Pass) {
+    this.#device = device;
+    this.#pass = pass;
+    this.#uniforms = device.createUniforms(structSize('Display'));
+  }
+
+  /** Fills the canvas with the first width × height pixels of the film. `exposure` in stops. */
+  show(film: FilmTexture, width: number, height: number, exposure: number): void {
+    writeStruct(this.#block, 'Display', 0, { exposure: 2 ** exposure, filmSize: [width, height] });
+    this.#uniforms.write(this.#block.bytes);
+    this.#device.draw(this.#pass, 'canvas', [this.#uniforms, film]);
+  }
+}

@@ -1,0 +1,74 @@
+/**
+ * The film: float32 sums of radiance and, in alpha, of samples, for each pixel. Two textures take turns, since a pass cannot
+ * read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
+ * of resolution allocates nothing.
+ */
+import type { Device, FilmTexture } from '../gpu/device.ts';
+
+export class Film {
+  readonly #device: Device;
+  #textures: [FilmTexture, FilmTexture] | null = null;
+  #width = 0;
+  #height = 0;
+  #samples = 0;
+
+  constructor(device: Device) {
+    this.#device = device;
+  }
+
+  get width(): number {
+    return this.#width;
+  }
+  get height(): number {
+    return this.#height;
+  }
+  /** Samples that every pixel holds. */
+  get samples(): number {
+    return this.#samples;
+  }
+  /** The finished sums. */
+  get current(): FilmTexture {
+    return this.#textures![0];
+  }
+  /** Where the next sample is drawn. */
+  get next(): FilmTexture {
+    return this.#textures![1];
+  }
+
+  /** Makes room for pictures of up to this size. What the film held is lost when it has to grow or is far too large. */
+  reserve(width: number, height: number): void {
+    const now = this.#textures?.[0];
+    if (now && now.width === width && now.height === height) return;
+    this.destroy();
+    this.#textures = [this.#device.createFilm(width, height), this.#device.createFilm(width, height)];
+    this.#samples = 0;
+  }
+
+  /** Starts over with this size, at most what is reserved. */
+  restart(width: number, height: number): void {
+    this.#width = width;
+    this.#height = height;
+    this.#samples = 0;
+  }
+
+  /** The sample in `next` is complete. */
+  swap(): void {
+    this.#textures!.reverse();
+    this.#samples++;
+  }
+
+  /** Mean radiance, linear RGB + samples, row 0 first. */
+  async read(): Promise<Float32Array<ArrayBuffer>> {
+    const pixels = await this.#device.read(this.current, this.#width, this.#height);
+    for (let i = 0; i < pixels.length; i += 4) {
+      const n = Math.max(pixels[i + 3]!, 1);
+      for (let c = 0; c < 3; c++) pixels[i + c]! /= n;
+    }
+    return pixels;
+  }
+
+  destroy(): void {
+    for (const texture of this.#textures ?? []) texture.destroy();
+    this.#textures = null;
+  }
+}

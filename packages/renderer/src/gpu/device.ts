@@ -1,0 +1,104 @@
+/**
+ * The device seam: the few things that the renderer asks of a GPU. Everything above speaks this and reads limits; nobody asks
+ * which interface it is on. A stage is a `Pass` that draws one full-screen triangle into a film or the canvas.
+ */
+import type { Backend } from '../renderer-types.ts';
+
+/** A device that is missing, too small or gone. `limit`, `available` and `needed` are set when a limit is the reason. */
+export class DeviceError extends Error {
+  override readonly name = 'DeviceError';
+  readonly limit: string | undefined;
+  readonly available: number | undefined;
+  readonly needed: number | undefined;
+  constructor(message: string, limit?: { limit: string; available: number; needed: number }) {
+    super(message);
+    this.limit = limit?.limit;
+    this.available = limit?.available;
+    this.needed = limit?.needed;
+  }
+}
+
+/** A shader program and what it reads, in both languages. Texture and block names are those of the WGSL source. */
+export interface PassSource {
+  readonly label: string;
+  /** WGSL of the vertex and of the fragment entry; the same text when one module holds both. */
+  readonly wgsl: { readonly vertex: string; readonly fragment: string };
+  readonly entries: { readonly vertex: string; readonly fragment: string };
+  readonly glsl: { readonly vertex: string; readonly fragment: string };
+  /** In the order of their binding numbers in group 0. */
+  readonly bindings: readonly ({ readonly block: string } | { readonly texture: string })[];
+  readonly target: 'film' | 'canvas';
+}
+
+export interface Pass {
+  readonly label: string;
+}
+export interface UniformBuffer {
+  write(bytes: ArrayBuffer): void;
+  destroy(): void;
+}
+/** A texture of RGBA float32 texels. */
+export interface FloatTexture {
+  readonly width: number;
+  readonly height: number;
+  destroy(): void;
+}
+/** A texture that the CPU fills. */
+export interface TableTexture extends FloatTexture {
+  /** Replaces the first `rows` rows. */
+  write(texels: Float32Array<ArrayBuffer>, rows: number): void;
+}
+/** A texture that passes draw into. */
+export interface FilmTexture extends FloatTexture {
+  readonly renderable: true;
+}
+export type Resource = UniformBuffer | FloatTexture;
+
+/** The part of a film that is in use, from its first column and row, and which of its rows to draw now. */
+export interface Region {
+  readonly width: number;
+  readonly height: number;
+  readonly firstRow: number;
+  readonly rowCount: number;
+}
+
+/** What exists on the device now, for leak tests, and how many programs were ever made. */
+export interface DeviceCounts {
+  buffers: number;
+  textures: number;
+  programsMade: number;
+}
+
+export interface Device {
+  readonly backend: Exclude<Backend, 'cpu'>;
+  /** What draws, in words. */
+  readonly description: string;
+  /** Largest width and height of a film, pixels. */
+  readonly maxTextureSize: number;
+  readonly counts: Readonly<DeviceCounts>;
+  /** Compiles without blocking the page where the browser can. */
+  createPass(source: PassSource): Promise<Pass>;
+  createUniforms(byteLength: number): UniformBuffer;
+  createTable(width: number, height: number): TableTexture;
+  createFilm(width: number, height: number): FilmTexture;
+  /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
+  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
+  /** Resolves when all that was drawn so far is done. */
+  finished(): Promise<void>;
+  /** RGBA float32 of the first columns and rows, row 0 first. */
+  read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;
+  /** Resolves with the reason when the device is lost, not when it is destroyed on purpose. */
+  readonly lost: Promise<string>;
+  /** After a loss: a new device on the same canvas. Rejects with `DeviceError` when there is none. */
+  reopen(): Promise<Device>;
+  destroy(): void;
+}
+
+export function checkFilmSize(device: Device, width: number, height: number): void {
+  const needed = Math.max(width, height);
+  if (needed <= device.maxTextureSize) return;
+  throw new DeviceError(
+    `A film of ${width} × ${height} pixels was asked for; this device draws at most ${device.maxTextureSize} along a side.`,
+    { limit: 'maxTextureSize', available: device.maxTextureSize, needed },
+  );
+}

@@ -1,0 +1,34 @@
+import { DeviceError, type PassSource } from '../device.ts';
+
+/** Compiles and links without blocking where KHR_parallel_shader_compile is there. Programmer's errors carry the compiler's log. */
+export async function compileProgram(gl: WebGL2RenderingContext, source: PassSource): Promise<WebGLProgram> {
+  const parallel = gl.getExtension('KHR_parallel_shader_compile');
+  const program = gl.createProgram();
+  const shaders = [
+    shader(gl, gl.VERTEX_SHADER, source.glsl.vertex),
+    shader(gl, gl.FRAGMENT_SHADER, source.glsl.fragment),
+  ];
+  for (const s of shaders) gl.attachShader(program, s);
+  gl.linkProgram(program);
+  if (parallel) {
+    while (!gl.isContextLost() && !gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR))
+      await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+    if (gl.isContextLost()) throw new DeviceError('The WebGL2 context was lost while compiling.');
+    const log = [gl.getProgramInfoLog(program), ...shaders.map((s) => gl.getShaderInfoLog(s))]
+      .filter(Boolean)
+      .join('\n');
+    throw new Error(`The WebGL2 program "${source.label}" does not compile:\n${log}`);
+  }
+  for (const s of shaders) gl.deleteShader(s);
+  return program;
+}
+
+function shader(gl: WebGL2RenderingContext, type: number, text: string): WebGLShader {
+  const s = gl.createShader(type);
+  if (!s) throw new DeviceError('The WebGL2 context is lost.');
+  gl.shaderSource(s, text);
+  gl.compileShader(s);
+  return s;
+}

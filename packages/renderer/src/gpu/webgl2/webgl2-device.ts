@@ -1,0 +1,231 @@
+import {
+  checkFilmSize,
+  type Device,
+  type DeviceCounts,
+  DeviceError,
+  type FilmTexture,
+  type Pass,
+  type PassSource,
+  type Region,
+  type Resource,
+  type TableTexture,
+  type UniformBuffer,
+} from '../device.ts';
+import { compileProgram } from './program.ts';
+
+/** How long a lost context may take to come back before the device counts as gone. */
+const RESTORE_TIMEOUT_MS = 3000;
+
+interface GlPass extends Pass {
+  readonly program: WebGLProgram;
+  readonly source: PassSource;
+}
+interface GlTexture {
+  readonly texture: WebGLTexture;
+}
+interface GlFilm extends FilmTexture, GlTexture {
+  readonly framebuffer: WebGLFramebuffer;
+}
+interface GlUniforms extends UniformBuffer {
+  readonly buffer: WebGLBuffer;
+}
+
+/** Opens a WebGL2 device that presents on the canvas. Throws `DeviceError` when there is none. */
+export function openWebGl2(canvas: HTMLCanvasElement): Device {
+  const gl = canvas.getContext('webgl2', {
+    alpha: false,
+    antialias: false,
+    depth: false,
+    powerPreference: 'high-performance',
+  });
+  if (!gl) throw new DeviceError('This browser gives no WebGL2 context.');
+  if (gl.isContextLost()) throw new DeviceError('The WebGL2 context is lost.');
+  if (gl.getExtension('EXT_color_buffer_float')) return new WebGl2Device(gl, canvas, gl.RGBA32F);
+  if (gl.getExtension('EXT_color_buffer_half_float')) return new WebGl2Device(gl, canvas, gl.RGBA16F);
+  throw new DeviceError('This WebGL2 cannot draw into float textures (EXT_color_buffer_float).');
+}
+
+class WebGl2Device implements Device {
+  readonly backend = 'webgl2';
+  readonly description: string;
+  readonly maxTextureSize: number;
+  readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
+  readonly lost: Promise<string>;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #filmFormat: number;
+  readonly #programs = new Set<WebGLProgram>();
+  /** Kept from before a loss: asking a lost context for it gives nothing. */
+  readonly #loseContext: WEBGL_lose_context | null;
+  readonly #onLost: (event: Event) => void;
+  #closed = false;
+
+  constructor(gl: WebGL2RenderingContext, canvas: HTMLCanvasElement, filmFormat: number) {
+    this.#gl = gl;
+    this.#canvas = canvas;
+    this.#filmFormat = filmFormat;
+    const info = gl.getExtension('WEBGL_debug_renderer_info');
+    this.description = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    this.maxTextureSize = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    this.#loseContext = gl.getExtension('WEBGL_lose_context');
+    let report: (reason: string) => void = () => {};
+    this.lost = new Promise((resolve) => {
+      report = resolve;
+    });
+    this.#onLost = (event) => {
+      event.preventDefault(); // without this the browser never restores the context
+      if (!this.#closed) report('The browser took the WebGL2 context away.');
+    };
+    canvas.addEventListener('webglcontextlost', this.#onLost);
+    gl.bindVertexArray(gl.createVertexArray());
+    gl.disable(gl.DITHER);
+  }
+
+  async createPass(source: PassSource): Promise<Pass> {
+    const gl = this.#gl;
+    this.counts.programsMade++;
+    const program = await compileProgram(gl, source);
+    this.#programs.add(program);
+    gl.useProgram(program);
+    source.bindings.forEach((b, binding) => {
+      if ('block' in b) {
+        const index = gl.getUniformBlockIndex(program, `${b.block}Block`);
+        if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, binding);
+      } else gl.uniform1i(gl.getUniformLocation(program, b.texture), binding);
+    });
+    return { label: source.label, program, source } as GlPass;
+  }
+
+  createUniforms(byteLength: number): UniformBuffer {
+    const gl = this.#gl;
+    const buffer = gl.createBuffer()!;
+    gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
+    gl.bufferData(gl.UNIFORM_BUFFER, byteLength, gl.DYNAMIC_DRAW);
+    this.counts.buffers++;
+    const uniforms: GlUniforms = {
+      buffer,
+      write: (bytes) => {
+        gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
+        gl.bufferSubData(gl.UNIFORM_BUFFER, 0, new Uint8Array(bytes));
+      },
+      destroy: () => {
+        this.counts.buffers--;
+        gl.deleteBuffer(buffer);
+      },
+    };
+    return uniforms;
+  }
+
+  #texture(width: number, height: number, format: number) {
+    checkFilmSize(this, width, height);
+    const gl = this.#gl;
+    const texture = gl.createTexture()!;
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+    this.counts.textures++;
+    return { texture, width, height };
+  }
+
+  createTable(width: number, height: number): TableTexture {
+    const gl = this.#gl;
+    const base = this.#texture(width, height, gl.RGBA32F);
+    const write = (texels: Float32Array, rows: number) => {
+      gl.bindTexture(gl.TEXTURE_2D, base.texture);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA, gl.FLOAT, texels);
+    };
+    const destroy = () => {
+      this.counts.textures--;
+      gl.deleteTexture(base.texture);
+    };
+    return { ...base, write, destroy } as TableTexture;
+  }
+
+  createFilm(width: number, height: number): FilmTexture {
+    const gl = this.#gl;
+    const base = this.#texture(width, height, this.#filmFormat);
+    const framebuffer = gl.createFramebuffer()!;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, base.texture, 0);
+    const destroy = () => {
+      this.counts.textures--;
+      gl.deleteFramebuffer(framebuffer);
+      gl.deleteTexture(base.texture);
+    };
+    return { ...base, framebuffer, renderable: true, destroy } as GlFilm;
+  }
+
+  draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
+    const gl = this.#gl;
+    const { program } = pass as GlPass;
+    const { width, height } = region ?? (target === 'canvas' ? this.#canvas : target);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target === 'canvas' ? null : (target as GlFilm).framebuffer);
+    gl.viewport(0, 0, width, height);
+    gl.useProgram(program);
+    resources.forEach((r, binding) => {
+      if ('buffer' in r) gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, (r as GlUniforms).buffer);
+      else {
+        gl.activeTexture(gl.TEXTURE0 + binding);
+        gl.bindTexture(gl.TEXTURE_2D, (r as unknown as GlTexture).texture);
+      }
+    });
+    if (region) {
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(0, region.firstRow, width, region.rowCount);
+    }
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    if (region) gl.disable(gl.SCISSOR_TEST);
+    gl.flush();
+  }
+
+  async finished(): Promise<void> {
+    const gl = this.#gl;
+    const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    if (!sync) return; // lost
+    while (!gl.isContextLost() && gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED) await nextTask();
+    gl.deleteSync(sync);
+  }
+
+  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
+    const gl = this.#gl;
+    const pixels = new Float32Array(width * height * 4);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, (film as GlFilm).framebuffer);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    return pixels;
+  }
+
+  destroy(): void {
+    this.#closed = true;
+    this.#canvas.removeEventListener('webglcontextlost', this.#onLost);
+    for (const program of this.#programs) this.#gl.deleteProgram(program);
+  }
+
+  async reopen(): Promise<Device> {
+    this.destroy();
+    if (this.#gl.isContextLost()) await this.#restored();
+    return openWebGl2(this.#canvas);
+  }
+
+  /** Resolves when the lost context is there again. */
+  #restored(): Promise<void> {
+    return new Promise((resolve, reject) => {
+      const restored = () => {
+        clearTimeout(timer);
+        resolve();
+      };
+      const timer = setTimeout(() => {
+        this.#canvas.removeEventListener('webglcontextrestored', restored);
+        reject(new DeviceError('The WebGL2 context did not come back.'));
+      }, RESTORE_TIMEOUT_MS);
+      this.#canvas.addEventListener('webglcontextrestored', restored, { once: true });
+      // A context lost by this very extension waits to be asked; one that the browser took comes back by itself.
+      setTimeout(() => this.#loseContext?.restoreContext(), 50);
+    });
+  }
+}
+
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, 1));
+}

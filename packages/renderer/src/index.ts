@@ -1,0 +1,7 @@
+/** Mirrorball: ray tracing in the browser. `createRenderer(canvas)`, `renderer.setScene(scene)`, `renderer.start()`. */
+export { DeviceError } from './gpu/device.ts';
+export { createRenderer } from './renderer.ts';
+export type * from './renderer-types.ts';
+export { builtInScenes } from './scene/built-in/index.ts';
+export * from './scene/index.ts';
+export * from './scene-file/index.ts';

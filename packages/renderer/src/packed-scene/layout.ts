@@ -1,0 +1,164 @@
+/**
+ * The one definition of what lies where on the GPU. `npm run shaders` writes the WGSL structs and fetch functions from it
+ * (`shading/layout.wesl`, `shading/scene_table.wesl`), and `write-struct.ts` places numbers by it; no byte offset is written
+ * by hand anywhere.
+ *
+ * The scene lies in a table of RGBA float texels, a texture that both GPU interfaces read alike: row i holds shape i, its
+ * material, and light i. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
+ * What belongs to the frame lies in small uniform blocks.
+ *
+ * Positions are relative to the camera's eye: subtracted in double precision while packing, so that a small scene far
+ * from the origin keeps its precision on a GPU that has only 32-bit floats.
+ */
+export const PANELS = 3;
+
+export type FieldType = 'f32' | 'u32' | 'vec2f' | 'vec3f' | 'vec4f' | 'vec4u' | FieldArray;
+export interface FieldArray {
+  readonly array: 'vec4u';
+  readonly length: number;
+}
+type Fields = Readonly<Record<string, { type: FieldType; doc: string }>>;
+
+const field = (type: FieldType, doc: string) => ({ type, doc });
+
+export const STRUCTS = {
+  Bounds: {
+    center: field('vec3f', 'centre of the bounding sphere, eye-relative; of a plane: its unit normal'),
+    radius: field('f32', 'of the bounding sphere; of a plane: dot(normal, p) of its points'),
+  },
+  Extent: {
+    a: field('vec4f', 'box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge'),
+    b: field('vec4f', 'box: half its size, and the smallest half; quad: reciprocal of its v edge'),
+  },
+  Material: {
+    baseColor: field('vec3f', 'share of light that comes back'),
+    reflectivity: field('f32', 'weight of the mirror ray'),
+    specular: field('f32', 'strength of the highlight'),
+    exponent: field('f32', 'Blinn-Phong exponent, 2 / roughness^4 - 2'),
+    spare0: field('f32', 'unused'),
+    spare1: field('f32', 'unused'),
+  },
+  Light: {
+    center: field('vec3f', 'eye-relative'),
+    radius: field('f32', 'of the ball'),
+    ambient: field('vec3f', 'added everywhere'),
+    halo: field('f32', 'density of the haze times radiance times radius^2'),
+    diffuse: field('vec3f', 'colour of the diffuse part'),
+    power: field('f32', 'radiance times radius^2: w = power / distance^2'),
+    specular: field('vec3f', 'colour of the highlight'),
+    visible: field('f32', 'radiance of the ball that is seen; negative: not seen'),
+  },
+  Frame: {
+    right: field('vec3f', 'camera r times tan(fov / 2) times aspect'),
+    width: field('f32', 'film pixels'),
+    up: field('vec3f', 'camera u times tan(fov / 2)'),
+    height: field('f32', 'film pixels'),
+    forward: field('vec3f', 'camera f'),
+    lightCount: field('u32', 'lights in use'),
+    horizon: field('vec3f', 'sky colour at the horizon'),
+    sampleIndex: field('u32', 'film sample, from 0'),
+    zenith: field('vec3f', 'sky colour overhead'),
+    seed: field('u32', 'of the random numbers'),
+    jitter: field('vec2f', 'position inside the pixel, 0 to 1'),
+    dividers: field('vec2f', 'film columns where the second and third panel begin'),
+    shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
+    occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
+    spare0: field('u32', 'unused'),
+    spare1: field('u32', 'unused'),
+    spare2: field('u32', 'unused'),
+    panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
+  },
+  Display: {
+    exposure: field('f32', 'factor, 2^stops'),
+    spare: field('f32', 'unused'),
+    filmSize: field('vec2f', 'pixels'),
+  },
+} as const satisfies Record<string, Fields>;
+export type StructName = keyof typeof STRUCTS;
+export type FieldName<S extends StructName> = keyof (typeof STRUCTS)[S] & string;
+
+const SCALARS = { f32: [4, 4], u32: [4, 4], vec2f: [8, 8], vec3f: [12, 16], vec4f: [16, 16], vec4u: [16, 16] } as const;
+const roundUp = (n: number, to: number) => Math.ceil(n / to) * to;
+
+/** Size and alignment in bytes by WGSL's rules for the uniform address space. */
+function extent(type: FieldType): { size: number; align: number } {
+  if (typeof type === 'string') return { size: SCALARS[type][0], align: SCALARS[type][1] };
+  return { size: 16 * type.length, align: 16 };
+}
+
+function place(name: StructName): { offsets: Record<string, number>; size: number } {
+  let at = 0;
+  const offsets: Record<string, number> = {};
+  for (const [key, { type }] of Object.entries(STRUCTS[name] as Fields)) {
+    const { size, align } = extent(type);
+    at = roundUp(at, align);
+    offsets[key] = at;
+    at += size;
+  }
+  return { offsets, size: roundUp(at, 16) };
+}
+
+const placed = new Map<StructName, { offsets: Record<string, number>; size: number }>();
+function placement(name: StructName) {
+  let p = placed.get(name);
+  if (!p) placed.set(name, (p = place(name)));
+  return p;
+}
+
+export function structSize(name: StructName): number {
+  return placement(name).size;
+}
+/** Bytes from the start of the struct to the field. */
+export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>): number {
+  return placement(name).offsets[field]!;
+}
+
+/** Which structs share a row of the scene table, in this order from the left. */
+const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light'] as const;
+export type TableStruct = (typeof TABLE_STRUCTS)[number];
+
+/** Texels (of 16 bytes) left of the struct in its row. */
+export function tableColumn(name: TableStruct): number {
+  let column = 0;
+  for (const s of TABLE_STRUCTS) {
+    if (s === name) break;
+    column += structSize(s) / 16;
+  }
+  return column;
+}
+/** Texels in a row of the scene table. */
+export const TABLE_WIDTH = TABLE_STRUCTS.reduce((sum, s) => sum + structSize(s) / 16, 0);
+
+const GENERATED = '// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.\n';
+
+/** The structs as WGSL source, the content of `shading/layout.wesl`. */
+export function structsWgsl(): string {
+  const typeName = (t: FieldType) => (typeof t === 'string' ? t : `array<${t.array}, ${t.length}>`);
+  const one = ([name, fields]: [string, Fields]) => {
+    const lines = Object.entries(fields).map(([key, f]) => `  // ${f.doc}\n  ${key}: ${typeName(f.type)},`);
+    return `struct ${name} {\n${lines.join('\n')}\n}\n`;
+  };
+  return `${GENERATED}\n${Object.entries(STRUCTS)
+    .map(([k, v]) => one([k, v as Fields]))
+    .join('\n')}`;
+}
+
+function fetchFunction(name: TableStruct): string {
+  const texels = structSize(name) / 16;
+  const loads = Array.from(
+    { length: texels },
+    (_, t) => `  let t${t} = textureLoad(sceneTable, vec2u(${tableColumn(name) + t}u, i), 0);`,
+  );
+  const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
+    const offset = placement(name).offsets[key]!;
+    const first = (offset % 16) / 4;
+    return `t${Math.floor(offset / 16)}.${'xyzw'.slice(first, first + extent(type).size / 4)}`;
+  });
+  return `fn fetch${name}(i: u32) -> ${name} {\n${loads.join('\n')}\n  return ${name}(${parts.join(', ')});\n}\n`;
+}
+
+/** The functions that read the scene table, the content of `shading/scene_table.wesl`. */
+export function fetchWgsl(): string {
+  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${TABLE_STRUCTS.join(', ')}};\n`;
+  return `${GENERATED}${imports}\n${TABLE_STRUCTS.map(fetchFunction).join('\n')}`;
+}

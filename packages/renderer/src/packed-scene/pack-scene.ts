@@ -1,0 +1,158 @@
+/**
+ * Scene → the scene table's bytes. Shapes are sorted by kind (spheres, boxes, quads, planes) and keep the file's order inside a
+ * kind, except that planes which cast no shadow come last. Positions become relative to `eye` here, in double precision.
+ */
+import type { Box, Light, Material, Plane, Quad, Scene, Shape, Sphere, Vec3 } from '../scene/scene.ts';
+import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
+import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
+
+export interface PackedScene {
+  /** Texels of the table, row by row; only the first `rows` rows hold anything. */
+  readonly table: Block;
+  readonly rows: number;
+  /** Index past the last sphere, box, quad and plane. */
+  readonly shapeEnds: readonly [number, number, number, number];
+  /** Index past the last shape that may stand between a light and a point. */
+  readonly occluderEnd: number;
+  readonly lightCount: number;
+  /** Names in table order, so that an index can be told to people. */
+  readonly shapeNames: readonly string[];
+}
+
+const KINDS = ['sphere', 'box', 'quad', 'plane'] as const;
+const ROW_BYTES = TABLE_WIDTH * 16;
+
+const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
+
+/** `reuse`: a packed scene that is no longer needed; its memory is taken when it is large enough. */
+export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedScene {
+  const named = Object.entries(scene.shapes);
+  const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
+  const lights = Object.values(scene.lights);
+  const rows = Math.max(named.length, lights.length, 1);
+  const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
+  const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
+    writeStruct(table, name, row * ROW_BYTES + tableColumn(name) * 16, values);
+
+  const casts = ([, plane]: [string, Shape]) => castsShadow(plane as Plane, eye, lights);
+  const planes = sorted[3]!;
+  sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
+  const ordered = sorted.flat();
+  ordered.forEach(([, shape], row) => {
+    const { center, radius, ...extent } = shapeValues(shape, eye);
+    put('Bounds', row, { center, radius });
+    put('Extent', row, extent);
+    put('Material', row, materialValues(scene.materials[shape.material]!));
+  });
+  lights.forEach((light, row) => {
+    put('Light', row, lightValues(light, eye));
+  });
+  let end = 0;
+  const shapeEnds = sorted.map((kind) => (end += kind.length)) as [number, number, number, number];
+  const occluderEnd = shapeEnds[2] + planes.filter(casts).length;
+  return { table, rows, shapeEnds, occluderEnd, lightCount: lights.length, shapeNames: ordered.map(([name]) => name) };
+}
+
+/**
+ * A plane that has the eye and every light wholly on one side casts no shadow that can be seen: what the camera sees, directly
+ * or by mirrors, lies on that side too, since the plane itself would be hit on the way to the other; and a line between two
+ * points of one side does not cross. This spares a closed room the tests of its six walls.
+ */
+function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly Light[]): boolean {
+  const length = Math.hypot(...normal);
+  const height = (p: Vec3) => dot(normal, subtract(p, point)) / length;
+  const side = Math.sign(height(eye));
+  return !lights.every((l) => height(l.center) * side > l.radius);
+}
+
+type ShapeValues = StructValues<'Bounds'> & StructValues<'Extent'>;
+
+function shapeValues(shape: Shape, eye: Vec3): ShapeValues {
+  switch (shape.type) {
+    case 'sphere':
+      return sphereValues(shape, eye);
+    case 'box':
+      return boxValues(shape, eye);
+    case 'plane':
+      return planeValues(shape, eye);
+    case 'quad':
+      return quadValues(shape, eye);
+  }
+}
+
+function sphereValues({ center, radius }: Sphere, eye: Vec3): ShapeValues {
+  return { center: subtract(center, eye), radius };
+}
+
+function boxValues({ center, size, rotation }: Box, eye: Vec3): ShapeValues {
+  const half = scale(size, 0.5);
+  const q = eulerQuaternion(rotation);
+  // The kernel turns from world to box: the inverse rotation.
+  return {
+    center: subtract(center, eye),
+    radius: Math.hypot(...half),
+    a: [-q[0], -q[1], -q[2], q[3]],
+    b: [...half, 0],
+  };
+}
+
+function planeValues({ point, normal }: Plane, eye: Vec3): ShapeValues {
+  const n = scale(normal, 1 / Math.hypot(...normal));
+  return { center: n, radius: dot(n, subtract(point, eye)) };
+}
+
+function quadValues({ corner, u, v }: Quad, eye: Vec3): ShapeValues {
+  const normal = cross(u, v);
+  const area2 = dot(normal, normal);
+  const reciprocalU = scale(cross(v, normal), 1 / area2);
+  const reciprocalV = scale(cross(normal, u), 1 / area2);
+  const fromCorner: Vec3 = [(u[0] + v[0]) / 2, (u[1] + v[1]) / 2, (u[2] + v[2]) / 2];
+  const otherHalf: Vec3 = [(u[0] - v[0]) / 2, (u[1] - v[1]) / 2, (u[2] - v[2]) / 2];
+  const center = subtract([corner[0] + fromCorner[0], corner[1] + fromCorner[1], corner[2] + fromCorner[2]], eye);
+  const radius = Math.max(Math.hypot(...fromCorner), Math.hypot(...otherHalf));
+  return { center, radius, a: [...reciprocalU, 0], b: [...reciprocalV, 0] };
+}
+
+/** Degrees about X, then Y, then Z, as a unit quaternion (x, y, z, w). No rotation gives w = 1 exactly. */
+export function eulerQuaternion(degrees: Vec3): [number, number, number, number] {
+  const h = degrees.map((d) => (d * Math.PI) / 360);
+  const [cx, cy, cz] = h.map(Math.cos) as [number, number, number];
+  const [sx, sy, sz] = h.map(Math.sin) as [number, number, number];
+  return [
+    sx * cy * cz - cx * sy * sz,
+    cx * sy * cz + sx * cy * sz,
+    cx * cy * sz - sx * sy * cz,
+    cx * cy * cz + sx * sy * sz,
+  ];
+}
+
+function materialValues(m: Material): StructValues<'Material'> {
+  const roughness = Math.max(m.roughness, 0.05);
+  return {
+    baseColor: m.baseColor,
+    reflectivity: m.reflectivity,
+    specular: m.specular,
+    exponent: Math.max(2 / roughness ** 4 - 2, 0),
+  };
+}
+
+function lightValues(light: Light, eye: Vec3): StructValues<'Light'> {
+  const power = light.radiance * light.radius ** 2;
+  return {
+    center: subtract(light.center, eye),
+    radius: light.radius,
+    ambient: light.ambient,
+    halo: light.visible ? light.halo * power : 0,
+    diffuse: light.diffuse,
+    power,
+    specular: light.specular,
+    visible: light.visible ? light.radiance : -1,
+  };
+}

@@ -1,0 +1,41 @@
+/** "One camera ray" of docs/classic.md. */
+import type { Camera, Vec3 } from '../scene/scene.ts';
+import { cameraRay, type Ray } from './ray.ts';
+import { addScaled, cross, normalize, scale, subtract } from './vec3.ts';
+
+/** The plane one unit in front of the eye: forward to its middle, `right` and `up` to its edges. */
+export interface CameraFrame {
+  readonly eye: Vec3;
+  readonly forward: Vec3;
+  readonly right: Vec3;
+  readonly up: Vec3;
+}
+
+export function cameraFrame(camera: Camera, width: number, height: number): CameraFrame {
+  const forward = normalize(subtract(camera.target, camera.eye));
+  const right = normalize(cross(forward, camera.up));
+  const up = cross(right, forward);
+  const halfHeight = Math.tan((camera.verticalFov * Math.PI) / 360);
+  return {
+    eye: camera.eye,
+    forward,
+    right: scale(right, (halfHeight * width) / height),
+    up: scale(up, halfHeight),
+  };
+}
+
+const frac = (x: number): number => x - Math.floor(x);
+
+/** Where in its pixel film sample s lies: Roberts' R2 sequence, from the centre on. */
+export const sampleOffset = (s: number): [a: number, b: number] => [
+  frac(0.5 + s * 0.7548776662466927),
+  frac(0.5 + s * 0.5698402909980532),
+];
+
+/** The ray through (column, row) of the picture, counted in pixels from its top left corner. */
+export function rayThrough(frame: CameraFrame, column: number, row: number, width: number, height: number): Ray {
+  const x = (2 * column) / width - 1;
+  const y = 1 - (2 * row) / height;
+  const ahead = addScaled(addScaled(frame.forward, frame.right, x), frame.up, y);
+  return cameraRay(frame.eye, normalize(ahead));
+}

@@ -1,0 +1,68 @@
+/** The two questions that are asked of a scene: what does a ray meet first, and does anything stand in its way. */
+import type { Light, Vec3 } from '../scene/scene.ts';
+import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNormal } from './intersect.ts';
+import type { PreparedScene, PreparedShape } from './prepare.ts';
+import type { Ray } from './ray.ts';
+import { addScaled, dot, negate } from './vec3.ts';
+
+export interface SurfaceHit {
+  readonly t: number;
+  readonly shape: PreparedShape;
+  readonly point: Vec3;
+  /** The geometric normal to the outside of the shape. */
+  readonly outwardNormal: Vec3;
+  /** The geometric normal turned to the side the ray came from: n of docs/classic.md. */
+  readonly geometricNormal: Vec3;
+}
+export interface Closest {
+  /** Infinity when nothing is hit. */
+  readonly t: number;
+  /** At most one of these two is set. */
+  readonly shape: PreparedShape | null;
+  readonly light: Light | null;
+}
+
+/** Closest hit of shapes and visible light balls. Of two at the same distance the one tested first wins. */
+export function closestHit(scene: PreparedScene, ray: Ray): Closest {
+  let closest = Infinity;
+  let shape: PreparedShape | null = null;
+  let light: Light | null = null;
+  const consider = (t: number, candidate: PreparedShape) => {
+    if (t < closest) {
+      closest = t;
+      shape = candidate;
+    }
+  };
+  for (const sphere of scene.spheres) consider(intersectSphere(sphere, ray), sphere);
+  for (const box of scene.boxes) consider(intersectBox(box, ray), box);
+  for (const plane of scene.planes) consider(intersectPlane(plane, ray), plane);
+  for (const quad of scene.quads) consider(intersectQuad(quad, ray), quad);
+  for (const ball of scene.visibleLights) {
+    const t = intersectSphere(ball, ray);
+    if (t < closest) {
+      closest = t;
+      light = ball;
+    }
+  }
+  return { t: closest, shape: light === null ? shape : null, light };
+}
+
+export function surfaceAt(shape: PreparedShape, ray: Ray, t: number): SurfaceHit {
+  const outward = outwardNormal(shape, ray, t);
+  return {
+    t,
+    shape,
+    point: addScaled(ray.origin, ray.direction, t),
+    outwardNormal: outward,
+    geometricNormal: dot(outward, ray.direction) > 0 ? negate(outward) : outward,
+  };
+}
+
+/** Whether a shape stands between the ray's start and `distance`. Light balls cast no shadows. */
+export function occluded(scene: PreparedScene, ray: Ray, distance: number): boolean {
+  for (const sphere of scene.spheres) if (intersectSphere(sphere, ray) < distance) return true;
+  for (const box of scene.boxes) if (intersectBox(box, ray) < distance) return true;
+  for (const plane of scene.planes) if (intersectPlane(plane, ray) < distance) return true;
+  for (const quad of scene.quads) if (intersectQuad(quad, ray) < distance) return true;
+  return false;
+}

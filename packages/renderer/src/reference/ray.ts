@@ -1,0 +1,38 @@
+/** A ray, and the rule of where it starts ("Where a ray starts" in docs/classic.md). */
+import type { Vec3 } from '../scene/scene.ts';
+import type { PreparedShape } from './prepare.ts';
+import { dot, length, subtract } from './vec3.ts';
+
+export interface Ray {
+  readonly origin: Vec3;
+  /** Unit. */
+  readonly direction: Vec3;
+  /** Hits of other shapes count from t > tMin. */
+  readonly tMin: number;
+  /** The shape whose surface the ray leaves; null for a camera ray. */
+  readonly leaving: PreparedShape | null;
+  /** Whether the ray goes into `leaving`: away from its outward normal. */
+  readonly inward: boolean;
+}
+
+/** Share of the distance from the eye by which a hit must be away from the start: above the GPU's float rounding. */
+const T_MIN_SCALE = 1e-5;
+
+export const cameraRay = (eye: Vec3, direction: Vec3): Ray => ({
+  origin: eye,
+  direction,
+  tMin: 0,
+  leaving: null,
+  inward: false,
+});
+
+/** A mirror or shadow ray that leaves `shape` at `origin`, where the shape's normal to the outside is `outwardNormal`. */
+export function rayLeaving(shape: PreparedShape, origin: Vec3, outwardNormal: Vec3, direction: Vec3, eye: Vec3): Ray {
+  return {
+    origin,
+    direction,
+    tMin: T_MIN_SCALE * length(subtract(origin, eye)),
+    leaving: shape,
+    inward: !(dot(direction, outwardNormal) > 0),
+  };
+}

@@ -1,0 +1,716 @@
+// Linked from integrator/classic/classic.wesl by `npm run shaders`. Do not edit.
+// Below this share of the picture a mirror ray is not worth following.
+const leastWeight = 0.000244140625;
+
+fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f {
+  var ray = first;
+  var weight = 1.0;
+  var radiance = vec3f(0.0);
+  for (var reflection = 0u; reflection <= maxReflections; reflection++) {
+    let hit = closestHit(ray);
+    let seen = closestBall(ray, hit.t);
+    radiance += weight * halo(ray, seen.t);
+    if (seen.t < hit.t) {
+      radiance += weight * seen.ball;
+      break;
+    }
+    if (hit.shape == noShape) {
+      radiance += weight * sky(ray.direction);
+      break;
+    }
+    let position = ray.start.point + hit.t * ray.direction;
+    let outward = outwardNormal(hit.shape, ray, hit.t);
+    let seenFromBack = dot(outward, ray.direction) > 0.0;
+    let normal = select(outward, -outward, seenFromBack);
+    let start = onSurface(position, hit.shape, seenFromBack && !isFlat(hit.shape));
+    let material = fetchMaterial(hit.shape);
+    let point = SurfacePoint(start, normal, -ray.direction);
+    radiance += weight * (1.0 - material.reflectivity) * shade(point, material, hash, reflection, lightSamples);
+    weight *= material.reflectivity;
+    if (weight < leastWeight) {
+      break;
+    }
+    ray = Ray(start, reflect(ray.direction, normal));
+  }
+  return radiance;
+}
+
+// Adds one film sample to what the film holds: RGB sums, and in alpha how many.
+@fragment fn classic(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
+  let pixel = vec2u(fragment.xy);
+  let column = f32(pixel.x) + 0.5;
+  let panel = frame.panels[u32(column >= frame.dividers.x) + u32(column >= frame.dividers.y)];
+  let direction = pinholeDirection(floor(fragment.xy) + frame.jitter);
+  let hash = pixelHash0(pixel, frame.sampleIndex, frame.seed);
+  let radiance = trace(Ray(atEye(), direction), hash, panel.x, panel.y);
+  var sum = vec4f(0.0);
+  if (frame.sampleIndex > 0u) {
+    sum = textureLoad(previousFilm, pixel, 0);
+  }
+  return sum + vec4f(radiance, 1.0);
+}
+
+struct Ray {
+  start: Start,
+  direction: vec3f,
+}
+
+
+// Where a ray starts, whichever way it then goes.
+struct Start {
+  point: vec3f,
+  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
+  leaves: u32,
+  // The solid that the ray starts inside of: only its far side counts.
+  inside: u32,
+  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
+  tMin: f32,
+}
+
+
+fn closestHit(ray: Ray) -> Hit {
+  var hit = Hit(miss, noShape);
+  let ends = frame.shapeEnds;
+  for (var i = 0u; i < ends.x; i++) {
+    hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.x; i < ends.y; i++) {
+    hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.y; i < ends.z; i++) {
+    hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.z; i < ends.w; i++) {
+    hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+  }
+  return hit;
+}
+
+// The nearest visible ball in front of distance t.
+fn closestBall(ray: Ray, t: f32) -> SeenLight {
+  var seen = SeenLight(t, vec3f(0.0));
+  for (var i = 0u; i < frame.lightCount; i++) {
+    let light = fetchLight(i);
+    if (light.visible < 0.0) {
+      continue;
+    }
+    let distance = intersectSphere(ray.start.point, ray.direction, light.center, light.radius, ray.start.tMin, false);
+    if (distance < seen.t) {
+      seen = SeenLight(distance, light.visible * light.diffuse);
+    }
+  }
+  return seen;
+}
+
+// Light that haze along the first t metres of the ray sends back: the falloff 1 / d^2, integrated.
+fn halo(ray: Ray, t: f32) -> vec3f {
+  var sum = vec3f(0.0);
+  for (var i = 0u; i < frame.lightCount; i++) {
+    let light = fetchLight(i);
+    if (light.halo <= 0.0) {
+      continue;
+    }
+    let toLight = light.center - ray.start.point;
+    let along = dot(toLight, ray.direction);
+    let across = toLight - along * ray.direction;
+    let b = max(length(across), light.radius);
+    sum += light.halo * light.diffuse * ((atan((min(t, haloEnd) - along) / b) + atan(along / b)) / b);
+  }
+  return sum;
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
+fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
+  let bounds = fetchBounds(i);
+  let origin = ray.start.point - bounds.center;
+  if (isSphere(i)) {
+    return normalize(origin + t * ray.direction);
+  }
+  if (isPlane(i)) {
+    return bounds.center;
+  }
+  let extent = fetchExtent(i);
+  if (isFlat(i)) {
+    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  }
+  let inside = i == ray.start.inside;
+  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
+  return rotateBack(extent.a, normal);
+}
+
+// On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
+fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
+  return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+fn fetchMaterial(i: u32) -> Material {
+  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
+}
+
+struct SurfacePoint {
+  start: Start,
+  // Unit, towards the side that the ray came from.
+  normal: vec3f,
+  // Unit, back along the ray.
+  view: vec3f,
+}
+
+
+fn shade(p: SurfacePoint, m: Material, pixelHash: u32, reflection: u32, sampleCount: u32) -> vec3f {
+  var color = vec3f(0.0);
+  for (var i = 0u; i < frame.lightCount; i++) {
+    let light = fetchLight(i);
+    color += light.ambient * m.baseColor;
+    // Wholly behind the surface.
+    if (dot(p.normal, light.center - p.start.point) <= -light.radius) {
+      continue;
+    }
+    let samples = lightSampler(sampleCount, pixelHash, i, reflection);
+    var sum = vec3f(0.0);
+    for (var first = 0u; first < sampleCount; first += 32u) {
+      let count = min(sampleCount - first, 32u);
+      let group = SampleGroup(p.start, light.center, light.radius, samples, first, count);
+      let hidden = hiddenSamples(group);
+      for (var k = 0u; k < count; k++) {
+        if (((hidden >> k) & 1u) == 0u) {
+          sum += sampleLight(p, m, light, toSample(group, k));
+        }
+      }
+    }
+    color += sum / f32(sampleCount);
+  }
+  return color;
+}
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+struct Frame {
+  // camera r times tan(fov / 2) times aspect
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times tan(fov / 2)
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // unused
+  spare0: u32,
+  // unused
+  spare1: u32,
+  // unused
+  spare2: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+}
+
+
+struct Hit {
+  t: f32,
+  shape: u32,
+}
+
+
+const miss = 1e30;
+
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
+}
+
+// Distances along the ray to shape i of that kind, or `miss`.
+fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin && !startsInside);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(miss, t, select(discriminant >= 0.0 && t > tMin, t > 0.0, startsInside));
+}
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  var origin = ray.start.point - bounds.center;
+  var direction = ray.direction;
+  if (extent.a.w != 1.0) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
+  }
+  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin && !startsInside);
+  return select(miss, t, s.near <= s.far && t > select(tMin, 0.0, startsInside));
+}
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size, and the smallest half; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f) -> vec3f {
+  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
+  return select(miss, t, t > tMin && t < miss && within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, 1e-30, speed == 0.0);
+  return select(miss, t, t > tMin && t < miss);
+}
+
+struct SeenLight {
+  t: f32,
+  // Radiance of the ball, when it is nearer than what was hit.
+  ball: vec3f,
+}
+
+
+fn fetchLight(i: u32) -> Light {
+  let t0 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(7u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
+}
+
+struct Light {
+  // eye-relative
+  center: vec3f,
+  // of the ball
+  radius: f32,
+  // added everywhere
+  ambient: vec3f,
+  // density of the haze times radiance times radius^2
+  halo: f32,
+  // colour of the diffuse part
+  diffuse: vec3f,
+  // radiance times radius^2: w = power / distance^2
+  power: f32,
+  // colour of the highlight
+  specular: vec3f,
+  // radiance of the ball that is seen; negative: not seen
+  visible: f32,
+}
+
+
+// Where a ray that meets nothing ends for the halo, metres.
+const haloEnd = 1e5;
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = s.near > tMin && !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  if (crossed.x == t) {
+    return vec3f(side.x, 0.0, 0.0);
+  }
+  if (crossed.y == t) {
+    return vec3f(0.0, side.y, 0.0);
+  }
+  return vec3f(0.0, 0.0, side.z);
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+struct Material {
+  // share of light that comes back
+  baseColor: vec3f,
+  // weight of the mirror ray
+  reflectivity: f32,
+  // strength of the highlight
+  specular: f32,
+  // Blinn-Phong exponent, 2 / roughness^4 - 2
+  exponent: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+}
+
+
+fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> LightSampler {
+  let h = pcg(pixelHash + 64u * light + reflection);
+  return LightSampler(count, vec2f(unitFloat(h), unitFloat(pcg(h))));
+}
+
+// The samples first … first + count − 1 of a light seen from one point, at most 32.
+struct SampleGroup {
+  start: Start,
+  center: vec3f,
+  radius: f32,
+  points: LightSampler,
+  first: u32,
+  count: u32,
+}
+
+
+// Bit k group: sample k of the group is hidden.
+fn hiddenSamples(group: SampleGroup) -> u32 {
+  let all = 0xffffffffu >> (32u - group.count);
+  let ends = frame.shapeEnds;
+  let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
+  var hidden = 0u;
+  for (var i = 0u; i < ends.x && hidden != all; i++) {
+    let bounds = fetchBounds(i);
+    let meets = coneMeetsBall(cone, bounds.center, bounds.radius, bounds.radius);
+    if (meets == coneMisses || i == group.start.leaves) {
+      continue;
+    }
+    if (meets == coneHidden) {
+      hidden = all;
+    } else {
+      hidden = behindSphere(group, i, hidden);
+    }
+  }
+  for (var i = ends.x; i < ends.y && hidden != all; i++) {
+    let bounds = fetchBounds(i);
+    let meets = coneMeetsBall(cone, bounds.center, bounds.radius, fetchExtent(i).b.w);
+    if (meets == coneMisses || i == group.start.leaves) {
+      continue;
+    }
+    if (meets == coneHidden) {
+      hidden = all;
+    } else {
+      hidden = behindBox(group, i, cone, hidden);
+    }
+  }
+  for (var i = ends.y; i < frame.occluderEnd && hidden != all; i++) {
+    let bounds = fetchBounds(i);
+    var meets = false;
+    if (isPlane(i)) {
+      meets = coneMeetsPlane(cone, bounds.center, bounds.radius);
+    } else {
+      meets = coneMeetsBall(cone, bounds.center, bounds.radius, 0.0) != coneMisses;
+    }
+    if (meets && i != group.start.leaves) {
+      hidden = behindFlat(group, i, hidden);
+    }
+  }
+  return hidden;
+}
+
+// Light of one unoccluded sample point, w included.
+fn sampleLight(p: SurfacePoint, m: Material, light: Light, toLight: vec3f) -> vec3f {
+  let distance2 = dot(toLight, toLight);
+  let l = toLight * inverseSqrt(distance2);
+  let cosine = dot(p.normal, l);
+  if (cosine <= 0.0) {
+    return vec3f(0.0);
+  }
+  var c = m.baseColor * light.diffuse * cosine;
+  if (m.specular > 0.0) {
+    c += m.specular * light.specular * pow(max(dot(p.normal, normalize(l + p.view)), 1e-10), m.exponent);
+  }
+  return c * (light.power / distance2);
+}
+
+fn toSample(group: SampleGroup, k: u32) -> vec3f {
+  return group.center + group.radius * samplePoint(group.points, group.first + k) - group.start.point;
+}
+
+// Point k relative to the centre, in radii.
+fn samplePoint(s: LightSampler, k: u32) -> vec3f {
+  if (s.count == 1u) {
+    return vec3f(0.0);
+  }
+  let i = f32(k);
+  if (s.count == 9u) {
+    let row = floor((i + 0.5) / 3.0);
+    return vec3f(0.5 * (i - 3.0 * row) - 0.5, 0.0, 0.5 * row - 0.5);
+  }
+  let z = 1.0 - 2.0 * (i + s.shift.x) / f32(s.count);
+  let phi = 6.283185307 * fract(i * 0.61803398875 + s.shift.y);
+  let r = sqrt(max(1.0 - z * z, 0.0));
+  return vec3f(r * cos(phi), r * sin(phi), z);
+}
+
+struct LightSampler {
+  count: u32,
+  // Turns the Fibonacci lattice, different for each pixel, film sample, reflection and light.
+  shift: vec2f,
+}
+
+
+fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone {
+  let toLight = center - apex;
+  let distance = max(length(toLight), 1e-30);
+  let reach = radius * sampleReach(count);
+  let sine = min(reach / distance, 1.0);
+  return ShadowCone(apex, toLight / distance, distance, reach, sine, sqrt(1.0 - sine * sine));
+}
+
+// `outer`: radius of a ball that holds the shape; `inner`: of one within it. Distances from the cone's mantle are
+// perpendicular · cos − along · sin. coneMisses and coneHidden are certain; coneMeets is not.
+fn coneMeetsBall(cone: ShadowCone, center: vec3f, outer: f32, inner: f32) -> u32 {
+  let toShape = center - cone.apex;
+  let along = dot(toShape, cone.axis);
+  let perpendicular = sqrt(max(dot(toShape, toShape) - along * along, 0.0));
+  let beside = perpendicular * cone.cosine - along * cone.sine > outer && cone.sine < 1.0;
+  let behind = along < -outer || along > cone.length + cone.reach + outer;
+  if (beside || behind) {
+    return coneMisses;
+  }
+  // Every ray of the cone goes through the inner ball, which lies between the apex and the light. The margin covers rounding.
+  let covers = perpendicular * cone.cosine + along * cone.sine < inner * 0.9999;
+  let between = along > inner && along + inner < cone.length - cone.reach;
+  return select(coneMeets, coneHidden, covers && between);
+}
+
+// How a ball lies to the cone.
+const coneMisses = 0u;
+
+const coneHidden = 2u;
+
+fn behindSphere(group: SampleGroup, i: u32, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let distance = length(d);
+    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d / distance)) < distance);
+  }
+  return bits;
+}
+
+const coneMeets = 1u;
+
+struct ShadowCone {
+  apex: vec3f,
+  axis: vec3f,
+  length: f32,
+  // Radius of the sphere around the light's centre that holds all sample points.
+  reach: f32,
+  sine: f32,
+  cosine: f32,
+}
+
+
+fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  let extent = fetchExtent(i);
+  let turned = extent.a.w != 1.0;
+  var origin = group.start.point - bounds.center;
+  var light = group.center - bounds.center;
+  if (turned) {
+    origin = rotate(extent.a, origin);
+    light = rotate(extent.a, light);
+  }
+  if (!coneMeetsBox(cone, origin, light, extent.b.xyz)) {
+    return hidden;
+  }
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let distance = length(d);
+    var direction = d / distance;
+    if (turned) {
+      direction = rotate(extent.a, direction);
+    }
+    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, i == group.start.inside);
+    bits |= select(0u, 1u << k, t < distance);
+  }
+  return bits;
+}
+
+// Whether the box that holds the cone meets a box about the origin; apex and the light's centre in that box's frame.
+fn coneMeetsBox(cone: ShadowCone, apex: vec3f, light: vec3f, halfSize: vec3f) -> bool {
+  return all(min(apex, light - cone.reach) <= halfSize) && all(max(apex, light + cone.reach) >= -halfSize);
+}
+
+// Whether a plane lies between the apex and some sample point.
+fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
+  let here = dot(normal, cone.apex) - offset;
+  let there = here + dot(normal, cone.axis) * cone.length;
+  return here * there <= 0.0 || abs(there) <= cone.reach;
+}
+
+fn behindFlat(group: SampleGroup, i: u32, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  let plane = isPlane(i);
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let distance = length(d);
+    let ray = Ray(group.start, d / distance);
+    var t = miss;
+    if (plane) {
+      t = hitPlane(i, bounds, ray);
+    } else {
+      t = hitQuad(i, bounds, ray);
+    }
+    bits |= select(0u, 1u << k, t < distance);
+  }
+  return bits;
+}
+
+// How far the points reach from the light's centre, in radii.
+fn sampleReach(count: u32) -> f32 {
+  if (count == 1u) {
+    return 0.0;
+  }
+  return select(1.0, 0.70710678, count == 9u);
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+fn pinholeDirection(filmPoint: vec2f) -> vec3f {
+  let x = 2.0 * filmPoint.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
+  return normalize(frame.forward + x * frame.right + y * frame.up);
+}
+
+fn pixelHash0(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
+  return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
+}
+
+fn atEye() -> Start {
+  return Start(vec3f(0.0), noShape, noShape, 0.0);
+}
+
+@group(0) @binding(2) var previousFilm: texture_2d<f32>;

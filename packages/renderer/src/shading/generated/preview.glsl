@@ -1,0 +1,538 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Start {
+    vec3 point;
+    uint leaves;
+    uint inside;
+    float tMin;
+};
+struct Ray {
+    Start start;
+    vec3 direction;
+};
+struct Frame {
+    vec3 right;
+    float width;
+    vec3 up;
+    float height;
+    vec3 forward;
+    uint lightCount;
+    vec3 horizon;
+    uint sampleIndex;
+    vec3 zenith;
+    uint seed;
+    vec2 jitter;
+    vec2 dividers;
+    uvec4 shapeEnds;
+    uint occluderEnd;
+    uint spare0_;
+    uint spare1_;
+    uint spare2_;
+    uvec4 panels[3];
+};
+struct Hit {
+    float t;
+    uint shape;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct Extent {
+    vec4 a;
+    vec4 b;
+};
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
+};
+struct Material {
+    vec3 baseColor;
+    float reflectivity;
+    float specular;
+    float exponent;
+    float spare0_;
+    float spare1_;
+};
+struct Light {
+    vec3 center;
+    float radius;
+    vec3 ambient;
+    float halo;
+    vec3 diffuse;
+    float power;
+    vec3 specular;
+    float visible;
+};
+const uint noShape = 4294967295u;
+
+layout(std140) uniform FrameBlock { Frame frame; };
+
+uniform highp sampler2D sceneTable;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+Start atEye() {
+    return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
+}
+
+vec3 pinholeDirection(vec2 filmPoint) {
+    float _e6 = frame.width;
+    float x = (((2.0 * filmPoint.x) / _e6) - 1.0);
+    float _e15 = frame.height;
+    float y = (1.0 - ((2.0 * filmPoint.y) / _e15));
+    vec3 _e21 = frame.forward;
+    vec3 _e24 = frame.right;
+    vec3 _e29 = frame.up;
+    return normalize(((_e21 + (x * _e24)) + (y * _e29)));
+}
+
+vec3 sky(vec3 direction) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction.y, 0.0));
+}
+
+Hit nearer(Hit hit, float t, uint shape) {
+    return Hit(min(t, hit.t), ((t < hit.t) ? shape : hit.shape));
+}
+
+float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
+    bool local_1 = false;
+    bool local_2 = false;
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction_1);
+    vec3 across = (toCenter - (along * direction_1));
+    float discriminant = ((radius * radius) - dot(across, across));
+    float half_ = sqrt(max(discriminant, 0.0));
+    float near = (along - half_);
+    float far = (along + half_);
+    if ((near > tMin)) {
+        local_1 = !(startsInside);
+    } else {
+        local_1 = false;
+    }
+    bool _e23 = local_1;
+    float t_2 = (_e23 ? near : far);
+    if ((discriminant >= 0.0)) {
+        local_2 = (t_2 > tMin);
+    } else {
+        local_2 = false;
+    }
+    bool _e31 = local_2;
+    return ((startsInside ? (t_2 > 0.0) : _e31) ? t_2 : 1e30);
+}
+
+float hitSphere(uint i_1, Bounds bounds, Ray ray_1) {
+    float _e13 = intersectSphere(ray_1.start.point, ray_1.direction, bounds.center, bounds.radius, ray_1.start.tMin, (i_1 == ray_1.start.inside));
+    return ((i_1 == ray_1.start.leaves) ? 1e30 : _e13);
+}
+
+Bounds fetchBounds(uint i_2) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i_2)), 0);
+    return Bounds(t0_.xyz, t0_.w);
+}
+
+Extent fetchExtent(uint i_3) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_1.xyzw, t1_.xyzw);
+}
+
+vec3 rotate(vec4 q, vec3 v) {
+    vec3 t_3 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_3)) + cross(q.xyz, t_3));
+}
+
+vec3 safeReciprocal(vec3 d) {
+    return (vec3(1.0) / mix(d, vec3(1e-18), lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_1, vec3 direction_2, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_2);
+    vec3 middle = (-(origin_1) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+float intersectBox(vec3 origin_2, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    bool local_3 = false;
+    bool local_4 = false;
+    Slabs _e5 = boxSlabs(origin_2, direction_3, halfSize_1);
+    if ((_e5.near > tMin_1)) {
+        local_3 = !(startsInside_1);
+    } else {
+        local_3 = false;
+    }
+    bool _e14 = local_3;
+    float t_4 = (_e14 ? _e5.near : _e5.far);
+    if ((_e5.near <= _e5.far)) {
+        local_4 = (t_4 > (startsInside_1 ? 0.0 : tMin_1));
+    } else {
+        local_4 = false;
+    }
+    bool _e25 = local_4;
+    return (_e25 ? t_4 : 1e30);
+}
+
+float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
+    vec3 origin_3 = vec3(0.0);
+    vec3 direction_4 = vec3(0.0);
+    Extent _e3 = fetchExtent(i_4);
+    origin_3 = (ray_2.start.point - bounds_1.center);
+    direction_4 = ray_2.direction;
+    if ((_e3.a.w != 1.0)) {
+        vec3 _e16 = origin_3;
+        vec3 _e17 = rotate(_e3.a, _e16);
+        origin_3 = _e17;
+        vec3 _e19 = direction_4;
+        vec3 _e20 = rotate(_e3.a, _e19);
+        direction_4 = _e20;
+    }
+    vec3 _e21 = origin_3;
+    vec3 _e22 = direction_4;
+    float _e30 = intersectBox(_e21, _e22, _e3.b.xyz, ray_2.start.tMin, (i_4 == ray_2.start.inside));
+    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e30);
+}
+
+float intersectQuad(vec3 origin_4, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    bool local_5 = false;
+    bool local_6 = false;
+    bool local_7 = false;
+    vec3 normal_2 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_5, normal_2);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_5 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
+    vec3 p = ((t_5 * direction_5) - toCenter_1);
+    if ((abs(dot(p, reciprocalU)) <= 0.500001)) {
+        local_5 = (abs(dot(p, reciprocalV)) <= 0.500001);
+    } else {
+        local_5 = false;
+    }
+    bool within = local_5;
+    if ((t_5 > tMin_2)) {
+        local_6 = (t_5 < 1e30);
+    } else {
+        local_6 = false;
+    }
+    bool _e34 = local_6;
+    if (_e34) {
+        local_7 = within;
+    } else {
+        local_7 = false;
+    }
+    bool _e38 = local_7;
+    return (_e38 ? t_5 : 1e30);
+}
+
+float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
+    Extent _e3 = fetchExtent(i_5);
+    float _e14 = intersectQuad(ray_3.start.point, ray_3.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_3.start.tMin);
+    return ((i_5 == ray_3.start.leaves) ? 1e30 : _e14);
+}
+
+float intersectPlane(vec3 origin_5, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
+    bool local_8 = false;
+    float speed_1 = dot(direction_6, normal_1);
+    float t_6 = ((offset - dot(origin_5, normal_1)) / ((speed_1 == 0.0) ? 1e-30 : speed_1));
+    if ((t_6 > tMin_3)) {
+        local_8 = (t_6 < 1e30);
+    } else {
+        local_8 = false;
+    }
+    bool _e19 = local_8;
+    return (_e19 ? t_6 : 1e30);
+}
+
+float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {
+    float _e10 = intersectPlane(ray_4.start.point, ray_4.direction, bounds_3.center, bounds_3.radius, ray_4.start.tMin);
+    return ((i_6 == ray_4.start.leaves) ? 1e30 : _e10);
+}
+
+Hit closestHit(Ray ray_5) {
+    Hit hit_1 = Hit(1e30, 4294967295u);
+    uint i_7 = 0u;
+    uint i_8 = 0u;
+    uint i_9 = 0u;
+    uint i_10 = 0u;
+    uvec4 ends = frame.shapeEnds;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e21 = i_7;
+            i_7 = (_e21 + 1u);
+        }
+        loop_init = false;
+        uint _e10 = i_7;
+        if ((_e10 < ends.x)) {
+        } else {
+            break;
+        }
+        {
+            Hit _e13 = hit_1;
+            uint _e14 = i_7;
+            uint _e15 = i_7;
+            Bounds _e16 = fetchBounds(_e15);
+            float _e17 = hitSphere(_e14, _e16, ray_5);
+            uint _e18 = i_7;
+            Hit _e19 = nearer(_e13, _e17, _e18);
+            hit_1 = _e19;
+        }
+    }
+    i_8 = ends.x;
+    bool loop_init_1 = true;
+    while(true) {
+        if (!loop_init_1) {
+            uint _e36 = i_8;
+            i_8 = (_e36 + 1u);
+        }
+        loop_init_1 = false;
+        uint _e25 = i_8;
+        if ((_e25 < ends.y)) {
+        } else {
+            break;
+        }
+        {
+            Hit _e28 = hit_1;
+            uint _e29 = i_8;
+            uint _e30 = i_8;
+            Bounds _e31 = fetchBounds(_e30);
+            float _e32 = hitBox(_e29, _e31, ray_5);
+            uint _e33 = i_8;
+            Hit _e34 = nearer(_e28, _e32, _e33);
+            hit_1 = _e34;
+        }
+    }
+    i_9 = ends.y;
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            uint _e51 = i_9;
+            i_9 = (_e51 + 1u);
+        }
+        loop_init_2 = false;
+        uint _e40 = i_9;
+        if ((_e40 < ends.z)) {
+        } else {
+            break;
+        }
+        {
+            Hit _e43 = hit_1;
+            uint _e44 = i_9;
+            uint _e45 = i_9;
+            Bounds _e46 = fetchBounds(_e45);
+            float _e47 = hitQuad(_e44, _e46, ray_5);
+            uint _e48 = i_9;
+            Hit _e49 = nearer(_e43, _e47, _e48);
+            hit_1 = _e49;
+        }
+    }
+    i_10 = ends.z;
+    bool loop_init_3 = true;
+    while(true) {
+        if (!loop_init_3) {
+            uint _e66 = i_10;
+            i_10 = (_e66 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e55 = i_10;
+        if ((_e55 < ends.w)) {
+        } else {
+            break;
+        }
+        {
+            Hit _e58 = hit_1;
+            uint _e59 = i_10;
+            uint _e60 = i_10;
+            Bounds _e61 = fetchBounds(_e60);
+            float _e62 = hitPlane(_e59, _e61, ray_5);
+            uint _e63 = i_10;
+            Hit _e64 = nearer(_e58, _e62, _e63);
+            hit_1 = _e64;
+        }
+    }
+    Hit _e68 = hit_1;
+    return _e68;
+}
+
+bool isSphere(uint i_11) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_11 < _e4);
+}
+
+bool isPlane(uint i_12) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_12 >= _e4);
+}
+
+bool isFlat(uint i_13) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_13 >= _e4);
+}
+
+vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    bool local_9 = false;
+    Slabs _e5 = boxSlabs(origin_6, direction_7, halfSize_2);
+    if ((_e5.near > tMin_4)) {
+        local_9 = !(startsInside_2);
+    } else {
+        local_9 = false;
+    }
+    bool entering = local_9;
+    vec3 crossed = (entering ? _e5.enter : _e5.leave);
+    float t_7 = (entering ? _e5.near : _e5.far);
+    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
+    if ((crossed.x == t_7)) {
+        return vec3(side.x, 0.0, 0.0);
+    }
+    if ((crossed.y == t_7)) {
+        return vec3(0.0, side.y, 0.0);
+    }
+    return vec3(0.0, 0.0, side.z);
+}
+
+vec3 rotateBack(vec4 q_1, vec3 v_1) {
+    vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
+    return _e6;
+}
+
+vec3 outwardNormal(uint i_14, Ray ray_6, float t_1) {
+    Bounds _e3 = fetchBounds(i_14);
+    vec3 origin_7 = (ray_6.start.point - _e3.center);
+    bool _e8 = isSphere(i_14);
+    if (_e8) {
+        return normalize((origin_7 + (t_1 * ray_6.direction)));
+    }
+    bool _e13 = isPlane(i_14);
+    if (_e13) {
+        return _e3.center;
+    }
+    Extent _e15 = fetchExtent(i_14);
+    bool _e16 = isFlat(i_14);
+    if (_e16) {
+        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
+    }
+    bool inside = (i_14 == ray_6.start.inside);
+    vec3 _e27 = rotate(_e15.a, origin_7);
+    vec3 _e30 = rotate(_e15.a, ray_6.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
+    vec3 _e37 = rotateBack(_e15.a, _e35);
+    return _e37;
+}
+
+Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
+    return Start(point, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point)));
+}
+
+Material fetchMaterial(uint i_15) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_15)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_15)), 0);
+    return Material(t0_2.xyz, t0_2.w, t1_1.x, t1_1.y, t1_1.z, t1_1.w);
+}
+
+Light fetchLight(uint i_16) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_16)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_16)), 0);
+    return Light(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w);
+}
+
+void main() {
+    vec4 fragment = gl_FragCoord;
+    Ray ray = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
+    vec3 radiance = vec3(0.0);
+    vec3 normal = vec3(0.0);
+    vec3 color = vec3(0.0);
+    vec3 contribution = vec3(0.0);
+    float distance_ = 0.0;
+    uint i = 0u;
+    bool local = false;
+    Start _e1 = atEye();
+    vec3 _e3 = pinholeDirection(fragment.xy);
+    ray = Ray(_e1, _e3);
+    vec3 _e7 = ray.direction;
+    vec3 _e8 = sky(_e7);
+    radiance = _e8;
+    bool loop_init_4 = true;
+    while(true) {
+        if (!loop_init_4) {
+            uint _e111 = i;
+            i = (_e111 + 1u);
+        }
+        loop_init_4 = false;
+        uint _e23 = i;
+        uint _e26 = frame.lightCount;
+        if ((_e23 <= _e26)) {
+        } else {
+            break;
+        }
+        {
+            Ray _e28 = ray;
+            Hit _e29 = closestHit(_e28);
+            uint _e30 = i;
+            if ((_e30 == 0u)) {
+                if ((_e29.shape == noShape)) {
+                    break;
+                }
+                vec3 _e38 = ray.direction;
+                vec3 position = (_e29.t * _e38);
+                Ray _e41 = ray;
+                vec3 _e43 = outwardNormal(_e29.shape, _e41, _e29.t);
+                vec3 _e45 = ray.direction;
+                bool back = (dot(_e43, _e45) > 0.0);
+                normal = (back ? -(_e43) : _e43);
+                if (back) {
+                    bool _e56 = isFlat(_e29.shape);
+                    local = !(_e56);
+                } else {
+                    local = false;
+                }
+                bool _e59 = local;
+                Start _e60 = onSurface(position, _e29.shape, _e59);
+                ray.start = _e60;
+                Material _e62 = fetchMaterial(_e29.shape);
+                color = _e62.baseColor;
+                radiance = vec3(0.0);
+            } else {
+                float _e67 = distance_;
+                if ((_e29.t >= _e67)) {
+                    vec3 _e69 = radiance;
+                    vec3 _e70 = contribution;
+                    radiance = (_e69 + _e70);
+                }
+            }
+            uint _e72 = i;
+            uint _e75 = frame.lightCount;
+            if ((_e72 < _e75)) {
+                uint _e77 = i;
+                Light _e78 = fetchLight(_e77);
+                vec3 _e79 = radiance;
+                vec3 _e81 = color;
+                radiance = (_e79 + (_e78.ambient * _e81));
+                vec3 _e87 = ray.start.point;
+                vec3 toLight = (_e78.center - _e87);
+                distance_ = length(toLight);
+                float _e91 = distance_;
+                ray.direction = (toLight / vec3(_e91));
+                vec3 _e94 = color;
+                vec3 _e97 = normal;
+                vec3 _e99 = ray.direction;
+                float _e105 = distance_;
+                float _e106 = distance_;
+                contribution = ((_e94 * _e78.diffuse) * ((max(dot(_e97, _e99), 0.0) * _e78.power) / (_e105 * _e106)));
+            }
+        }
+    }
+    vec3 _e113 = radiance;
+    _fs2p_location0 = vec4(_e113, 1.0);
+    return;
+}
+

@@ -1,0 +1,381 @@
+// Linked from integrator/classic/preview.wesl by `npm run shaders`. Do not edit.
+@fragment fn preview(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
+  var ray = Ray(atEye(), pinholeDirection(fragment.xy));
+  var radiance = sky(ray.direction);
+  var normal = vec3f(0.0);
+  var color = vec3f(0.0);
+  // Of the light that the ray goes to; nothing yet for the camera ray.
+  var contribution = vec3f(0.0);
+  var distance = 0.0;
+  for (var i = 0u; i <= frame.lightCount; i++) {
+    let hit = closestHit(ray);
+    if (i == 0u) {
+      if (hit.shape == noShape) {
+        break;
+      }
+      let position = hit.t * ray.direction;
+      let outward = outwardNormal(hit.shape, ray, hit.t);
+      let back = dot(outward, ray.direction) > 0.0;
+      normal = select(outward, -outward, back);
+      ray.start = onSurface(position, hit.shape, back && !isFlat(hit.shape));
+      let material = fetchMaterial(hit.shape);
+      color = material.baseColor;
+      radiance = vec3f(0.0);
+    } else if (hit.t >= distance) {
+      radiance += contribution;
+    }
+    if (i < frame.lightCount) {
+      let light = fetchLight(i);
+      radiance += light.ambient * color;
+      let toLight = light.center - ray.start.point;
+      distance = length(toLight);
+      ray.direction = toLight / distance;
+      contribution = color * light.diffuse * (max(dot(normal, ray.direction), 0.0) * light.power / (distance * distance));
+    }
+  }
+  return vec4f(radiance, 1.0);
+}
+
+struct Ray {
+  start: Start,
+  direction: vec3f,
+}
+
+
+fn atEye() -> Start {
+  return Start(vec3f(0.0), noShape, noShape, 0.0);
+}
+
+fn pinholeDirection(filmPoint: vec2f) -> vec3f {
+  let x = 2.0 * filmPoint.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
+  return normalize(frame.forward + x * frame.right + y * frame.up);
+}
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+fn closestHit(ray: Ray) -> Hit {
+  var hit = Hit(miss, noShape);
+  let ends = frame.shapeEnds;
+  for (var i = 0u; i < ends.x; i++) {
+    hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.x; i < ends.y; i++) {
+    hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.y; i < ends.z; i++) {
+    hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+  }
+  for (var i = ends.z; i < ends.w; i++) {
+    hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+  }
+  return hit;
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
+fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
+  let bounds = fetchBounds(i);
+  let origin = ray.start.point - bounds.center;
+  if (isSphere(i)) {
+    return normalize(origin + t * ray.direction);
+  }
+  if (isPlane(i)) {
+    return bounds.center;
+  }
+  let extent = fetchExtent(i);
+  if (isFlat(i)) {
+    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  }
+  let inside = i == ray.start.inside;
+  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
+  return rotateBack(extent.a, normal);
+}
+
+// On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
+fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
+  return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+fn fetchMaterial(i: u32) -> Material {
+  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
+}
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
+}
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = s.near > tMin && !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  if (crossed.x == t) {
+    return vec3f(side.x, 0.0, 0.0);
+  }
+  if (crossed.y == t) {
+    return vec3f(0.0, side.y, 0.0);
+  }
+  return vec3f(0.0, 0.0, side.z);
+}
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size, and the smallest half; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f) -> vec3f {
+  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+// Where a ray starts, whichever way it then goes.
+struct Start {
+  point: vec3f,
+  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
+  leaves: u32,
+  // The solid that the ray starts inside of: only its far side counts.
+  inside: u32,
+  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
+  tMin: f32,
+}
+
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+struct Material {
+  // share of light that comes back
+  baseColor: vec3f,
+  // weight of the mirror ray
+  reflectivity: f32,
+  // strength of the highlight
+  specular: f32,
+  // Blinn-Phong exponent, 2 / roughness^4 - 2
+  exponent: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+}
+
+
+fn fetchLight(i: u32) -> Light {
+  let t0 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(7u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
+}
+
+struct Light {
+  // eye-relative
+  center: vec3f,
+  // of the ball
+  radius: f32,
+  // added everywhere
+  ambient: vec3f,
+  // density of the haze times radiance times radius^2
+  halo: f32,
+  // colour of the diffuse part
+  diffuse: vec3f,
+  // radiance times radius^2: w = power / distance^2
+  power: f32,
+  // colour of the highlight
+  specular: vec3f,
+  // radiance of the ball that is seen; negative: not seen
+  visible: f32,
+}
+
+
+struct Hit {
+  t: f32,
+  shape: u32,
+}
+
+
+const miss = 1e30;
+
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
+}
+
+// Distances along the ray to shape i of that kind, or `miss`.
+fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin && !startsInside);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(miss, t, select(discriminant >= 0.0 && t > tMin, t > 0.0, startsInside));
+}
+
+fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  var origin = ray.start.point - bounds.center;
+  var direction = ray.direction;
+  if (extent.a.w != 1.0) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
+  }
+  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin && !startsInside);
+  return select(miss, t, s.near <= s.far && t > select(tMin, 0.0, startsInside));
+}
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
+  return select(miss, t, t > tMin && t < miss && within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, 1e-30, speed == 0.0);
+  return select(miss, t, t > tMin && t < miss);
+}
+
+struct Frame {
+  // camera r times tan(fov / 2) times aspect
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times tan(fov / 2)
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // unused
+  spare0: u32,
+  // unused
+  spare1: u32,
+  // unused
+  spare2: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+}

@@ -1,0 +1,167 @@
+/**
+ * What is to be seen: scene, time, camera, settings, and whether it moves. Shared by the GPU renderer and the CPU one, which
+ * look at `revision` to know that the picture changed. No GPU, no DOM.
+ */
+import type { RendererSettings } from './renderer-types.ts';
+import { compileAnimation } from './scene/animation.ts';
+import { SCENE_LIMITS } from './scene/limits.ts';
+import type { Camera, Scene } from './scene/scene.ts';
+
+export const DEFAULT_SETTINGS: RendererSettings = {
+  maxReflections: 5,
+  lightSamples: 9,
+  exposure: 0,
+  resolutionScale: 1,
+  adaptive: true,
+  targetFps: 60,
+  maxSamples: 1024,
+  seed: 0,
+  comparison: null,
+};
+
+/** Longest step of the animation in one frame, seconds: a tab that slept goes on where it was. */
+const LONGEST_STEP = 0.25;
+/** Settings that only the display uses, or only the loop: the film stays valid. */
+const NOT_IN_FILM = new Set<keyof RendererSettings>(['exposure', 'adaptive', 'targetFps', 'maxSamples']);
+
+const wholeIn = (least: number, most: number) => (n: number) => Number.isInteger(n) && n >= least && n <= most;
+const isReflections = wholeIn(0, SCENE_LIMITS.maxReflections);
+const isSamples = wholeIn(1, SCENE_LIMITS.lightSamples);
+
+/** For each setting: whether a value is allowed, and what is, in words. */
+const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) => boolean, string] } = {
+  maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
+  lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
+  exposure: [(n) => Math.abs(n) <= 30, 'stops from -30 to 30'],
+  resolutionScale: [(n) => n >= 0.1 && n <= 1, 'a number from 0.1 to 1'],
+  adaptive: [(b) => typeof b === 'boolean', 'true or false'],
+  targetFps: [(n) => n === 30 || n === 60, '30 or 60'],
+  maxSamples: [wholeIn(1, 2 ** 24), 'a whole number from 1 to 16777216'],
+  seed: [wholeIn(0, 2 ** 32 - 1), 'a whole number from 0 to 4294967295'],
+  comparison: [
+    (c) =>
+      c === null ||
+      (c.panels.length === 3 &&
+        c.panels.every((p) => isReflections(p.maxReflections) && isSamples(p.lightSamples)) &&
+        c.dividers.length === 2 &&
+        c.dividers.every((d) => d >= 0 && d <= 1)),
+    'null, or three panels and two dividers from 0 to 1',
+  ],
+};
+
+function checkSettings(settings: Partial<RendererSettings>): void {
+  for (const [key, value] of Object.entries(settings)) {
+    const rule = ALLOWED[key as keyof RendererSettings] as [(v: unknown) => boolean, string] | undefined;
+    if (!rule) throw new TypeError(`There is no setting "${key}". There are: ${Object.keys(ALLOWED).join(', ')}.`);
+    if (!rule[0](value))
+      throw new RangeError(`The setting "${key}" is ${JSON.stringify(value)}; it must be ${rule[1]}.`);
+  }
+}
+
+export class View {
+  /** Grows whenever the film's content would change. */
+  revision = 0;
+  /** Grows whenever anything that is shown would change. */
+  shownRevision = 0;
+  playing = true;
+  #settings: RendererSettings;
+  #scene: Scene | null = null;
+  #at: (time: number) => Scene = () => {
+    throw new Error('Set a scene first.');
+  };
+  #time = 0;
+  #speed = 1;
+  #camera: Camera | null = null;
+
+  constructor(settings: Partial<RendererSettings> = {}) {
+    checkSettings(settings);
+    this.#settings = { ...DEFAULT_SETTINGS, ...settings };
+  }
+
+  get scene(): Scene | null {
+    return this.#scene;
+  }
+  get settings(): Readonly<RendererSettings> {
+    return this.#settings;
+  }
+
+  setScene(scene: Scene): void {
+    this.#at = compileAnimation(scene);
+    this.#scene = scene;
+    this.#time = 0;
+    this.#camera = null;
+    const { maxReflections, lightSamples, exposure } = scene.render;
+    this.#settings = { ...this.#settings, maxReflections, lightSamples, exposure };
+    this.#filmChanged();
+  }
+
+  /** The scene as it is at the present time. */
+  sceneNow(): Scene {
+    return this.#at(this.#time);
+  }
+
+  set(settings: Partial<RendererSettings>): void {
+    checkSettings(settings);
+    const changed = (Object.keys(settings) as (keyof RendererSettings)[]).filter(
+      (key) => settings[key] !== this.#settings[key],
+    );
+    if (changed.length === 0) return;
+    this.#settings = { ...this.#settings, ...settings };
+    if (changed.some((key) => !NOT_IN_FILM.has(key))) this.revision++;
+    this.shownRevision++;
+  }
+
+  get time(): number {
+    return this.#time;
+  }
+  set time(seconds: number) {
+    if (!Number.isFinite(seconds)) throw new RangeError(`Time must be a finite number of seconds, not ${seconds}.`);
+    if (seconds === this.#time) return;
+    this.#time = seconds;
+    this.#filmChanged();
+  }
+
+  get speed(): number {
+    return this.#speed;
+  }
+  set speed(factor: number) {
+    if (!Number.isFinite(factor)) throw new RangeError(`Speed must be a finite number, not ${factor}.`);
+    this.#speed = factor;
+  }
+
+  /** Whether time passing changes the picture. */
+  get moves(): boolean {
+    return this.playing && this.#speed !== 0 && (this.#scene?.animation.length ?? 0) > 0;
+  }
+
+  /** Lets this many seconds of the world's time pass. */
+  advance(seconds: number): void {
+    if (this.playing && this.#scene) this.#passTime(Math.min(seconds, LONGEST_STEP) * this.#speed);
+  }
+
+  #passTime(step: number): void {
+    if (this.moves) this.time = this.#time + step;
+    else this.#time += step;
+  }
+
+  get camera(): Camera {
+    return this.#camera ?? this.sceneNow().camera;
+  }
+  set camera(camera: Camera | null) {
+    this.#camera = camera;
+    this.#filmChanged();
+  }
+
+  #filmChanged(): void {
+    this.revision++;
+    this.shownRevision++;
+  }
+
+  /** Rays that one film pixel may need at most: camera and mirror rays, and a shadow ray for each light sample of each. */
+  raysPerPixel(): number {
+    const lights = Object.keys(this.#scene?.lights ?? {}).length;
+    const panels = this.#settings.comparison?.panels ?? [this.#settings];
+    const rays = panels.map((p) => (1 + p.maxReflections) * (1 + lights * p.lightSamples));
+    return rays.reduce((sum, n) => sum + n, 0) / rays.length;
+  }
+}

@@ -1,0 +1,105 @@
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { expect, test } from './fixtures.ts';
+import { choose, expectPicture, group, quick, rendererState, scenes, unfold } from './studio.ts';
+
+const address = { backend: 'webgl2', query: { ...quick, paused: 1 } } as const;
+const axePath = fileURLToPath(import.meta.resolve('axe-core/axe.min.js'));
+
+interface AxeViolation {
+  readonly id: string;
+  readonly impact: string | null;
+  readonly nodes: readonly { readonly html: string }[];
+}
+/** What axe calls serious or critical, in words that say where. */
+async function seriousProblems(page: Page): Promise<string[]> {
+  await page.addScriptTag({ path: axePath });
+  const violations = await page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: AxeViolation[] }> } };
+    return (await axe.run()).violations.map(({ id, impact, nodes }) => ({ id, impact, html: nodes[0]?.html ?? '' }));
+  });
+  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+  return serious.map(({ id, html }) => `${id}: ${html.slice(0, 200)}`);
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds no serious problem (${colorScheme})`, async ({ page, openStudio }) => {
+    await page.emulateMedia({ colorScheme });
+    await openStudio(address);
+    await expectPicture(page);
+    for (const section of ['Performance', 'Page']) await unfold(page, section);
+    await choose(page, 'Side by side', 'Reflections 1 · 2 · 10');
+    expect(await seriousProblems(page)).toEqual([]);
+    await page.getByRole('button', { name: 'Keys and gestures' }).click();
+    await expect(page.getByRole('dialog', { name: 'Keys and gestures' })).toBeVisible();
+    expect(await seriousProblems(page), 'with the list of keys open').toEqual([]);
+  });
+}
+
+test.describe('in Chinese', () => {
+  test.use({ locale: 'zh-CN' });
+  test('the browser’s language is taken, and can be changed', async ({ page, openStudio }) => {
+    await openStudio(address);
+    await expectPicture(page);
+    await expect(page.locator('html')).toHaveAttribute('lang', 'zh-CN');
+    await expect(page.getByRole('slider', { name: '反射次数' })).toBeVisible();
+    for (const { zh } of scenes) {
+      await choose(page, '场景', zh);
+      await expect(page.getByRole('img', { name: zh })).toBeVisible();
+    }
+    expect(await seriousProblems(page)).toEqual([]);
+    await unfold(page, '页面');
+    await choose(page, '语言', 'English');
+    await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+    await expect(page.getByRole('slider', { name: 'Reflections' })).toBeVisible();
+    await page.reload();
+    await expect(page.getByRole('slider', { name: 'Reflections' }), 'the choice is remembered').toBeVisible();
+  });
+
+  test('nothing but names is left in English', async ({ page, openStudio }) => {
+    await openStudio(address);
+    await expectPicture(page);
+    for (const section of ['性能', '页面']) await unfold(page, section);
+    const text = await page.getByRole('complementary').innerText();
+    const words = text.match(/[A-Za-z]{3,}/g) ?? [];
+    const names = ['Mirrorball', 'WebGPU', 'WebGL', 'CPU', 'English', 'json', 'scene', 'fps'];
+    expect(words.filter((word) => !names.includes(word))).toEqual([]);
+  });
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 700 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+
+  test('the panel folds away, opens by touch, and everything fits', async ({ page, openStudio }) => {
+    await openStudio(address);
+    await expectPicture(page);
+    const slider = page.getByRole('slider', { name: 'Reflections' });
+    await expect(slider, 'the panel is folded at first').toBeHidden();
+    await page.getByRole('button', { name: 'Show controls' }).tap();
+    await expect(slider).toBeInViewport();
+    await group(page, 'Scene').getByRole('radio', { name: 'Mirror blocks' }).tap();
+    await expect(page.getByRole('img', { name: 'Mirror blocks' })).toBeVisible();
+    await page.getByRole('button', { name: 'Reset view' }).scrollIntoViewIfNeeded();
+    await expect(page.getByRole('button', { name: 'Reset view' })).toBeInViewport();
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(overflow, 'no scrolling sideways').toBeLessThanOrEqual(0);
+    expect(await seriousProblems(page)).toEqual([]);
+    await page.getByRole('button', { name: 'Hide controls' }).tap();
+    await expect(slider).toBeHidden();
+  });
+
+  test('a finger orbits', async ({ page, openStudio }) => {
+    await openStudio(address);
+    await expectPicture(page);
+    // Real touches, which Playwright itself cannot move.
+    const devtools = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number) =>
+      devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: 300 }] });
+    const eye = async () => (await rendererState(page))!.camera.eye;
+    const start = await eye();
+    await touch('touchStart', 120);
+    for (const x of [140, 170, 200]) await touch('touchMove', x);
+    await touch('touchEnd');
+    await expect.poll(eye).not.toEqual(start);
+  });
+});

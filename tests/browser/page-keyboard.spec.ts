@@ -1,0 +1,122 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from './fixtures.ts';
+import { expectPicture, expectState, quick, rendererState, scenes } from './studio.ts';
+
+test.beforeEach(async ({ page, openStudio }) => {
+  await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
+  await expectPicture(page);
+});
+
+/** What the focused element is, in few words; radio buttons count by their group, as Tab stops once in each. */
+function focused(page: Page): Promise<string> {
+  return page.evaluate(() => {
+    const element = document.activeElement;
+    if (!(element instanceof HTMLElement) || element === document.body) return '';
+    const fieldset = element.closest('fieldset')?.querySelector('legend');
+    const label = (element as HTMLInputElement).labels?.[0];
+    const name = fieldset ?? label;
+    return (name?.textContent ?? element.getAttribute('aria-label') ?? element.textContent ?? '').trim();
+  });
+}
+
+/** Presses Tab until the focus comes round again. */
+async function tabStops(page: Page): Promise<string[]> {
+  const stops: string[] = [];
+  for (let i = 0; i < 60; i++) {
+    await page.keyboard.press('Tab');
+    const stop = await focused(page);
+    if (stop !== '' && stop === stops[0] && stops.length > 5) break;
+    if (stop !== '') stops.push(stop);
+  }
+  return stops;
+}
+
+test('Tab reaches every control, and the picture', async ({ page }) => {
+  for (const heading of ['Performance', 'Page']) {
+    await page.locator('summary', { hasText: heading }).focus();
+    await page.keyboard.press('Enter');
+  }
+  const stops = await tabStops(page);
+  const wanted = ['Hide controls', 'Scene', 'Open a scene file…', 'Reflections', 'Samples per light', 'Exposure'];
+  wanted.push('Side by side', 'Play', 'Step 1/60 s', 'Time', 'Speed', 'Reset view', 'Keys and gestures');
+  wanted.push('Drawn by', 'Resolution scale', 'Target', 'Lower resolution in motion when slow', 'Language', 'Theme');
+  for (const name of wanted) expect(stops, `Tab reaches “${name}”`).toContain(name);
+  expect(
+    stops.some((stop) => stop.startsWith('Ray traced picture')),
+    'Tab reaches the picture',
+  ).toBe(true);
+});
+
+test('the focus can be seen', async ({ page }) => {
+  await page.getByRole('button', { name: 'Reset view' }).focus();
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Tab');
+  const mark = await page.evaluate(() => {
+    const style = getComputedStyle(document.activeElement as Element);
+    return style.outlineStyle !== 'none' || style.boxShadow !== 'none';
+  });
+  expect(mark).toBe(true);
+});
+
+test('shortcuts: scenes, reflections, comparison, play, step', async ({ page }) => {
+  await page.locator('main canvas').first().focus();
+  for (const [index, { en }] of scenes.entries()) {
+    await page.keyboard.press(String(index + 1));
+    await expect(page.getByRole('img', { name: en })).toBeVisible();
+  }
+  const { maxReflections } = (await rendererState(page))!.settings;
+  await page.keyboard.press(']');
+  await expectState(page, (state) => state.settings.maxReflections, maxReflections + 1);
+  await page.keyboard.press('[');
+  await expectState(page, (state) => state.settings.maxReflections, maxReflections);
+  await page.keyboard.press('c');
+  await expectState(page, (state) => state.settings.comparison !== null, true);
+  await page.keyboard.press('c');
+  await page.keyboard.press('c');
+  await expectState(page, (state) => state.settings.comparison, null);
+  const { time } = (await rendererState(page))!;
+  await page.keyboard.press('.');
+  await expectState(page, (state) => Math.round((state.time - time) * 60), 1);
+  await page.keyboard.press('Space');
+  await expectState(page, (state) => state.playing, true);
+  await page.keyboard.press('Space');
+  await expectState(page, (state) => state.playing, false);
+});
+
+test('the view moves by keys and comes back', async ({ page }) => {
+  await page.locator('main canvas').first().focus();
+  const camera = async () => (await rendererState(page))!.camera;
+  const start = await camera();
+  for (const key of ['ArrowLeft', 'Shift+ArrowUp', '+']) {
+    const before = await camera();
+    await page.keyboard.press(key, { delay: 150 });
+    await expect.poll(camera, `${key} moves the view`).not.toEqual(before);
+  }
+  // What was pressed may glide on for a moment.
+  await page.waitForTimeout(500);
+  await page.keyboard.press('r');
+  await expect.poll(async () => (await camera()).eye).toEqual(start.eye);
+});
+
+test('the panel and the list of keys open and close', async ({ page }) => {
+  await page.locator('main canvas').first().focus();
+  await page.keyboard.press('p');
+  await expect(page.getByRole('slider', { name: 'Reflections' })).toBeHidden();
+  await page.keyboard.press('p');
+  await expect(page.getByRole('slider', { name: 'Reflections' })).toBeVisible();
+  await page.keyboard.press('h');
+  const help = page.getByRole('dialog', { name: 'Keys and gestures' });
+  await expect(help).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(help).toBeHidden();
+});
+
+test('comparison dividers move by arrow keys', async ({ page }) => {
+  await page.locator('main canvas').first().focus();
+  await page.keyboard.press('c');
+  const divider = page.getByRole('separator', { name: 'Divider 1 of 2' });
+  const at = Number(await divider.getAttribute('aria-valuenow'));
+  await divider.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowLeft');
+  await expect.poll(async () => Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(at);
+});

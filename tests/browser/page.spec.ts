@@ -1,0 +1,159 @@
+import { backends, everywhere, expect, test } from './fixtures.ts';
+import {
+  choose,
+  difference,
+  expectPicture,
+  expectState,
+  group,
+  lookAtPicture,
+  quick,
+  rendererState,
+  scenes,
+  unfold,
+} from './studio.ts';
+
+for (const { backend, origin } of everywhere) {
+  test(`shows each of the three scenes, moving (${backend}, ${origin})`, async ({ page, openStudio }) => {
+    await openStudio({ backend, origin, query: { ...quick, paused: 1 } });
+    const looks = [];
+    for (const { en } of scenes) {
+      await choose(page, 'Scene', en);
+      await expect(page.getByRole('img', { name: en })).toBeVisible();
+      looks.push(await expectPicture(page));
+    }
+    await expectState(page, (state) => state.backend, backend);
+    const [first, second, third] = looks;
+    expect(difference(first!, second!), 'the scenes look different').toBeGreaterThan(10);
+    expect(difference(second!, third!), 'the scenes look different').toBeGreaterThan(10);
+
+    const before = await lookAtPicture(page);
+    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    await expect.poll(async () => difference(before, await lookAtPicture(page)), 'the scene moves').toBeGreaterThan(3);
+  });
+}
+
+for (const backend of backends) {
+  test.describe(`each control does what it says (${backend})`, () => {
+    test.beforeEach(async ({ page, openStudio }) => {
+      await openStudio({ backend, query: { ...quick, paused: 1 } });
+      await expectPicture(page);
+    });
+
+    test('light: reflections, samples, exposure', async ({ page }) => {
+      await page.getByRole('slider', { name: 'Reflections' }).fill('7');
+      await expectState(page, (state) => state.settings.maxReflections, 7);
+      await choose(page, 'Samples per light', '9');
+      await expectState(page, (state) => state.settings.lightSamples, 9);
+      await choose(page, 'Samples per light', 'Other');
+      await page.getByRole('spinbutton', { name: 'Samples per light, 1 to 256' }).fill('5');
+      await expectState(page, (state) => state.settings.lightSamples, 5);
+      const before = await lookAtPicture(page);
+      await page.getByRole('slider', { name: 'Exposure' }).fill('-3');
+      await expectState(page, (state) => state.settings.exposure, -3);
+      await expect
+        .poll(async () => difference(before, await lookAtPicture(page)), 'it gets darker')
+        .toBeGreaterThan(10);
+    });
+
+    test('comparison: strips with dividers that move', async ({ page }) => {
+      await choose(page, 'Side by side', 'Reflections 1 · 2 · 10');
+      await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.maxReflections), [1, 2, 10]);
+      const divider = page.getByRole('separator', { name: 'Divider 1 of 2' });
+      const at = Number(await divider.getAttribute('aria-valuenow'));
+      const box = (await divider.boundingBox())!;
+      await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x - 60, box.y + box.height / 2, { steps: 3 });
+      await page.mouse.up();
+      await expect.poll(async () => Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(at);
+      await choose(page, 'Side by side', 'Light samples 1 · 9 · 64');
+      await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.lightSamples), [1, 9, 64]);
+      await choose(page, 'Side by side', 'Off');
+      await expectState(page, (state) => state.settings.comparison, null);
+    });
+
+    test('motion: play, pause, step, speed, time', async ({ page }) => {
+      await expectState(page, (state) => state.playing, false);
+      const start = (await rendererState(page))!.time;
+      await page.getByRole('button', { name: 'Step 1/60 s' }).click();
+      await expectState(page, (state) => Math.round((state.time - start) * 60), 1);
+      await choose(page, 'Speed', '2×');
+      await expectState(page, (state) => state.speed, 2);
+      await page.getByRole('slider', { name: 'Time' }).fill('1');
+      await expectState(page, (state) => Math.abs(state.time - 1) < 0.02, true);
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await expectState(page, (state) => state.playing && state.time > 1.1, true);
+      await page.getByRole('button', { name: 'Pause', exact: true }).click();
+      await expectState(page, (state) => state.playing, false);
+    });
+
+    test('view: orbit, pan and dolly by mouse, then back', async ({ page }) => {
+      const eye = async () => (await rendererState(page))!.camera.eye;
+      const start = await eye();
+      await page.mouse.move(200, 300);
+      await page.mouse.down();
+      await page.mouse.move(280, 330, { steps: 4 });
+      await page.mouse.up();
+      await expect.poll(eye, 'a drag orbits').not.toEqual(start);
+      const orbited = await eye();
+      await page.mouse.wheel(0, 240);
+      await expect.poll(eye, 'the wheel dollies').not.toEqual(orbited);
+      await page.getByRole('button', { name: 'Reset view' }).click();
+      await expect.poll(eye, 'the view is the scene’s again').toEqual(start);
+    });
+
+    test('performance: backend, resolution, target, adaptive', async ({ page }) => {
+      await unfold(page, 'Performance');
+      await page.getByRole('slider', { name: 'Resolution scale' }).fill('0.5');
+      await expectState(page, (state) => state.settings.resolutionScale, 0.5);
+      await choose(page, 'Target', '30 fps');
+      await expectState(page, (state) => state.settings.targetFps, 30);
+      const adaptive = page.getByRole('switch', { name: 'Lower resolution in motion when slow' });
+      await adaptive.click();
+      await expect(adaptive).not.toBeChecked();
+      await expectState(page, (state) => state.settings.adaptive, false);
+      const other = backend === 'webgpu' ? 'webgl2' : 'webgpu';
+      await choose(page, 'Drawn by', other === 'webgpu' ? 'WebGPU' : 'WebGL2');
+      await expectState(page, (state) => [state.backend, state.settings.resolutionScale], [other, 0.5]);
+      await expectPicture(page);
+    });
+
+    test('the status line has figures', async ({ page }) => {
+      const status = page.getByRole('region', { name: 'Figures of the last frame' });
+      await expect(status).toContainText(backend === 'webgpu' ? 'WebGPU' : 'WebGL2');
+      await expect(status).toContainText(/\d+ × \d+/);
+      await expect(status).toContainText(/[1-9]\d* samples/);
+    });
+  });
+}
+
+test('the CPU’s still picture can be chosen, and says that it is one', async ({ page, openStudio }) => {
+  await page.setViewportSize({ width: 480, height: 320 });
+  await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
+  await page.getByRole('button', { name: 'Show controls' }).click();
+  await unfold(page, 'Performance');
+  await choose(page, 'Drawn by', 'CPU still');
+  await expectState(page, (state) => state.backend, 'cpu');
+  await expect(page.getByText('This is a still picture, computed by the CPU')).toBeVisible();
+});
+
+test('a scene file opens; a broken one lists its problems and changes nothing', async ({ page, openStudio }) => {
+  await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
+  const file = (name: string, text: string) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+  const input = page.locator('input[type=file]');
+  await input.setInputFiles(
+    file('broken.json', '{ "version": 1, "shapes": { "ball": { "type": "sphere", "radius": -1 } } }'),
+  );
+  const dialog = page.getByRole('dialog', { name: /broken\.json/ });
+  await expect(dialog).toContainText('radius');
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
+  await expect(group(page, 'Scene').getByRole('radio', { name: 'Cube room' })).toBeChecked();
+});
+
+test('prefers-reduced-motion starts paused', async ({ page, openStudio }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openStudio({ backend: 'webgl2', query: quick });
+  await expectState(page, (state) => state.playing, false);
+  await expect(page.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
+});

@@ -1,0 +1,97 @@
+import type { Locator, Page } from '@playwright/test';
+import { decode } from 'fast-png';
+import type { Renderer } from '../../packages/renderer/src/renderer-types.ts';
+import { expect } from './fixtures.ts';
+
+/** The built-in scenes: their id, and their name in both languages. */
+export const scenes = [
+  { id: 'cube-room', en: 'Cube room', zh: '立方体房间' },
+  { id: 'mirror-blocks', en: 'Mirror blocks', zh: '镜面积木' },
+  { id: 'moving-shadows', en: 'Moving shadows', zh: '流动的阴影' },
+] as const;
+
+/** Keeps software rendering quick: what these tests look at does not need many pixels. */
+export const quick = { scale: 0.25, reflections: 3, samples: 1 } as const;
+
+type RendererState = Pick<Renderer, 'backend' | 'settings' | 'stats' | 'camera' | 'time' | 'playing' | 'speed'>;
+/** What the page's renderer says of itself at this moment; null while there is none. */
+export function rendererState(page: Page): Promise<RendererState | null> {
+  return page.evaluate(() => {
+    const { renderer } = (window as unknown as { mirrorball: { renderer: Renderer | null } }).mirrorball;
+    if (!renderer) return null;
+    const { backend, settings, stats, camera, time, playing, speed } = renderer;
+    return { backend, settings: { ...settings }, stats: { ...stats }, camera, time, playing, speed };
+  });
+}
+
+/** Waits until one property of the renderer's state is as wished: `await expectState(page, (s) => s.playing, false)`. */
+export async function expectState<Value>(page: Page, read: (state: RendererState) => Value, wanted: Value) {
+  await expect
+    .poll(async () => {
+      const state = await rendererState(page);
+      return state && read(state);
+    })
+    .toEqual(wanted);
+}
+
+/** A group of radio buttons by its name. */
+export const group = (page: Page, name: string): Locator => page.getByRole('group', { name, exact: true });
+
+/** Chooses in a group with the mouse. */
+export async function choose(page: Page, groupName: string, option: string): Promise<void> {
+  const radio = group(page, groupName).getByRole('radio', { name: option, exact: true });
+  // Not check(): a backend is chosen only when it draws, a moment after the click.
+  await radio.click();
+  await expect(radio).toBeChecked();
+}
+
+/** Opens a section that is folded at first. */
+export async function unfold(page: Page, heading: string): Promise<void> {
+  const section = page.locator('details', { has: page.getByRole('heading', { name: heading, exact: true }) });
+  if ((await section.getAttribute('open')) === null) await section.locator('summary').click();
+}
+
+interface Look {
+  /** Different colours, five bits a channel. */
+  readonly colours: number;
+  /** Share of pixels that are not black. */
+  readonly lit: number;
+  /** 8 × 8 mean brightnesses: to tell one picture from another. */
+  readonly thumbnail: readonly number[];
+}
+
+/** Looks at the left of the canvas, where no panel lies, as it is on the screen. */
+export async function lookAtPicture(page: Page): Promise<Look> {
+  const box = await page.locator('main canvas').first().boundingBox();
+  if (!box) return { colours: 0, lit: 0, thumbnail: [] };
+  // In the middle of the height: above it are notices, below it the status line.
+  const clip = { x: box.x, y: box.y + box.height * 0.25, width: box.width * 0.5, height: box.height * 0.5 };
+  const { width, height, channels, data } = decode(await page.screenshot({ clip, animations: 'allow' }));
+  const colours = new Set<number>();
+  const sums = new Array<number>(64).fill(0);
+  let lit = 0;
+  for (let i = 0; i < width * height; i++) {
+    const [r = 0, g = 0, b = 0] = data.slice(i * channels, i * channels + 3);
+    colours.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
+    if (r + g + b > 24) lit++;
+    const cell = Math.floor((Math.floor(i / width) * 8) / height) * 8 + Math.floor(((i % width) * 8) / width);
+    sums[cell] = sums[cell]! + (r + g + b) / 3;
+  }
+  const pixelsPerCell = (width * height) / 64;
+  return { colours: colours.size, lit: lit / (width * height), thumbnail: sums.map((sum) => sum / pixelsPerCell) };
+}
+
+/** Waits for a ray traced picture: many colours, and not in the dark. */
+export async function expectPicture(page: Page): Promise<Look> {
+  await expect
+    .poll(async () => {
+      const { colours, lit } = await lookAtPicture(page);
+      return colours >= 8 && lit > 0.02;
+    }, 'a picture is on the canvas')
+    .toBe(true);
+  return lookAtPicture(page);
+}
+
+/** The largest difference between the thumbnails of two pictures, 0 … 255. */
+export const difference = (a: Look, b: Look): number =>
+  Math.max(...a.thumbnail.map((value, i) => Math.abs(value - (b.thumbnail[i] ?? 0))));
