@@ -117,7 +117,6 @@ Hit nearer(Hit hit, float t, uint shape) {
 
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
     bool local = false;
-    bool local_1 = false;
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction);
     vec3 across = (toCenter - (along * direction));
@@ -125,20 +124,14 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    if ((near > tMin)) {
-        local = !(startsInside);
+    float t_5 = ((near > tMin) ? near : far);
+    if ((discriminant >= 0.0)) {
+        local = (t_5 > tMin);
     } else {
         local = false;
     }
-    bool _e23 = local;
-    float t_5 = (_e23 ? near : far);
-    if ((discriminant >= 0.0)) {
-        local_1 = (t_5 > tMin);
-    } else {
-        local_1 = false;
-    }
-    bool _e31 = local_1;
-    return ((startsInside ? (t_5 > 0.0) : _e31) ? t_5 : 1e30);
+    bool _e26 = local;
+    return (startsInside ? max(far, 0.0) : (_e26 ? t_5 : 1e30));
 }
 
 float hitSphere(uint i, Bounds bounds, Ray ray) {
@@ -157,91 +150,90 @@ Extent fetchExtent(uint i_2) {
     return Extent(t0_1.xyzw, t1_.xyzw);
 }
 
-vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_6 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
+bool isTurned(vec4 q) {
+    return any(notEqual(q.xyz, vec3(0.0)));
 }
 
-vec3 safeReciprocal(vec3 d) {
-    return (vec3(1.0) / mix(d, vec3(1e-18), lessThan(abs(d), vec3(1e-18))));
+vec3 rotate(vec4 q_1, vec3 v) {
+    vec3 t_6 = (2.0 * cross(q_1.xyz, v));
+    return ((v + (q_1.w * t_6)) + cross(q_1.xyz, t_6));
 }
 
-Slabs boxSlabs(vec3 origin_1, vec3 direction_1, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_1);
-    vec3 middle = (-(origin_1) * _e3);
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_2, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    bool local_2 = false;
-    bool local_3 = false;
-    Slabs _e5 = boxSlabs(origin_2, direction_2, halfSize_1);
-    if ((_e5.near > tMin_1)) {
-        local_2 = !(startsInside_1);
-    } else {
-        local_2 = false;
-    }
-    bool _e14 = local_2;
-    float t_7 = (_e14 ? _e5.near : _e5.far);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    bool local_1 = false;
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
+    float t_7 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
     if ((_e5.near <= _e5.far)) {
-        local_3 = (t_7 > (startsInside_1 ? 0.0 : tMin_1));
+        local_1 = (t_7 > tMin_1);
     } else {
-        local_3 = false;
+        local_1 = false;
     }
-    bool _e25 = local_3;
-    return (_e25 ? t_7 : 1e30);
+    bool _e18 = local_1;
+    return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_7 : 1e30));
 }
 
 float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
-    vec3 origin_3 = vec3(0.0);
+    vec3 origin_4 = vec3(0.0);
     vec3 direction_3 = vec3(0.0);
     Extent _e3 = fetchExtent(i_3);
-    origin_3 = (ray_1.start.point - bounds_1.center);
+    origin_4 = (ray_1.start.point - bounds_1.center);
     direction_3 = ray_1.direction;
-    if ((_e3.a.w != 1.0)) {
-        vec3 _e16 = origin_3;
-        vec3 _e17 = rotate(_e3.a, _e16);
-        origin_3 = _e17;
-        vec3 _e19 = direction_3;
-        vec3 _e20 = rotate(_e3.a, _e19);
-        direction_3 = _e20;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_4;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_4 = _e15;
+        vec3 _e17 = direction_3;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_3 = _e18;
     }
-    vec3 _e21 = origin_3;
-    vec3 _e22 = direction_3;
-    float _e30 = intersectBox(_e21, _e22, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
-    return ((i_3 == ray_1.start.leaves) ? 1e30 : _e30);
+    vec3 _e19 = origin_4;
+    vec3 _e20 = direction_3;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
+    return ((i_3 == ray_1.start.leaves) ? 1e30 : _e28);
 }
 
-float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    bool local_2 = false;
+    bool local_3 = false;
     bool local_4 = false;
-    bool local_5 = false;
-    bool local_6 = false;
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_2);
-    vec3 toCenter_1 = (center_1 - origin_4);
+    vec3 toCenter_1 = (center_1 - origin_5);
     float t_8 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p_2 = ((t_8 * direction_4) - toCenter_1);
     if ((abs(dot(p_2, reciprocalU)) <= 0.500001)) {
-        local_4 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
+        local_2 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
+    } else {
+        local_2 = false;
+    }
+    bool within = local_2;
+    if ((t_8 > tMin_2)) {
+        local_3 = (t_8 < 1e30);
+    } else {
+        local_3 = false;
+    }
+    bool _e34 = local_3;
+    if (_e34) {
+        local_4 = within;
     } else {
         local_4 = false;
     }
-    bool within = local_4;
-    if ((t_8 > tMin_2)) {
-        local_5 = (t_8 < 1e30);
-    } else {
-        local_5 = false;
-    }
-    bool _e34 = local_5;
-    if (_e34) {
-        local_6 = within;
-    } else {
-        local_6 = false;
-    }
-    bool _e38 = local_6;
+    bool _e38 = local_4;
     return (_e38 ? t_8 : 1e30);
 }
 
@@ -251,17 +243,17 @@ float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
     return ((i_4 == ray_2.start.leaves) ? 1e30 : _e14);
 }
 
-float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
-    bool local_7 = false;
+float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
+    bool local_5 = false;
     float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset - dot(origin_5, normal)) / ((speed_1 == 0.0) ? 1e-30 : speed_1));
+    float t_9 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     if ((t_9 > tMin_3)) {
-        local_7 = (t_9 < 1e30);
+        local_5 = (abs(speed_1) > 1e-12);
     } else {
-        local_7 = false;
+        local_5 = false;
     }
-    bool _e19 = local_7;
-    return (_e19 ? t_9 : 1e30);
+    bool _e20 = local_5;
+    return (_e20 ? t_9 : 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
@@ -472,15 +464,15 @@ bool isFlat(uint i_15) {
     return (i_15 >= _e4);
 }
 
-vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    bool local_8 = false;
-    Slabs _e5 = boxSlabs(origin_6, direction_7, halfSize_2);
+vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    bool local_6 = false;
+    Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
     if ((_e5.near > tMin_4)) {
-        local_8 = !(startsInside_2);
+        local_6 = !(startsInside_2);
     } else {
-        local_8 = false;
+        local_6 = false;
     }
-    bool entering = local_8;
+    bool entering = local_6;
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_10 = (entering ? _e5.near : _e5.far);
     vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
@@ -493,17 +485,17 @@ vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, b
     return vec3(0.0, 0.0, side.z);
 }
 
-vec3 rotateBack(vec4 q_1, vec3 v_1) {
-    vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
+vec3 rotateBack(vec4 q_2, vec3 v_1) {
+    vec3 _e6 = rotate(vec4(-(q_2.xyz), q_2.w), v_1);
     return _e6;
 }
 
 vec3 outwardNormal(uint i_16, Ray ray_7, float t_3) {
     Bounds _e3 = fetchBounds(i_16);
-    vec3 origin_8 = (ray_7.start.point - _e3.center);
+    vec3 origin_9 = (ray_7.start.point - _e3.center);
     bool _e8 = isSphere(i_16);
     if (_e8) {
-        return normalize((origin_8 + (t_3 * ray_7.direction)));
+        return normalize((origin_9 + (t_3 * ray_7.direction)));
     }
     bool _e13 = isPlane(i_16);
     if (_e13) {
@@ -515,7 +507,7 @@ vec3 outwardNormal(uint i_16, Ray ray_7, float t_3) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
     bool inside = (i_16 == ray_7.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_8);
+    vec3 _e27 = rotate(_e15.a, origin_9);
     vec3 _e30 = rotate(_e15.a, ray_7.direction);
     vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);
@@ -567,48 +559,48 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
 }
 
 uint coneMeetsBall(ShadowCone cone, vec3 center_3, float outer, float inner) {
+    bool local_7 = false;
+    bool local_8 = false;
     bool local_9 = false;
     bool local_10 = false;
     bool local_11 = false;
-    bool local_12 = false;
-    bool local_13 = false;
     vec3 toShape = (center_3 - cone.apex);
     float along_2 = dot(toShape, cone.axis);
     float perpendicular = sqrt(max((dot(toShape, toShape) - (along_2 * along_2)), 0.0));
     if ((((perpendicular * cone.cosine) - (along_2 * cone.sine)) > outer)) {
-        local_9 = (cone.sine < 1.0);
+        local_7 = (cone.sine < 1.0);
     } else {
-        local_9 = false;
+        local_7 = false;
     }
-    bool beside = local_9;
+    bool beside = local_7;
     if (!((along_2 < -(outer)))) {
-        local_10 = (along_2 > ((cone.length_ + cone.reach) + outer));
+        local_8 = (along_2 > ((cone.length_ + cone.reach) + outer));
     } else {
-        local_10 = true;
+        local_8 = true;
     }
-    bool behind = local_10;
+    bool behind = local_8;
     if (!(beside)) {
-        local_11 = behind;
+        local_9 = behind;
     } else {
-        local_11 = true;
+        local_9 = true;
     }
-    bool _e43 = local_11;
+    bool _e43 = local_9;
     if (_e43) {
         return coneMisses;
     }
     bool covers = (((perpendicular * cone.cosine) + (along_2 * cone.sine)) < (inner * 0.9999));
     if ((along_2 > inner)) {
-        local_12 = ((along_2 + inner) < (cone.length_ - cone.reach));
+        local_10 = ((along_2 + inner) < (cone.length_ - cone.reach));
     } else {
-        local_12 = false;
+        local_10 = false;
     }
-    bool between = local_12;
+    bool between = local_10;
     if (covers) {
-        local_13 = between;
+        local_11 = between;
     } else {
-        local_13 = false;
+        local_11 = false;
     }
-    bool _e68 = local_13;
+    bool _e68 = local_11;
     return (_e68 ? coneHidden : coneMeets);
 }
 
@@ -664,86 +656,86 @@ uint behindSphere(SampleGroup group_1, uint i_18, uint hidden) {
 }
 
 bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_3) {
-    bool local_14 = false;
+    bool local_12 = false;
     if (all(lessThanEqual(min(apex_1, (light_1 - vec3(cone_1.reach))), halfSize_3))) {
-        local_14 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_1.reach))), -(halfSize_3)));
+        local_12 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_1.reach))), -(halfSize_3)));
     } else {
-        local_14 = false;
+        local_12 = false;
     }
-    bool _e20 = local_14;
+    bool _e20 = local_12;
     return _e20;
 }
 
 uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1) {
-    vec3 origin_7 = vec3(0.0);
+    vec3 origin_8 = vec3(0.0);
     vec3 light_2 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
     vec3 direction_8 = vec3(0.0);
     Bounds _e4 = fetchBounds(i_19);
     Extent _e5 = fetchExtent(i_19);
-    bool turned = (_e5.a.w != 1.0);
-    origin_7 = (group_2.start.point - _e4.center);
+    bool _e7 = isTurned(_e5.a);
+    origin_8 = (group_2.start.point - _e4.center);
     light_2 = (group_2.center - _e4.center);
-    if (turned) {
-        vec3 _e20 = origin_7;
-        vec3 _e21 = rotate(_e5.a, _e20);
-        origin_7 = _e21;
-        vec3 _e23 = light_2;
-        vec3 _e24 = rotate(_e5.a, _e23);
-        light_2 = _e24;
+    if (_e7) {
+        vec3 _e18 = origin_8;
+        vec3 _e19 = rotate(_e5.a, _e18);
+        origin_8 = _e19;
+        vec3 _e21 = light_2;
+        vec3 _e22 = rotate(_e5.a, _e21);
+        light_2 = _e22;
     }
-    vec3 _e25 = origin_7;
-    vec3 _e26 = light_2;
-    bool _e29 = coneMeetsBox(cone_2, _e25, _e26, _e5.b.xyz);
-    if (!(_e29)) {
+    vec3 _e23 = origin_8;
+    vec3 _e24 = light_2;
+    bool _e27 = coneMeetsBox(cone_2, _e23, _e24, _e5.b.xyz);
+    if (!(_e27)) {
         return hidden_1;
     }
     bits_1 = hidden_1;
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e65 = k_3;
-            k_3 = (_e65 + 1u);
+            uint _e63 = k_3;
+            k_3 = (_e63 + 1u);
         }
         loop_init_7 = false;
-        uint _e34 = k_3;
-        if ((_e34 < group_2.count)) {
+        uint _e32 = k_3;
+        if ((_e32 < group_2.count)) {
         } else {
             break;
         }
         {
-            uint _e37 = k_3;
-            vec3 _e38 = toSample(group_2, _e37);
-            float distance_2 = length(_e38);
-            direction_8 = (_e38 / vec3(distance_2));
-            if (turned) {
-                vec3 _e44 = direction_8;
-                vec3 _e45 = rotate(_e5.a, _e44);
-                direction_8 = _e45;
+            uint _e35 = k_3;
+            vec3 _e36 = toSample(group_2, _e35);
+            float distance_2 = length(_e36);
+            direction_8 = (_e36 / vec3(distance_2));
+            if (_e7) {
+                vec3 _e42 = direction_8;
+                vec3 _e43 = rotate(_e5.a, _e42);
+                direction_8 = _e43;
             }
-            vec3 _e46 = origin_7;
-            vec3 _e47 = direction_8;
-            float _e55 = intersectBox(_e46, _e47, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
-            uint _e56 = bits_1;
-            uint _e59 = k_3;
-            bits_1 = (_e56 | ((_e55 < distance_2) ? (1u << _e59) : 0u));
+            vec3 _e44 = origin_8;
+            vec3 _e45 = direction_8;
+            float _e53 = intersectBox(_e44, _e45, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
+            uint _e54 = bits_1;
+            uint _e57 = k_3;
+            bits_1 = (_e54 | ((_e53 < distance_2) ? (1u << _e57) : 0u));
         }
     }
-    uint _e67 = bits_1;
-    return _e67;
+    uint _e65 = bits_1;
+    return _e65;
 }
 
 bool coneMeetsPlane(ShadowCone cone_3, vec3 normal_1, float offset_1) {
-    bool local_15 = false;
+    bool local_13 = false;
     float here = (dot(normal_1, cone_3.apex) - offset_1);
     float there = (here + (dot(normal_1, cone_3.axis) * cone_3.length_));
     if (!(((here * there) <= 0.0))) {
-        local_15 = (abs(there) <= cone_3.reach);
+        local_13 = (abs(there) <= cone_3.reach);
     } else {
-        local_15 = true;
+        local_13 = true;
     }
-    bool _e21 = local_15;
+    bool _e21 = local_13;
     return _e21;
 }
 
@@ -792,15 +784,15 @@ uint behindFlat(SampleGroup group_3, uint i_20, uint hidden_2) {
 uint hiddenSamples(SampleGroup group_4) {
     uint hidden_3 = 0u;
     uint i_21 = 0u;
+    bool local_14 = false;
+    bool local_15 = false;
+    uint i_22 = 0u;
     bool local_16 = false;
     bool local_17 = false;
-    uint i_22 = 0u;
-    bool local_18 = false;
-    bool local_19 = false;
     uint i_23 = 0u;
-    bool local_20 = false;
+    bool local_18 = false;
     bool meets = false;
-    bool local_21 = false;
+    bool local_19 = false;
     uint all_ = (4294967295u >> (32u - group_4.count));
     uvec4 ends_1 = frame.shapeEnds;
     ShadowCone _e15 = shadowCone(group_4.start.point, group_4.center, group_4.radius, group_4.points.count);
@@ -814,11 +806,11 @@ uint hiddenSamples(SampleGroup group_4) {
         uint _e20 = i_21;
         if ((_e20 < ends_1.x)) {
             uint _e25 = hidden_3;
-            local_16 = (_e25 != all_);
+            local_14 = (_e25 != all_);
         } else {
-            local_16 = false;
+            local_14 = false;
         }
-        bool _e28 = local_16;
+        bool _e28 = local_14;
         if (_e28) {
         } else {
             break;
@@ -829,11 +821,11 @@ uint hiddenSamples(SampleGroup group_4) {
             uint _e34 = coneMeetsBall(_e15, _e30.center, _e30.radius, _e30.radius);
             if (!((_e34 == coneMisses))) {
                 uint _e40 = i_21;
-                local_17 = (_e40 == group_4.start.leaves);
+                local_15 = (_e40 == group_4.start.leaves);
             } else {
-                local_17 = true;
+                local_15 = true;
             }
-            bool _e45 = local_17;
+            bool _e45 = local_15;
             if (_e45) {
                 continue;
             }
@@ -858,11 +850,11 @@ uint hiddenSamples(SampleGroup group_4) {
         uint _e56 = i_22;
         if ((_e56 < ends_1.y)) {
             uint _e61 = hidden_3;
-            local_18 = (_e61 != all_);
+            local_16 = (_e61 != all_);
         } else {
-            local_18 = false;
+            local_16 = false;
         }
-        bool _e64 = local_18;
+        bool _e64 = local_16;
         if (_e64) {
         } else {
             break;
@@ -875,11 +867,11 @@ uint hiddenSamples(SampleGroup group_4) {
             uint _e73 = coneMeetsBall(_e15, _e66.center, _e66.radius, _e70.b.w);
             if (!((_e73 == coneMisses))) {
                 uint _e79 = i_22;
-                local_19 = (_e79 == group_4.start.leaves);
+                local_17 = (_e79 == group_4.start.leaves);
             } else {
-                local_19 = true;
+                local_17 = true;
             }
-            bool _e84 = local_19;
+            bool _e84 = local_17;
             if (_e84) {
                 continue;
             }
@@ -905,11 +897,11 @@ uint hiddenSamples(SampleGroup group_4) {
         uint _e98 = frame.occluderEnd;
         if ((_e95 < _e98)) {
             uint _e102 = hidden_3;
-            local_20 = (_e102 != all_);
+            local_18 = (_e102 != all_);
         } else {
-            local_20 = false;
+            local_18 = false;
         }
-        bool _e105 = local_20;
+        bool _e105 = local_18;
         if (_e105) {
         } else {
             break;
@@ -930,11 +922,11 @@ uint hiddenSamples(SampleGroup group_4) {
             bool _e121 = meets;
             if (_e121) {
                 uint _e124 = i_23;
-                local_21 = (_e124 != group_4.start.leaves);
+                local_19 = (_e124 != group_4.start.leaves);
             } else {
-                local_21 = false;
+                local_19 = false;
             }
-            bool _e129 = local_21;
+            bool _e129 = local_19;
             if (_e129) {
                 uint _e130 = i_23;
                 uint _e131 = hidden_3;
@@ -1053,7 +1045,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_22 = false;
+    bool local_20 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1101,11 +1093,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_22 = !(_e67);
+                local_20 = !(_e67);
             } else {
-                local_22 = false;
+                local_20 = false;
             }
-            bool _e70 = local_22;
+            bool _e70 = local_20;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;
