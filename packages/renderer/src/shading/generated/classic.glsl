@@ -566,7 +566,7 @@ uint coneMeetsBall(ShadowCone cone, vec3 center_3, float outer, float inner) {
     bool local_11 = false;
     vec3 toShape = (center_3 - cone.apex);
     float along_2 = dot(toShape, cone.axis);
-    float perpendicular = sqrt(max((dot(toShape, toShape) - (along_2 * along_2)), 0.0));
+    float perpendicular = length((toShape - (along_2 * cone.axis)));
     if ((((perpendicular * cone.cosine) - (along_2 * cone.sine)) > outer)) {
         local_7 = (cone.sine < 1.0);
     } else {
@@ -584,8 +584,8 @@ uint coneMeetsBall(ShadowCone cone, vec3 center_3, float outer, float inner) {
     } else {
         local_9 = true;
     }
-    bool _e43 = local_9;
-    if (_e43) {
+    bool _e41 = local_9;
+    if (_e41) {
         return coneMisses;
     }
     bool covers = (((perpendicular * cone.cosine) + (along_2 * cone.sine)) < (inner * 0.9999));
@@ -600,8 +600,8 @@ uint coneMeetsBall(ShadowCone cone, vec3 center_3, float outer, float inner) {
     } else {
         local_11 = false;
     }
-    bool _e68 = local_11;
-    return (_e68 ? coneHidden : coneMeets);
+    bool _e66 = local_11;
+    return (_e66 ? coneHidden : coneMeets);
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
@@ -669,6 +669,7 @@ bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_3)
 uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1) {
     vec3 origin_8 = vec3(0.0);
     vec3 light_2 = vec3(0.0);
+    bool local_13 = false;
     uint bits_1 = 0u;
     uint k_3 = 0u;
     vec3 direction_8 = vec3(0.0);
@@ -685,57 +686,63 @@ uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1)
         vec3 _e22 = rotate(_e5.a, _e21);
         light_2 = _e22;
     }
-    vec3 _e23 = origin_8;
-    vec3 _e24 = light_2;
-    bool _e27 = coneMeetsBox(cone_2, _e23, _e24, _e5.b.xyz);
-    if (!(_e27)) {
+    if ((i_19 != group_2.start.inside)) {
+        vec3 _e28 = origin_8;
+        vec3 _e29 = light_2;
+        bool _e32 = coneMeetsBox(cone_2, _e28, _e29, _e5.b.xyz);
+        local_13 = !(_e32);
+    } else {
+        local_13 = false;
+    }
+    bool _e35 = local_13;
+    if (_e35) {
         return hidden_1;
     }
     bits_1 = hidden_1;
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e63 = k_3;
-            k_3 = (_e63 + 1u);
+            uint _e70 = k_3;
+            k_3 = (_e70 + 1u);
         }
         loop_init_7 = false;
-        uint _e32 = k_3;
-        if ((_e32 < group_2.count)) {
+        uint _e39 = k_3;
+        if ((_e39 < group_2.count)) {
         } else {
             break;
         }
         {
-            uint _e35 = k_3;
-            vec3 _e36 = toSample(group_2, _e35);
-            float distance_2 = length(_e36);
-            direction_8 = (_e36 / vec3(distance_2));
+            uint _e42 = k_3;
+            vec3 _e43 = toSample(group_2, _e42);
+            float distance_2 = length(_e43);
+            direction_8 = (_e43 / vec3(distance_2));
             if (_e7) {
-                vec3 _e42 = direction_8;
-                vec3 _e43 = rotate(_e5.a, _e42);
-                direction_8 = _e43;
+                vec3 _e49 = direction_8;
+                vec3 _e50 = rotate(_e5.a, _e49);
+                direction_8 = _e50;
             }
-            vec3 _e44 = origin_8;
-            vec3 _e45 = direction_8;
-            float _e53 = intersectBox(_e44, _e45, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
-            uint _e54 = bits_1;
-            uint _e57 = k_3;
-            bits_1 = (_e54 | ((_e53 < distance_2) ? (1u << _e57) : 0u));
+            vec3 _e51 = origin_8;
+            vec3 _e52 = direction_8;
+            float _e60 = intersectBox(_e51, _e52, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
+            uint _e61 = bits_1;
+            uint _e64 = k_3;
+            bits_1 = (_e61 | ((_e60 < distance_2) ? (1u << _e64) : 0u));
         }
     }
-    uint _e65 = bits_1;
-    return _e65;
+    uint _e72 = bits_1;
+    return _e72;
 }
 
 bool coneMeetsPlane(ShadowCone cone_3, vec3 normal_1, float offset_1) {
-    bool local_13 = false;
+    bool local_14 = false;
     float here = (dot(normal_1, cone_3.apex) - offset_1);
     float there = (here + (dot(normal_1, cone_3.axis) * cone_3.length_));
     if (!(((here * there) <= 0.0))) {
-        local_13 = (abs(there) <= cone_3.reach);
+        local_14 = (abs(there) <= cone_3.reach);
     } else {
-        local_13 = true;
+        local_14 = true;
     }
-    bool _e21 = local_13;
+    bool _e21 = local_14;
     return _e21;
 }
 
@@ -784,33 +791,35 @@ uint behindFlat(SampleGroup group_3, uint i_20, uint hidden_2) {
 uint hiddenSamples(SampleGroup group_4) {
     uint hidden_3 = 0u;
     uint i_21 = 0u;
-    bool local_14 = false;
     bool local_15 = false;
-    uint i_22 = 0u;
     bool local_16 = false;
     bool local_17 = false;
-    uint i_23 = 0u;
+    uint i_22 = 0u;
     bool local_18 = false;
-    bool meets = false;
     bool local_19 = false;
+    bool local_20 = false;
+    uint i_23 = 0u;
+    bool local_21 = false;
+    bool meets = false;
+    bool local_22 = false;
     uint all_ = (4294967295u >> (32u - group_4.count));
     uvec4 ends_1 = frame.shapeEnds;
     ShadowCone _e15 = shadowCone(group_4.start.point, group_4.center, group_4.radius, group_4.points.count);
     bool loop_init_9 = true;
     while(true) {
         if (!loop_init_9) {
-            uint _e52 = i_21;
-            i_21 = (_e52 + 1u);
+            uint _e60 = i_21;
+            i_21 = (_e60 + 1u);
         }
         loop_init_9 = false;
         uint _e20 = i_21;
         if ((_e20 < ends_1.x)) {
             uint _e25 = hidden_3;
-            local_14 = (_e25 != all_);
+            local_15 = (_e25 != all_);
         } else {
-            local_14 = false;
+            local_15 = false;
         }
-        bool _e28 = local_14;
+        bool _e28 = local_15;
         if (_e28) {
         } else {
             break;
@@ -819,23 +828,30 @@ uint hiddenSamples(SampleGroup group_4) {
             uint _e29 = i_21;
             Bounds _e30 = fetchBounds(_e29);
             uint _e34 = coneMeetsBall(_e15, _e30.center, _e30.radius, _e30.radius);
-            if (!((_e34 == coneMisses))) {
-                uint _e40 = i_21;
-                local_15 = (_e40 == group_4.start.leaves);
+            uint _e35 = i_21;
+            if (!((_e35 == group_4.start.leaves))) {
+                if ((_e34 == coneMisses)) {
+                    uint _e46 = i_21;
+                    local_17 = (_e46 != group_4.start.inside);
+                } else {
+                    local_17 = false;
+                }
+                bool _e51 = local_17;
+                local_16 = _e51;
             } else {
-                local_15 = true;
+                local_16 = true;
             }
-            bool _e45 = local_15;
-            if (_e45) {
+            bool _e53 = local_16;
+            if (_e53) {
                 continue;
             }
             if ((_e34 == coneHidden)) {
                 hidden_3 = all_;
             } else {
-                uint _e48 = i_21;
-                uint _e49 = hidden_3;
-                uint _e50 = behindSphere(group_4, _e48, _e49);
-                hidden_3 = _e50;
+                uint _e56 = i_21;
+                uint _e57 = hidden_3;
+                uint _e58 = behindSphere(group_4, _e56, _e57);
+                hidden_3 = _e58;
             }
         }
     }
@@ -843,45 +859,52 @@ uint hiddenSamples(SampleGroup group_4) {
     bool loop_init_10 = true;
     while(true) {
         if (!loop_init_10) {
-            uint _e91 = i_22;
-            i_22 = (_e91 + 1u);
+            uint _e107 = i_22;
+            i_22 = (_e107 + 1u);
         }
         loop_init_10 = false;
-        uint _e56 = i_22;
-        if ((_e56 < ends_1.y)) {
-            uint _e61 = hidden_3;
-            local_16 = (_e61 != all_);
+        uint _e64 = i_22;
+        if ((_e64 < ends_1.y)) {
+            uint _e69 = hidden_3;
+            local_18 = (_e69 != all_);
         } else {
-            local_16 = false;
+            local_18 = false;
         }
-        bool _e64 = local_16;
-        if (_e64) {
+        bool _e72 = local_18;
+        if (_e72) {
         } else {
             break;
         }
         {
-            uint _e65 = i_22;
-            Bounds _e66 = fetchBounds(_e65);
-            uint _e69 = i_22;
-            Extent _e70 = fetchExtent(_e69);
-            uint _e73 = coneMeetsBall(_e15, _e66.center, _e66.radius, _e70.b.w);
-            if (!((_e73 == coneMisses))) {
-                uint _e79 = i_22;
-                local_17 = (_e79 == group_4.start.leaves);
+            uint _e73 = i_22;
+            Bounds _e74 = fetchBounds(_e73);
+            uint _e77 = i_22;
+            Extent _e78 = fetchExtent(_e77);
+            uint _e81 = coneMeetsBall(_e15, _e74.center, _e74.radius, _e78.b.w);
+            uint _e82 = i_22;
+            if (!((_e82 == group_4.start.leaves))) {
+                if ((_e81 == coneMisses)) {
+                    uint _e93 = i_22;
+                    local_20 = (_e93 != group_4.start.inside);
+                } else {
+                    local_20 = false;
+                }
+                bool _e98 = local_20;
+                local_19 = _e98;
             } else {
-                local_17 = true;
+                local_19 = true;
             }
-            bool _e84 = local_17;
-            if (_e84) {
+            bool _e100 = local_19;
+            if (_e100) {
                 continue;
             }
-            if ((_e73 == coneHidden)) {
+            if ((_e81 == coneHidden)) {
                 hidden_3 = all_;
             } else {
-                uint _e87 = i_22;
-                uint _e88 = hidden_3;
-                uint _e89 = behindBox(group_4, _e87, _e15, _e88);
-                hidden_3 = _e89;
+                uint _e103 = i_22;
+                uint _e104 = hidden_3;
+                uint _e105 = behindBox(group_4, _e103, _e15, _e104);
+                hidden_3 = _e105;
             }
         }
     }
@@ -889,54 +912,54 @@ uint hiddenSamples(SampleGroup group_4) {
     bool loop_init_11 = true;
     while(true) {
         if (!loop_init_11) {
-            uint _e134 = i_23;
-            i_23 = (_e134 + 1u);
+            uint _e150 = i_23;
+            i_23 = (_e150 + 1u);
         }
         loop_init_11 = false;
-        uint _e95 = i_23;
-        uint _e98 = frame.occluderEnd;
-        if ((_e95 < _e98)) {
-            uint _e102 = hidden_3;
-            local_18 = (_e102 != all_);
+        uint _e111 = i_23;
+        uint _e114 = frame.occluderEnd;
+        if ((_e111 < _e114)) {
+            uint _e118 = hidden_3;
+            local_21 = (_e118 != all_);
         } else {
-            local_18 = false;
+            local_21 = false;
         }
-        bool _e105 = local_18;
-        if (_e105) {
+        bool _e121 = local_21;
+        if (_e121) {
         } else {
             break;
         }
         {
-            uint _e106 = i_23;
-            Bounds _e107 = fetchBounds(_e106);
+            uint _e122 = i_23;
+            Bounds _e123 = fetchBounds(_e122);
             meets = false;
-            uint _e110 = i_23;
-            bool _e111 = isPlane(_e110);
-            if (_e111) {
-                bool _e114 = coneMeetsPlane(_e15, _e107.center, _e107.radius);
-                meets = _e114;
+            uint _e126 = i_23;
+            bool _e127 = isPlane(_e126);
+            if (_e127) {
+                bool _e130 = coneMeetsPlane(_e15, _e123.center, _e123.radius);
+                meets = _e130;
             } else {
-                uint _e118 = coneMeetsBall(_e15, _e107.center, _e107.radius, 0.0);
-                meets = (_e118 != coneMisses);
+                uint _e134 = coneMeetsBall(_e15, _e123.center, _e123.radius, 0.0);
+                meets = (_e134 != coneMisses);
             }
-            bool _e121 = meets;
-            if (_e121) {
-                uint _e124 = i_23;
-                local_19 = (_e124 != group_4.start.leaves);
+            bool _e137 = meets;
+            if (_e137) {
+                uint _e140 = i_23;
+                local_22 = (_e140 != group_4.start.leaves);
             } else {
-                local_19 = false;
+                local_22 = false;
             }
-            bool _e129 = local_19;
-            if (_e129) {
-                uint _e130 = i_23;
-                uint _e131 = hidden_3;
-                uint _e132 = behindFlat(group_4, _e130, _e131);
-                hidden_3 = _e132;
+            bool _e145 = local_22;
+            if (_e145) {
+                uint _e146 = i_23;
+                uint _e147 = hidden_3;
+                uint _e148 = behindFlat(group_4, _e146, _e147);
+                hidden_3 = _e148;
             }
         }
     }
-    uint _e136 = hidden_3;
-    return _e136;
+    uint _e152 = hidden_3;
+    return _e152;
 }
 
 vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
@@ -1045,7 +1068,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_20 = false;
+    bool local_23 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1093,11 +1116,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_20 = !(_e67);
+                local_23 = !(_e67);
             } else {
-                local_20 = false;
+                local_23 = false;
             }
-            bool _e70 = local_20;
+            bool _e70 = local_23;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -489,7 +489,8 @@ struct SampleGroup {
 }
 
 
-// Bit k group: sample k of the group is hidden.
+// Bit k: sample k of the group is hidden. The cone tests leave rounding aside, so that they have no say about a solid that the
+// rays start inside of.
 fn hiddenSamples(group: SampleGroup) -> u32 {
   let all = 0xffffffffu >> (32u - group.count);
   let ends = frame.shapeEnds;
@@ -498,7 +499,7 @@ fn hiddenSamples(group: SampleGroup) -> u32 {
   for (var i = 0u; i < ends.x && hidden != all; i++) {
     let bounds = fetchBounds(i);
     let meets = coneMeetsBall(cone, bounds.center, bounds.radius, bounds.radius);
-    if (meets == coneMisses || i == group.start.leaves) {
+    if (i == group.start.leaves || (meets == coneMisses && i != group.start.inside)) {
       continue;
     }
     if (meets == coneHidden) {
@@ -510,7 +511,7 @@ fn hiddenSamples(group: SampleGroup) -> u32 {
   for (var i = ends.x; i < ends.y && hidden != all; i++) {
     let bounds = fetchBounds(i);
     let meets = coneMeetsBall(cone, bounds.center, bounds.radius, fetchExtent(i).b.w);
-    if (meets == coneMisses || i == group.start.leaves) {
+    if (i == group.start.leaves || (meets == coneMisses && i != group.start.inside)) {
       continue;
     }
     if (meets == coneHidden) {
@@ -589,7 +590,8 @@ fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone
 fn coneMeetsBall(cone: ShadowCone, center: vec3f, outer: f32, inner: f32) -> u32 {
   let toShape = center - cone.apex;
   let along = dot(toShape, cone.axis);
-  let perpendicular = sqrt(max(dot(toShape, toShape) - along * along, 0.0));
+  // Not by Pythagoras: the difference of two large squares hides small shapes that are far away.
+  let perpendicular = length(toShape - along * cone.axis);
   let beside = perpendicular * cone.cosine - along * cone.sine > outer && cone.sine < 1.0;
   let behind = along < -outer || along > cone.length + cone.reach + outer;
   if (beside || behind) {
@@ -640,7 +642,7 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
     origin = rotate(extent.a, origin);
     light = rotate(extent.a, light);
   }
-  if (!coneMeetsBox(cone, origin, light, extent.b.xyz)) {
+  if (i != group.start.inside && !coneMeetsBox(cone, origin, light, extent.b.xyz)) {
     return hidden;
   }
   var bits = hidden;
