@@ -1,4 +1,5 @@
 import { describeDevices } from './devices.ts';
+import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
 import { probeShapes } from './shapes/probe.ts';
 
@@ -6,7 +7,16 @@ import { probeShapes } from './shapes/probe.ts';
  * What specs call inside the browser: `page.evaluate((size) => window.harness.something(size), 64)`.
  * Arguments and results go through JSON-like copying, so results are plain objects and ordinary arrays.
  */
-export const harness = { describeDevices, parity, pictureOf, probeShapes };
+export const harness = {
+  describeDevices,
+  hardNames,
+  hardPicture,
+  leaks,
+  movedPicture,
+  parity,
+  pictureOf,
+  probeShapes,
+};
 
 declare global {
   interface Window {
