@@ -28,7 +28,7 @@ export const STRUCTS = {
   },
   Extent: {
     a: field('vec4f', 'box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge'),
-    b: field('vec4f', 'box: half its size, and the smallest half; quad: reciprocal of its v edge'),
+    b: field('vec4f', 'box: half its size; quad: reciprocal of its v edge'),
   },
   Material: {
     baseColor: field('vec3f', 'share of light that comes back'),

@@ -103,6 +103,9 @@ struct BallPlace {
     float across;
 };
 const uint noShape = 4294967295u;
+const uint boxMissed = 0u;
+const uint boxMet = 1u;
+const uint boxHidesLight = 2u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -689,21 +692,79 @@ uint behindSphere(SampleGroup group_2, uint i_18, ShadowCone cone_3, uint hidden
     return _e47;
 }
 
-bool coneMeetsBox(ShadowCone cone_4, vec3 apex_1, vec3 light_1, vec3 halfSize_3) {
+float max3_(vec3 v_2) {
+    return max(max(v_2.x, v_2.y), v_2.z);
+}
+
+float min3_(vec3 v_3) {
+    return min(min(v_3.x, v_3.y), v_3.z);
+}
+
+uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
     bool local_15 = false;
-    if (all(lessThanEqual(min(apex_1, (light_1 - vec3(cone_4.reach))), halfSize_3))) {
-        local_15 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_4.reach))), -(halfSize_3)));
+    bool local_16 = false;
+    bool local_17 = false;
+    bool local_18 = false;
+    bool local_19 = false;
+    bool local_20 = false;
+    float radius_4 = ((min(end, (cone_4.length_ + cone_4.reach)) * cone_4.sine) / max(cone_4.cosine, 1e-6));
+    vec3 _e15 = safeReciprocal(axis);
+    vec3 middle_1 = (-(apex_1) * _e15);
+    vec3 half_1 = (halfSize_3 * abs(_e15));
+    vec3 margin = ((1.0001 * radius_4) * abs(_e15));
+    vec3 low = (middle_1 - half_1);
+    vec3 high = (middle_1 + half_1);
+    float _e27 = max3_((low - margin));
+    float _e29 = min3_((high + margin));
+    if (!((_e27 > _e29))) {
+        local_15 = (_e29 < 0.0);
     } else {
-        local_15 = false;
+        local_15 = true;
     }
-    bool _e20 = local_15;
-    return _e20;
+    bool _e37 = local_15;
+    if (!(_e37)) {
+        local_16 = (_e27 > (cone_4.length_ + cone_4.reach));
+    } else {
+        local_16 = true;
+    }
+    bool _e46 = local_16;
+    if (_e46) {
+        return ((cone_4.sine >= 1.0) ? boxMet : boxMissed);
+    }
+    float _e54 = max3_((low + margin));
+    bool apexOutside = any(greaterThan(abs(apex_1), halfSize_3));
+    float _e59 = min3_((high - margin));
+    if ((_e54 < _e59)) {
+        local_17 = (_e54 > 0.0);
+    } else {
+        local_17 = false;
+    }
+    bool _e66 = local_17;
+    if (_e66) {
+        local_18 = (_e54 < (cone_4.length_ - cone_4.reach));
+    } else {
+        local_18 = false;
+    }
+    bool through = local_18;
+    if (through) {
+        local_19 = apexOutside;
+    } else {
+        local_19 = false;
+    }
+    bool _e80 = local_19;
+    if (_e80) {
+        local_20 = all(greaterThan(halfSize_3, vec3(radius_4)));
+    } else {
+        local_20 = false;
+    }
+    bool _e87 = local_20;
+    return (_e87 ? boxHidesLight : boxMet);
 }
 
 uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1) {
-    bool local_16 = false;
+    bool local_21 = false;
     vec3 origin_7 = vec3(0.0);
-    vec3 light_2 = vec3(0.0);
+    vec3 axis_1 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
     vec3 direction_8 = vec3(0.0);
@@ -711,88 +772,87 @@ uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1)
     BallPlace _e6 = placeBall(cone_5, _e4.center);
     bool _e8 = coneMissesBall(cone_5, _e6, _e4.radius);
     if (!(_e8)) {
-        local_16 = (i_19 == group_3.start.leaves);
+        local_21 = (i_19 == group_3.start.leaves);
     } else {
-        local_16 = true;
+        local_21 = true;
     }
-    bool _e16 = local_16;
+    bool _e16 = local_21;
     if (_e16) {
         return hidden_1;
     }
     Extent _e17 = fetchExtent(i_19);
-    bool _e20 = ballHidesLight(cone_5, _e6, _e17.b.w);
-    if (_e20) {
-        uint _e21 = everySample(group_3);
-        return _e21;
-    }
     bool turned = (_e17.a.w != 1.0);
     origin_7 = (group_3.start.point - _e4.center);
-    light_2 = (group_3.center - _e4.center);
+    axis_1 = cone_5.axis;
     if (turned) {
-        vec3 _e36 = origin_7;
-        vec3 _e37 = rotate(_e17.a, _e36);
-        origin_7 = _e37;
-        vec3 _e39 = light_2;
-        vec3 _e40 = rotate(_e17.a, _e39);
-        light_2 = _e40;
+        vec3 _e30 = origin_7;
+        vec3 _e31 = rotate(_e17.a, _e30);
+        origin_7 = _e31;
+        vec3 _e33 = axis_1;
+        vec3 _e34 = rotate(_e17.a, _e33);
+        axis_1 = _e34;
     }
-    vec3 _e41 = origin_7;
-    vec3 _e42 = light_2;
-    bool _e45 = coneMeetsBox(cone_5, _e41, _e42, _e17.b.xyz);
-    if (!(_e45)) {
+    vec3 _e35 = origin_7;
+    vec3 _e36 = axis_1;
+    uint _e42 = placeBox(cone_5, _e35, _e36, _e17.b.xyz, (_e6.along + _e4.radius));
+    if ((_e42 == boxMissed)) {
         return hidden_1;
+    }
+    if ((_e42 == boxHidesLight)) {
+        uint _e47 = everySample(group_3);
+        return _e47;
     }
     bits_1 = hidden_1;
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e83 = k_3;
-            k_3 = (_e83 + 1u);
+            uint _e84 = k_3;
+            k_3 = (_e84 + 1u);
         }
         loop_init_7 = false;
-        uint _e50 = k_3;
-        if ((_e50 < group_3.count)) {
+        uint _e51 = k_3;
+        if ((_e51 < group_3.count)) {
         } else {
             break;
         }
         {
-            uint _e53 = k_3;
-            vec3 _e54 = toSample(group_3, _e53);
-            float inverse_1 = inversesqrt(dot(_e54, _e54));
-            direction_8 = (_e54 * inverse_1);
+            uint _e54 = k_3;
+            vec3 _e55 = toSample(group_3, _e54);
+            float inverse_1 = inversesqrt(dot(_e55, _e55));
+            direction_8 = (_e55 * inverse_1);
             if (turned) {
-                vec3 _e60 = direction_8;
-                vec3 _e61 = rotate(_e17.a, _e60);
-                direction_8 = _e61;
+                vec3 _e61 = direction_8;
+                vec3 _e62 = rotate(_e17.a, _e61);
+                direction_8 = _e62;
             }
-            vec3 _e62 = origin_7;
-            vec3 _e63 = direction_8;
-            float _e71 = intersectBox(_e62, _e63, _e17.b.xyz, group_3.start.tMin, (i_19 == group_3.start.inside));
-            uint _e72 = bits_1;
-            uint _e75 = k_3;
-            bits_1 = (_e72 | (((_e71 * inverse_1) < 1.0) ? (1u << _e75) : 0u));
+            vec3 _e63 = origin_7;
+            vec3 _e64 = direction_8;
+            float _e72 = intersectBox(_e63, _e64, _e17.b.xyz, group_3.start.tMin, (i_19 == group_3.start.inside));
+            uint _e73 = bits_1;
+            uint _e76 = k_3;
+            bits_1 = (_e73 | (((_e72 * inverse_1) < 1.0) ? (1u << _e76) : 0u));
         }
     }
-    uint _e85 = bits_1;
-    return _e85;
+    uint _e86 = bits_1;
+    return _e86;
 }
 
 bool coneMeetsPlane(ShadowCone cone_6, vec3 normal_1, float offset_1) {
-    bool local_17 = false;
+    bool local_22 = false;
     float here = (dot(normal_1, cone_6.apex) - offset_1);
     float there = (here + (dot(normal_1, cone_6.axis) * cone_6.length_));
     if (!(((here * there) <= 0.0))) {
-        local_17 = (abs(there) <= cone_6.reach);
+        local_22 = (abs(there) <= cone_6.reach);
     } else {
-        local_17 = true;
+        local_22 = true;
     }
-    bool _e21 = local_17;
+    bool _e21 = local_22;
     return _e21;
 }
 
 uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2) {
     bool meets = false;
-    bool local_18 = false;
+    bool local_23 = false;
     uint bits_2 = 0u;
     uint k_4 = 0u;
     float t_4 = 0.0;
@@ -808,11 +868,11 @@ uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2
     }
     bool _e16 = meets;
     if (!(!(_e16))) {
-        local_18 = (i_20 == group_4.start.leaves);
+        local_23 = (i_20 == group_4.start.leaves);
     } else {
-        local_18 = true;
+        local_23 = true;
     }
-    bool _e25 = local_18;
+    bool _e25 = local_23;
     if (_e25) {
         return hidden_2;
     }
@@ -855,11 +915,11 @@ uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2
 uint hiddenSamples(SampleGroup group_5) {
     uint hidden_3 = 0u;
     uint i_21 = 0u;
-    bool local_19 = false;
+    bool local_24 = false;
     uint i_22 = 0u;
-    bool local_20 = false;
+    bool local_25 = false;
     uint i_23 = 0u;
-    bool local_21 = false;
+    bool local_26 = false;
     uint _e1 = everySample(group_5);
     uvec4 ends_1 = frame.shapeEnds;
     ShadowCone _e11 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
@@ -873,11 +933,11 @@ uint hiddenSamples(SampleGroup group_5) {
         uint _e16 = i_21;
         if ((_e16 < ends_1.x)) {
             uint _e21 = hidden_3;
-            local_19 = (_e21 != _e1);
+            local_24 = (_e21 != _e1);
         } else {
-            local_19 = false;
+            local_24 = false;
         }
-        bool _e24 = local_19;
+        bool _e24 = local_24;
         if (_e24) {
         } else {
             break;
@@ -900,11 +960,11 @@ uint hiddenSamples(SampleGroup group_5) {
         uint _e33 = i_22;
         if ((_e33 < ends_1.y)) {
             uint _e38 = hidden_3;
-            local_20 = (_e38 != _e1);
+            local_25 = (_e38 != _e1);
         } else {
-            local_20 = false;
+            local_25 = false;
         }
-        bool _e41 = local_20;
+        bool _e41 = local_25;
         if (_e41) {
         } else {
             break;
@@ -928,11 +988,11 @@ uint hiddenSamples(SampleGroup group_5) {
         uint _e53 = frame.occluderEnd;
         if ((_e50 < _e53)) {
             uint _e57 = hidden_3;
-            local_21 = (_e57 != _e1);
+            local_26 = (_e57 != _e1);
         } else {
-            local_21 = false;
+            local_26 = false;
         }
-        bool _e60 = local_21;
+        bool _e60 = local_26;
         if (_e60) {
         } else {
             break;
@@ -948,7 +1008,7 @@ uint hiddenSamples(SampleGroup group_5) {
     return _e67;
 }
 
-vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
+vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
     vec3 c = vec3(0.0);
     float distance2_ = dot(toLight, toLight);
     vec3 l = (toLight * inversesqrt(distance2_));
@@ -956,13 +1016,13 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
     if ((cosine <= 0.0)) {
         return vec3(0.0);
     }
-    c = ((m.baseColor * light_3.diffuse) * cosine);
+    c = ((m.baseColor * light_1.diffuse) * cosine);
     if ((m.specular > 0.0)) {
         vec3 _e21 = c;
-        c = (_e21 + ((m.specular * light_3.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
+        c = (_e21 + ((m.specular * light_1.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
     }
     vec3 _e36 = c;
-    return (_e36 * (light_3.power / distance2_));
+    return (_e36 * (light_1.power / distance2_));
 }
 
 vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, uint sampleCount) {
@@ -1054,7 +1114,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_22 = false;
+    bool local_27 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1102,11 +1162,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_22 = !(_e67);
+                local_27 = !(_e67);
             } else {
-                local_22 = false;
+                local_27 = false;
             }
-            bool _e70 = local_22;
+            bool _e70 = local_27;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -318,7 +318,7 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
-  // box: half its size, and the smallest half; quad: reciprocal of its v edge
+  // box: half its size; quad: reciprocal of its v edge
   b: vec4f,
 }
 
@@ -613,18 +613,19 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
     return hidden;
   }
   let extent = fetchExtent(i);
-  if (ballHidesLight(cone, place, extent.b.w)) {
-    return everySample(group);
-  }
   let turned = extent.a.w != 1.0;
   var origin = group.start.point - bounds.center;
-  var light = group.center - bounds.center;
+  var axis = cone.axis;
   if (turned) {
     origin = rotate(extent.a, origin);
-    light = rotate(extent.a, light);
+    axis = rotate(extent.a, axis);
   }
-  if (!coneMeetsBox(cone, origin, light, extent.b.xyz)) {
+  let meets = placeBox(cone, origin, axis, extent.b.xyz, place.along + bounds.radius);
+  if (meets == boxMissed) {
     return hidden;
+  }
+  if (meets == boxHidesLight) {
+    return everySample(group);
   }
   var bits = hidden;
   for (var k = 0u; k < group.count; k++) {
@@ -640,10 +641,41 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
   return bits;
 }
 
-// Whether the box that holds the cone meets a box about the origin; apex and the light's centre in that box's frame.
-fn coneMeetsBox(cone: ShadowCone, apex: vec3f, light: vec3f, halfSize: vec3f) -> bool {
-  return all(min(apex, light - cone.reach) <= halfSize) && all(max(apex, light + cone.reach) >= -halfSize);
+// `apex` and `axis` in the box's frame; `end`: how far along the axis the box may reach.
+fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f32) -> u32 {
+  let radius = min(end, cone.length + cone.reach) * cone.sine / max(cone.cosine, 1e-6);
+  let inverse = safeReciprocal(axis);
+  let middle = -apex * inverse;
+  let half = halfSize * abs(inverse);
+  let margin = 1.0001 * radius * abs(inverse);
+  let low = middle - half;
+  let high = middle + half;
+  let grownNear = max3(low - margin);
+  let grownFar = min3(high + margin);
+  if (grownNear > grownFar || grownFar < 0.0 || grownNear > cone.length + cone.reach) {
+    return select(boxMissed, boxMet, cone.sine >= 1.0);
+  }
+  let near = max3(low + margin);
+  let apexOutside = any(abs(apex) > halfSize);
+  let through = near < min3(high - margin) && near > 0.0 && near < cone.length - cone.reach;
+  return select(boxMet, boxHidesLight, through && apexOutside && all(halfSize > vec3f(radius)));
 }
+
+// How a box about the origin lies to the cone, told by the cone's axis alone: against the box grown by the cone's radius where the
+// box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
+const boxMissed = 0u;
+
+const boxHidesLight = 2u;
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+fn min3(v: vec3f) -> f32 {
+  return min(min(v.x, v.y), v.z);
+}
+
+const boxMet = 1u;
 
 fn behindFlat(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
   let bounds = fetchBounds(i);

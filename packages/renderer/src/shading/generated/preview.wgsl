@@ -174,7 +174,7 @@ struct Bounds {
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
-  // box: half its size, and the smallest half; quad: reciprocal of its v edge
+  // box: half its size; quad: reciprocal of its v edge
   b: vec4f,
 }
 
