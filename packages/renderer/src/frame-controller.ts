@@ -1,11 +1,14 @@
 /**
- * Keeps a moving picture smooth on weak machines: from what drawing a pixel has cost lately it chooses how many pixels the next
- * frame may have, and how many rows one submit may have, so that no submit runs long. Pure arithmetic, no clock of its own.
+ * Keeps a moving picture smooth on weak machines: from what frames have taken lately it chooses how many pixels the next one may
+ * have, and how many rows one submit may have, so that no submit runs long. Pure arithmetic, no clock of its own.
+ *
+ * The model is milliseconds = fixed + perPixel · pixels, fitted by least squares over the last frames: showing a film on a large
+ * canvas costs something whatever the film's size, and a smaller film cannot buy that back.
  */
 
 /** Longest stretch of device work in one submit, milliseconds: far below any watchdog, and the page stays responsive. */
 const LONGEST_SUBMIT_MS = 40;
-/** Share of the frame's time that tracing may take; the rest is the browser's. */
+/** Share of the frame's time that the device may take; the rest is the browser's. */
 const SHARE = 0.8;
 /** Film pixels to try before anything is known. */
 const FIRST_PIXELS = 512 * 512;
@@ -13,46 +16,77 @@ const FIRST_PIXELS = 512 * 512;
 const LEAST_SCALE = 1 / 8;
 /** Steps of the scale, so that it does not flicker from frame to frame. */
 const STEPS = 16;
+/** Weight of the past when a frame is added: about the last thirty count. */
+const MEMORY = 0.97;
+/** Every so many frames one is a step larger, since frames of one size do not tell the two parts of the cost apart. */
+const TRY_LARGER = 24;
+const LARGER = 1.3;
 
 export class FrameController {
-  /** Milliseconds a film pixel; unknown at first. */
-  #cost: number | null = null;
+  // Decayed sums over frames of 1, pixels, milliseconds, pixels², pixels · milliseconds.
+  #n = 0;
+  #x = 0;
+  #y = 0;
+  #xx = 0;
+  #xy = 0;
   #scale = 1;
+  #frames = 0;
 
-  /** Milliseconds that a pixel takes by now, or null. */
-  get costPerPixel(): number | null {
-    return this.#cost;
+  /** What a finished submit took. */
+  measured(pixels: number, milliseconds: number): void {
+    this.#n = this.#n * MEMORY + 1;
+    this.#x = this.#x * MEMORY + pixels;
+    this.#y = this.#y * MEMORY + milliseconds;
+    this.#xx = this.#xx * MEMORY + pixels * pixels;
+    this.#xy = this.#xy * MEMORY + pixels * milliseconds;
   }
 
-  /** What a finished stretch of work took. */
-  measured(pixels: number, milliseconds: number): void {
-    const cost = milliseconds / pixels;
-    // Rises at once, falls slowly: a wrong guess upwards makes a soft picture, one downwards a stutter.
-    this.#cost = this.#cost === null || cost > this.#cost ? cost : this.#cost + (cost - this.#cost) * 0.2;
+  /** Milliseconds of a frame: `fixed` + `perPixel` · pixels; null while nothing is known. */
+  get cost(): { readonly fixed: number; readonly perPixel: number } | null {
+    if (this.#n === 0) return null;
+    const spread = this.#n * this.#xx - this.#x * this.#x;
+    const mean = this.#y / this.#x;
+    // Frames of one size tell nothing of the two parts: all counts as the pixels'.
+    if (spread < 1e-3 * this.#x * this.#x) return { fixed: 0, perPixel: mean };
+    const slope = (this.#n * this.#xy - this.#x * this.#y) / spread;
+    const perPixel = Math.min(Math.max(slope, 0.1 * mean), mean);
+    return { fixed: (this.#y - perPixel * this.#x) / this.#n, perPixel };
   }
 
   /** The work of a pixel is about to become this many times as large. */
   workChanged(factor: number): void {
-    if (this.#cost !== null) this.#cost *= factor;
+    this.#y *= factor;
+    this.#xy *= factor;
   }
 
   /** Share of the canvas's width and height that a moving frame may have: `largest` or less. */
   movingScale(canvasPixels: number, targetFps: number, largest: number): number {
-    if (this.#cost === null) return Math.min(Math.sqrt(FIRST_PIXELS / canvasPixels), largest);
-    const reach = (fps: number) => Math.sqrt((SHARE * 1000) / fps / Math.max(this.#cost! * canvasPixels, 1e-9));
-    // A target that would need a picture of a few blocks is given up for half of it.
-    const wanted = reach(targetFps) < 2 * LEAST_SCALE ? reach(targetFps / 2) : reach(targetFps);
-    const fits = Math.min(Math.max(wanted, LEAST_SCALE), largest);
-    const stepped = Math.max(Math.floor(fits * STEPS) / STEPS, Math.min(LEAST_SCALE, largest));
-    // Up only when a whole step more has room, so that the size does not swing.
-    const swings = stepped > this.#scale && stepped - this.#scale <= 1 / STEPS && fits < stepped + 0.5 / STEPS;
-    if (!swings || this.#scale > largest) this.#scale = fits === largest ? largest : stepped;
-    return this.#scale;
+    const cost = this.cost;
+    if (!cost) return Math.min(Math.sqrt(FIRST_PIXELS / canvasPixels), largest);
+    const affordable = (fps: number) => ((SHARE * 1000) / fps - cost.fixed) / cost.perPixel;
+    // A target that would leave a picture of a few blocks is given up for half of it. Below the size at which the pixels cost no
+    // more than the fixed part there is little to win.
+    const few = 4 * LEAST_SCALE * LEAST_SCALE * canvasPixels;
+    const pixels = affordable(targetFps) < few ? affordable(targetFps / 2) : affordable(targetFps);
+    const worthwhile = Math.max(pixels, (0.5 * cost.fixed) / cost.perPixel);
+    const fits = Math.min(Math.max(Math.sqrt(worthwhile / canvasPixels), LEAST_SCALE), largest);
+    this.#scale = fits >= largest ? largest : this.#stepped(fits, largest);
+    return ++this.#frames % TRY_LARGER === 0 ? Math.min(this.#scale * LARGER, largest) : this.#scale;
+  }
+
+  /** Down at once; up only when there is room for a good part of the step more, so that the size does not swing. */
+  #stepped(fits: number, largest: number): number {
+    const down = Math.max(Math.floor(fits * STEPS) / STEPS, Math.min(LEAST_SCALE, largest));
+    const oneUp = down > this.#scale && down - this.#scale <= 1 / STEPS;
+    return oneUp && fits < down + 0.5 / STEPS ? this.#scale : down;
   }
 
   /** Rows of this width that one submit may have. */
   rowsPerSubmit(width: number): number {
-    if (this.#cost === null) return Math.max(Math.floor(FIRST_PIXELS / width), 1);
-    return Math.max(Math.floor(LONGEST_SUBMIT_MS / (this.#cost * width)), 1);
+    const cost = this.cost;
+    const pixels = cost
+      ? (LONGEST_SUBMIT_MS - Math.min(cost.fixed, LONGEST_SUBMIT_MS / 2)) / cost.perPixel
+      : FIRST_PIXELS;
+    return Math.max(Math.floor(pixels / width), 1);
   }
 }

@@ -25,6 +25,7 @@ export class GpuRenderer implements Renderer {
   #frameRequest = 0;
   #lastTick: number | null = null;
   #lastShown = 0;
+  #interval = 1000;
   #lastChange = 0;
   #inFlight = 0;
   /** A sample that takes several submits is under way. */
@@ -220,13 +221,15 @@ export class GpuRenderer implements Renderer {
     const { film } = stages;
     const frameMs = Math.max(now - Math.max(started, this.#lastShown), 0.01);
     const interval = now - this.#lastShown;
-    const fps = interval > 1000 ? 0 : this.#stats.fps + (1000 / Math.max(interval, 1) - this.#stats.fps) * 0.1;
+    // The mean of the intervals, not of their reciprocals: two frames that finish together are not a thousand a second.
+    this.#interval = interval > 1000 ? interval : this.#interval + (interval - this.#interval) * 0.1;
+    const fps = 1000 / this.#interval;
     this.#lastShown = now;
     this.#stats = {
       backend: this.backend,
       fps,
       frameMs,
-      samples: stages.complete ? film.samples : 0,
+      samples: this.#filmComplete ? film.samples : 0,
       mraysPerSecond: (film.width * film.height * this.#rays) / frameMs / 1000,
       filmWidth: film.width,
       filmHeight: film.height,

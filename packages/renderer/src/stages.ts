@@ -36,6 +36,8 @@ export class Stages {
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
+  /** Whether the integrator has drawn something. */
+  #warm = false;
 
   /** Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. */
   static async open(device: Device): Promise<Stages> {
@@ -120,8 +122,10 @@ export class Stages {
     const now = performance.now();
     const milliseconds = now - Math.max(submitted, this.#lastFinish);
     this.#lastFinish = now;
-    // The preview's cost says nothing about the integrator's.
-    if (pass === this.#classic) controller.measured(pixels, milliseconds);
+    // The preview's cost says nothing about the integrator's, whose first frame waits for the driver's code generation.
+    if (pass !== this.#classic) return;
+    if (this.#warm) controller.measured(pixels, milliseconds);
+    this.#warm = true;
   }
 
   /** Puts the film on the canvas. `exposure` in stops. */

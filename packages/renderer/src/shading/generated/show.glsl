@@ -25,15 +25,18 @@ vec3 mean(vec2 texel) {
     return (sum.xyz / vec3(max(sum.w, 1.0)));
 }
 
-vec3 srgb(vec3 linear) {
-    vec3 c = clamp(linear, vec3(0.0), vec3(1.0));
-    return mix(((1.055 * pow(max(c, vec3(0.0031308)), vec3(0.41666666))) - vec3(0.055)), (12.92 * c), lessThanEqual(c, vec3(0.0031308)));
+vec3 srgb(vec3 c) {
+    vec3 r2_ = sqrt(c);
+    vec3 r4_ = sqrt(r2_);
+    vec3 r8_ = sqrt(r4_);
+    vec3 curve = ((((0.6620027 * r2_) + (0.6841221 * r4_)) - (0.3235836 * r8_)) - (0.022541147 * c));
+    return mix(curve, (12.92 * c), lessThanEqual(c, vec3(0.0031308)));
 }
 
 vec3 shown(vec2 texel_1) {
     vec3 _e1 = mean(texel_1);
     float _e4 = display.exposure;
-    return min((_e1 * _e4), vec3(1.0));
+    return clamp((_e1 * _e4), vec3(0.0), vec3(1.0));
 }
 
 void main() {
