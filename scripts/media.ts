@@ -81,16 +81,25 @@ async function sideBySide(shoot: Shooter, shots: readonly Shot[]): Promise<Pictu
 /** Width of the line between two pictures, pixels. */
 const LINE = 2;
 
-/** The three scenes one after another. */
+/** The three scenes one after another, and the second of scene time that each begins with. */
+const REEL = [
+  ['cube-room', 7.4],
+  ['mirror-blocks', 1.2],
+  ['moving-shadows', 0.5],
+] as const;
+const FRAMES = 24;
+/** Milliseconds; GIF counts in hundredths of a second. */
+const FRAME_MS = 70;
+
 async function animation(shoot: Shooter): Promise<Uint8Array> {
-  const [width, height, seconds, fps] = [360, 225, 1.6, 12.5];
   const gif = gifenc.GIFEncoder();
-  for (const scene of ['cube-room', 'mirror-blocks', 'moving-shadows'] as const) {
+  for (const [scene, start] of REEL) {
     const frames: Picture[] = [];
-    for (let n = 0; n < seconds * fps; n++) {
-      frames.push(await shoot({ scene, width, height, time: 0.5 + n / fps, filmSamples: 8 }));
+    for (let n = 0; n < FRAMES; n++) {
+      const time = start + (n * FRAME_MS) / 1000;
+      frames.push(await shoot({ scene, width: 360, height: 225, time, filmSamples: 8 }));
     }
-    addFrames(gif, frames, 1000 / fps);
+    addFrames(gif, frames);
   }
   gif.finish();
   return gif.bytes();
@@ -100,29 +109,49 @@ async function animation(shoot: Shooter): Promise<Uint8Array> {
 const LEAVE_ALONE = 3;
 
 /** Adds the frames of one scene: one palette for all of them, and only the pixels that changed. */
-function addFrames(gif: ReturnType<typeof gifenc.GIFEncoder>, frames: readonly Picture[], delay: number): void {
+function addFrames(gif: ReturnType<typeof gifenc.GIFEncoder>, frames: readonly Picture[]): void {
   const { width, height } = frames[0]!;
   const some = frames.filter((_, n) => n % 4 === 0).flatMap(({ rgba }) => [...rgba]);
   const palette = gifenc.quantize(Uint8Array.from(some), 255, { format: 'rgb565' });
   const clear = palette.length;
   const shown = new Uint8Array(width * height * 4);
-  frames.forEach(({ rgba }, n) => {
-    const index = gifenc.applyPalette(rgba, palette, 'rgb565');
+  frames.forEach((frame, n) => {
+    const { rgba } = frame;
+    const index = gifenc.applyPalette(dithered(frame), palette, 'rgb565');
     for (let p = 0; p < width * height; p++) {
       const off = [0, 1, 2].map((c) => Math.abs(rgba[p * 4 + c]! - shown[p * 4 + c]!));
       if (n > 0 && Math.max(...off) <= LEAVE_ALONE) index[p] = clear;
       else shown.set(rgba.subarray(p * 4, p * 4 + 4), p * 4);
     }
-    const colors = [...palette, [0, 0, 0]];
     gif.writeFrame(index, width, height, {
-      palette: colors,
-      delay,
+      palette: [...palette, [0, 0, 0]],
+      delay: FRAME_MS,
       transparent: n > 0,
       transparentIndex: clear,
       dispose: 1,
       repeat: 0,
     });
   });
+}
+
+/** Distance between the darkest and the lightest that dithering makes of one grey, 0 … 255. */
+const DITHER = 10;
+
+/** Bayer's ordered dithering, so that 255 colours show no bands. It stands still, so what is at rest stays so. */
+function dithered({ width, rgba }: Picture): Uint8ClampedArray {
+  return Uint8ClampedArray.from(rgba, (byte, k) => {
+    const [x, y] = [(k >> 2) % width, Math.floor((k >> 2) / width)];
+    return byte + (bayer(x, y) - 0.5) * DITHER;
+  });
+}
+
+/** The 8 × 8 matrix of thresholds, 0 … 1: bits of x ^ y and y, in reverse order and interleaved. */
+function bayer(x: number, y: number): number {
+  let threshold = 0;
+  for (let bit = 0; bit < 3; bit++) {
+    threshold = (threshold << 2) | ((((x ^ y) >> bit) & 1) << 1) | ((y >> bit) & 1);
+  }
+  return (threshold + 0.5) / 64;
 }
 
 /** Opens the studio without its controls; what it shows is taken from its film. */
