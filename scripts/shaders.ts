@@ -1,6 +1,6 @@
 /**
- * WESL modules → linked WGSL → GLSL ES 3.00, into packages/renderer/src/shading/generated. `--check` writes nothing and
- * exits with 1 when a committed file is stale.
+ * WESL modules → linked WGSL → GLSL ES 3.00, into packages/renderer/src/shading/generated, and the tests' own programs into
+ * tests/browser/harness/generated. `--check` writes nothing and exits with 1 when a committed file is stale.
  */
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
@@ -9,10 +9,21 @@ import { translate } from 'naga-wasm';
 import { link } from 'wesl';
 import { fetchWgsl, structsWgsl } from '../packages/renderer/src/packed-scene/layout.ts';
 
-const source = resolve(dirname(fileURLToPath(import.meta.url)), '../packages/renderer/src');
+const repository = resolve(dirname(fileURLToPath(import.meta.url)), '..');
+const source = join(repository, 'packages/renderer/src');
+const harness = join(repository, 'tests/browser/harness');
+const RENDERER_OUTPUT = 'packages/renderer/src/shading/generated';
+const TESTS_OUTPUT = 'tests/browser/harness/generated';
 
+interface Program {
+  readonly name: string;
+  readonly root: string;
+  readonly entries: readonly { readonly entry: string; readonly stage: 'vertex' | 'fragment' }[];
+  /** Default: RENDERER_OUTPUT. */
+  readonly output?: string;
+}
 /** Linked programs: the module that holds the entry points, and what WebGL2 needs of each. */
-const PROGRAMS = [
+const PROGRAMS: readonly Program[] = [
   { name: 'classic', root: 'integrator/classic/classic', entries: [{ entry: 'classic', stage: 'fragment' }] },
   {
     name: 'preview',
@@ -28,16 +39,29 @@ const PROGRAMS = [
       { entry: 'show', stage: 'fragment' },
     ],
   },
-] as const;
+  {
+    name: 'shape_probe',
+    root: 'tests/shape-probe',
+    entries: [{ entry: 'shapeProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+];
 
-function weslModules(): Record<string, string> {
+/** The modules below a folder, by their path from it with `prefix` in front. */
+function modulesIn(folder: string, prefix: string): Record<string, string> {
   const modules: Record<string, string> = {};
-  for (const entry of readdirSync(source, { recursive: true, withFileTypes: true })) {
+  for (const entry of readdirSync(folder, { recursive: true, withFileTypes: true })) {
     if (!entry.isFile() || !entry.name.endsWith('.wesl')) continue;
     const path = join(entry.parentPath, entry.name);
-    modules[`./${relative(source, path).replaceAll('\\', '/')}`] = readFileSync(path, 'utf8').replaceAll('\r\n', '\n');
+    const text = readFileSync(path, 'utf8').replaceAll('\r\n', '\n');
+    modules[`./${prefix}${relative(folder, path).replaceAll('\\', '/')}`] = text;
   }
-  return { ...modules, './shading/layout.wesl': structsWgsl(), './shading/scene_table.wesl': fetchWgsl() };
+  return modules;
+}
+
+function weslModules(): Record<string, string> {
+  const written = { './shading/layout.wesl': structsWgsl(), './shading/scene_table.wesl': fetchWgsl() };
+  return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...written };
 }
 
 /** naga names blocks `Frame_block_0Fragment` and samplers `_group_0_binding_4_fs`; give them the WGSL names again. */
@@ -53,13 +77,13 @@ function readableGlsl(glsl: string, wgsl: string): string {
 async function generate(): Promise<Record<string, string>> {
   const weslSrc = weslModules();
   const files: Record<string, string> = {
-    'shading/layout.wesl': structsWgsl(),
-    'shading/scene_table.wesl': fetchWgsl(),
+    'packages/renderer/src/shading/layout.wesl': structsWgsl(),
+    'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
   };
-  for (const { name, root, entries } of PROGRAMS) {
+  for (const { name, root, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
     const linked = await link({ weslSrc, rootModuleName: `./${root}.wesl` });
     const wgsl = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n${linked.dest.trim()}\n`;
-    files[`shading/generated/${name}.wgsl`] = wgsl;
+    files[`${output}/${name}.wgsl`] = wgsl;
     for (const { entry, stage } of entries) {
       const glsl = translate({
         from: 'wgsl',
@@ -67,7 +91,7 @@ async function generate(): Promise<Record<string, string>> {
         source: wgsl,
         options: { version: '300 es', stage, entryPoint: entry, flags: { adjustCoordinateSpace: false } },
       });
-      files[`shading/generated/${entry}.glsl`] = readableGlsl(glsl, wgsl);
+      files[`${output}/${entry}.glsl`] = readableGlsl(glsl, wgsl);
     }
   }
   return files;
@@ -76,7 +100,7 @@ async function generate(): Promise<Record<string, string>> {
 const check = process.argv.includes('--check');
 const stale: string[] = [];
 for (const [path, text] of Object.entries(await generate())) {
-  const file = join(source, path);
+  const file = join(repository, path);
   let old = '';
   try {
     old = readFileSync(file, 'utf8').replaceAll('\r\n', '\n');

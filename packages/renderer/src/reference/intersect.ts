@@ -10,9 +10,9 @@ import type { Ball, PreparedBox, PreparedPlane, PreparedQuad, PreparedShape } fr
 import type { Ray } from './ray.ts';
 import { addScaled, dot, negate, normalize, subtract } from './vec3.ts';
 
-/** Picks from the two ends of the stretch that a ray has inside a convex shape. */
+/** Picks from the two ends of the stretch that a ray has inside a convex shape. What starts inside cannot but meet the far end. */
 function closestEnd(near: number, far: number, ray: Ray, leavingIt: boolean): number {
-  if (leavingIt) return far > 0 ? far : Infinity;
+  if (leavingIt) return Math.max(far, 0);
   if (near > ray.tMin) return near;
   return far > ray.tMin ? far : Infinity;
 }

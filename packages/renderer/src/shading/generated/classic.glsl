@@ -121,7 +121,6 @@ Hit nearer(Hit hit, float t, uint shape) {
 
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
     bool local = false;
-    bool local_1 = false;
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction);
     vec3 across = (toCenter - (along * direction));
@@ -129,20 +128,14 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    if ((near > tMin)) {
-        local = !(startsInside);
+    float t_5 = ((near > tMin) ? near : far);
+    if ((discriminant >= 0.0)) {
+        local = (t_5 > tMin);
     } else {
         local = false;
     }
-    bool _e23 = local;
-    float t_5 = (_e23 ? near : far);
-    if ((discriminant >= 0.0)) {
-        local_1 = (t_5 > tMin);
-    } else {
-        local_1 = false;
-    }
-    bool _e31 = local_1;
-    return ((startsInside ? (t_5 > 0.0) : _e31) ? t_5 : 1e30);
+    bool _e26 = local;
+    return (startsInside ? max(far, 0.0) : (_e26 ? t_5 : 1e30));
 }
 
 float hitSphere(uint i, Bounds bounds, Ray ray) {
@@ -161,91 +154,90 @@ Extent fetchExtent(uint i_2) {
     return Extent(t0_1.xyzw, t1_.xyzw);
 }
 
-vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_6 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
+bool isTurned(vec4 q) {
+    return any(notEqual(q.xyz, vec3(0.0)));
 }
 
-vec3 safeReciprocal(vec3 d) {
-    return (vec3(1.0) / mix(d, vec3(1e-18), lessThan(abs(d), vec3(1e-18))));
+vec3 rotate(vec4 q_1, vec3 v) {
+    vec3 t_6 = (2.0 * cross(q_1.xyz, v));
+    return ((v + (q_1.w * t_6)) + cross(q_1.xyz, t_6));
 }
 
-Slabs boxSlabs(vec3 origin_1, vec3 direction_1, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_1);
-    vec3 middle = (-(origin_1) * _e3);
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_2, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    bool local_2 = false;
-    bool local_3 = false;
-    Slabs _e5 = boxSlabs(origin_2, direction_2, halfSize_1);
-    if ((_e5.near > tMin_1)) {
-        local_2 = !(startsInside_1);
-    } else {
-        local_2 = false;
-    }
-    bool _e14 = local_2;
-    float t_7 = (_e14 ? _e5.near : _e5.far);
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    bool local_1 = false;
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
+    float t_7 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
     if ((_e5.near <= _e5.far)) {
-        local_3 = (t_7 > (startsInside_1 ? 0.0 : tMin_1));
+        local_1 = (t_7 > tMin_1);
     } else {
-        local_3 = false;
+        local_1 = false;
     }
-    bool _e25 = local_3;
-    return (_e25 ? t_7 : 1e30);
+    bool _e18 = local_1;
+    return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_7 : 1e30));
 }
 
 float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
-    vec3 origin_3 = vec3(0.0);
+    vec3 origin_4 = vec3(0.0);
     vec3 direction_3 = vec3(0.0);
     Extent _e3 = fetchExtent(i_3);
-    origin_3 = (ray_1.start.point - bounds_1.center);
+    origin_4 = (ray_1.start.point - bounds_1.center);
     direction_3 = ray_1.direction;
-    if ((_e3.a.w != 1.0)) {
-        vec3 _e16 = origin_3;
-        vec3 _e17 = rotate(_e3.a, _e16);
-        origin_3 = _e17;
-        vec3 _e19 = direction_3;
-        vec3 _e20 = rotate(_e3.a, _e19);
-        direction_3 = _e20;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_4;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_4 = _e15;
+        vec3 _e17 = direction_3;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_3 = _e18;
     }
-    vec3 _e21 = origin_3;
-    vec3 _e22 = direction_3;
-    float _e30 = intersectBox(_e21, _e22, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
-    return ((i_3 == ray_1.start.leaves) ? 1e30 : _e30);
+    vec3 _e19 = origin_4;
+    vec3 _e20 = direction_3;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
+    return ((i_3 == ray_1.start.leaves) ? 1e30 : _e28);
 }
 
-float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    bool local_2 = false;
+    bool local_3 = false;
     bool local_4 = false;
-    bool local_5 = false;
-    bool local_6 = false;
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_2);
-    vec3 toCenter_1 = (center_1 - origin_4);
+    vec3 toCenter_1 = (center_1 - origin_5);
     float t_8 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p_2 = ((t_8 * direction_4) - toCenter_1);
     if ((abs(dot(p_2, reciprocalU)) <= 0.500001)) {
-        local_4 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
+        local_2 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
+    } else {
+        local_2 = false;
+    }
+    bool within = local_2;
+    if ((t_8 > tMin_2)) {
+        local_3 = (t_8 < 1e30);
+    } else {
+        local_3 = false;
+    }
+    bool _e34 = local_3;
+    if (_e34) {
+        local_4 = within;
     } else {
         local_4 = false;
     }
-    bool within = local_4;
-    if ((t_8 > tMin_2)) {
-        local_5 = (t_8 < 1e30);
-    } else {
-        local_5 = false;
-    }
-    bool _e34 = local_5;
-    if (_e34) {
-        local_6 = within;
-    } else {
-        local_6 = false;
-    }
-    bool _e38 = local_6;
+    bool _e38 = local_4;
     return (_e38 ? t_8 : 1e30);
 }
 
@@ -255,17 +247,17 @@ float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
     return ((i_4 == ray_2.start.leaves) ? 1e30 : _e14);
 }
 
-float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
-    bool local_7 = false;
+float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
+    bool local_5 = false;
     float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset - dot(origin_5, normal)) / ((speed_1 == 0.0) ? 1e-30 : speed_1));
+    float t_9 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     if ((t_9 > tMin_3)) {
-        local_7 = (t_9 < 1e30);
+        local_5 = (abs(speed_1) > 1e-12);
     } else {
-        local_7 = false;
+        local_5 = false;
     }
-    bool _e19 = local_7;
-    return (_e19 ? t_9 : 1e30);
+    bool _e20 = local_5;
+    return (_e20 ? t_9 : 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
@@ -476,15 +468,15 @@ bool isFlat(uint i_15) {
     return (i_15 >= _e4);
 }
 
-vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    bool local_8 = false;
-    Slabs _e5 = boxSlabs(origin_6, direction_7, halfSize_2);
+vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    bool local_6 = false;
+    Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
     if ((_e5.near > tMin_4)) {
-        local_8 = !(startsInside_2);
+        local_6 = !(startsInside_2);
     } else {
-        local_8 = false;
+        local_6 = false;
     }
-    bool entering = local_8;
+    bool entering = local_6;
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_10 = (entering ? _e5.near : _e5.far);
     vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
@@ -497,17 +489,17 @@ vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, b
     return vec3(0.0, 0.0, side.z);
 }
 
-vec3 rotateBack(vec4 q_1, vec3 v_1) {
-    vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
+vec3 rotateBack(vec4 q_2, vec3 v_1) {
+    vec3 _e6 = rotate(vec4(-(q_2.xyz), q_2.w), v_1);
     return _e6;
 }
 
 vec3 outwardNormal(uint i_16, Ray ray_7, float t_3) {
     Bounds _e3 = fetchBounds(i_16);
-    vec3 origin_8 = (ray_7.start.point - _e3.center);
+    vec3 origin_9 = (ray_7.start.point - _e3.center);
     bool _e8 = isSphere(i_16);
     if (_e8) {
-        return normalize((origin_8 + (t_3 * ray_7.direction)));
+        return normalize((origin_9 + (t_3 * ray_7.direction)));
     }
     bool _e13 = isPlane(i_16);
     if (_e13) {
@@ -519,7 +511,7 @@ vec3 outwardNormal(uint i_16, Ray ray_7, float t_3) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
     bool inside = (i_16 == ray_7.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_8);
+    vec3 _e27 = rotate(_e15.a, origin_9);
     vec3 _e30 = rotate(_e15.a, ray_7.direction);
     vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);
@@ -581,46 +573,46 @@ BallPlace placeBall(ShadowCone cone, vec3 center_3) {
 }
 
 bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
+    bool local_7 = false;
+    bool local_8 = false;
     bool local_9 = false;
-    bool local_10 = false;
-    bool local_11 = false;
     if ((((ball.across * cone_1.cosine) - (ball.along * cone_1.sine)) > radius_2)) {
-        local_9 = (cone_1.sine < 1.0);
+        local_7 = (cone_1.sine < 1.0);
     } else {
-        local_9 = false;
+        local_7 = false;
     }
-    bool beside = local_9;
+    bool beside = local_7;
     if (!(beside)) {
-        local_10 = (ball.along < -(radius_2));
+        local_8 = (ball.along < -(radius_2));
     } else {
-        local_10 = true;
+        local_8 = true;
     }
-    bool _e25 = local_10;
+    bool _e25 = local_8;
     if (!(_e25)) {
-        local_11 = (ball.along > ((cone_1.length_ + cone_1.reach) + radius_2));
+        local_9 = (ball.along > ((cone_1.length_ + cone_1.reach) + radius_2));
     } else {
-        local_11 = true;
+        local_9 = true;
     }
-    bool _e36 = local_11;
+    bool _e36 = local_9;
     return _e36;
 }
 
 bool ballHidesLight(ShadowCone cone_2, BallPlace ball_1, float radius_3) {
-    bool local_12 = false;
-    bool local_13 = false;
+    bool local_10 = false;
+    bool local_11 = false;
     bool covers = (((ball_1.across * cone_2.cosine) + (ball_1.along * cone_2.sine)) < (radius_3 * 0.9999));
     if (covers) {
-        local_12 = (ball_1.along > radius_3);
+        local_10 = (ball_1.along > radius_3);
     } else {
-        local_12 = false;
+        local_10 = false;
     }
-    bool _e18 = local_12;
+    bool _e18 = local_10;
     if (_e18) {
-        local_13 = ((ball_1.along + radius_3) < (cone_2.length_ - cone_2.reach));
+        local_11 = ((ball_1.along + radius_3) < (cone_2.length_ - cone_2.reach));
     } else {
-        local_13 = false;
+        local_11 = false;
     }
-    bool _e28 = local_13;
+    bool _e28 = local_11;
     return _e28;
 }
 
@@ -645,18 +637,18 @@ vec3 toSample(SampleGroup group_1, uint k_1) {
 }
 
 uint behindSphere(SampleGroup group_2, uint i_18, ShadowCone cone_3, uint hidden) {
-    bool local_14 = false;
+    bool local_12 = false;
     uint bits = 0u;
     uint k_2 = 0u;
     Bounds _e4 = fetchBounds(i_18);
     BallPlace _e6 = placeBall(cone_3, _e4.center);
     bool _e8 = coneMissesBall(cone_3, _e6, _e4.radius);
     if (!(_e8)) {
-        local_14 = (i_18 == group_2.start.leaves);
+        local_12 = (i_18 == group_2.start.leaves);
     } else {
-        local_14 = true;
+        local_12 = true;
     }
-    bool _e16 = local_14;
+    bool _e16 = local_12;
     if (_e16) {
         return hidden;
     }
@@ -701,14 +693,14 @@ float min3_(vec3 v_3) {
 }
 
 uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
+    bool local_13 = false;
+    bool local_14 = false;
     bool local_15 = false;
     bool local_16 = false;
     bool local_17 = false;
     bool local_18 = false;
-    bool local_19 = false;
-    bool local_20 = false;
     float radius_4 = ((min(end, (cone_4.length_ + cone_4.reach)) * cone_4.sine) / max(cone_4.cosine, 1e-6));
-    vec3 _e15 = safeReciprocal(axis);
+    vec3 _e15 = safeReciprocal(axis, apex_1);
     vec3 middle_1 = (-(apex_1) * _e15);
     vec3 half_1 = (halfSize_3 * abs(_e15));
     vec3 margin = ((1.0001 * radius_4) * abs(_e15));
@@ -717,17 +709,17 @@ uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float 
     float _e27 = max3_((low - margin));
     float _e29 = min3_((high + margin));
     if (!((_e27 > _e29))) {
-        local_15 = (_e29 < 0.0);
+        local_13 = (_e29 < 0.0);
     } else {
-        local_15 = true;
+        local_13 = true;
     }
-    bool _e37 = local_15;
+    bool _e37 = local_13;
     if (!(_e37)) {
-        local_16 = (_e27 > (cone_4.length_ + cone_4.reach));
+        local_14 = (_e27 > (cone_4.length_ + cone_4.reach));
     } else {
-        local_16 = true;
+        local_14 = true;
     }
-    bool _e46 = local_16;
+    bool _e46 = local_14;
     if (_e46) {
         return ((cone_4.sine >= 1.0) ? boxMet : boxMissed);
     }
@@ -735,35 +727,35 @@ uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float 
     bool apexOutside = any(greaterThan(abs(apex_1), halfSize_3));
     float _e59 = min3_((high - margin));
     if ((_e54 < _e59)) {
-        local_17 = (_e54 > 0.0);
+        local_15 = (_e54 > 0.0);
+    } else {
+        local_15 = false;
+    }
+    bool _e66 = local_15;
+    if (_e66) {
+        local_16 = (_e54 < (cone_4.length_ - cone_4.reach));
+    } else {
+        local_16 = false;
+    }
+    bool through = local_16;
+    if (through) {
+        local_17 = apexOutside;
     } else {
         local_17 = false;
     }
-    bool _e66 = local_17;
-    if (_e66) {
-        local_18 = (_e54 < (cone_4.length_ - cone_4.reach));
+    bool _e80 = local_17;
+    if (_e80) {
+        local_18 = all(greaterThan(halfSize_3, vec3(radius_4)));
     } else {
         local_18 = false;
     }
-    bool through = local_18;
-    if (through) {
-        local_19 = apexOutside;
-    } else {
-        local_19 = false;
-    }
-    bool _e80 = local_19;
-    if (_e80) {
-        local_20 = all(greaterThan(halfSize_3, vec3(radius_4)));
-    } else {
-        local_20 = false;
-    }
-    bool _e87 = local_20;
+    bool _e87 = local_18;
     return (_e87 ? boxHidesLight : boxMet);
 }
 
 uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1) {
-    bool local_21 = false;
-    vec3 origin_7 = vec3(0.0);
+    bool local_19 = false;
+    vec3 origin_8 = vec3(0.0);
     vec3 axis_1 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
@@ -772,87 +764,87 @@ uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1)
     BallPlace _e6 = placeBall(cone_5, _e4.center);
     bool _e8 = coneMissesBall(cone_5, _e6, _e4.radius);
     if (!(_e8)) {
-        local_21 = (i_19 == group_3.start.leaves);
+        local_19 = (i_19 == group_3.start.leaves);
     } else {
-        local_21 = true;
+        local_19 = true;
     }
-    bool _e16 = local_21;
+    bool _e16 = local_19;
     if (_e16) {
         return hidden_1;
     }
     Extent _e17 = fetchExtent(i_19);
-    bool turned = (_e17.a.w != 1.0);
-    origin_7 = (group_3.start.point - _e4.center);
+    bool _e19 = isTurned(_e17.a);
+    origin_8 = (group_3.start.point - _e4.center);
     axis_1 = cone_5.axis;
-    if (turned) {
-        vec3 _e30 = origin_7;
-        vec3 _e31 = rotate(_e17.a, _e30);
-        origin_7 = _e31;
-        vec3 _e33 = axis_1;
-        vec3 _e34 = rotate(_e17.a, _e33);
-        axis_1 = _e34;
+    if (_e19) {
+        vec3 _e28 = origin_8;
+        vec3 _e29 = rotate(_e17.a, _e28);
+        origin_8 = _e29;
+        vec3 _e31 = axis_1;
+        vec3 _e32 = rotate(_e17.a, _e31);
+        axis_1 = _e32;
     }
-    vec3 _e35 = origin_7;
-    vec3 _e36 = axis_1;
-    uint _e42 = placeBox(cone_5, _e35, _e36, _e17.b.xyz, (_e6.along + _e4.radius));
-    if ((_e42 == boxMissed)) {
+    vec3 _e33 = origin_8;
+    vec3 _e34 = axis_1;
+    uint _e40 = placeBox(cone_5, _e33, _e34, _e17.b.xyz, (_e6.along + _e4.radius));
+    if ((_e40 == boxMissed)) {
         return hidden_1;
     }
-    if ((_e42 == boxHidesLight)) {
-        uint _e47 = everySample(group_3);
-        return _e47;
+    if ((_e40 == boxHidesLight)) {
+        uint _e45 = everySample(group_3);
+        return _e45;
     }
     bits_1 = hidden_1;
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e84 = k_3;
-            k_3 = (_e84 + 1u);
+            uint _e82 = k_3;
+            k_3 = (_e82 + 1u);
         }
         loop_init_7 = false;
-        uint _e51 = k_3;
-        if ((_e51 < group_3.count)) {
+        uint _e49 = k_3;
+        if ((_e49 < group_3.count)) {
         } else {
             break;
         }
         {
-            uint _e54 = k_3;
-            vec3 _e55 = toSample(group_3, _e54);
-            float inverse_1 = inversesqrt(dot(_e55, _e55));
-            direction_8 = (_e55 * inverse_1);
-            if (turned) {
-                vec3 _e61 = direction_8;
-                vec3 _e62 = rotate(_e17.a, _e61);
-                direction_8 = _e62;
+            uint _e52 = k_3;
+            vec3 _e53 = toSample(group_3, _e52);
+            float inverse_1 = inversesqrt(dot(_e53, _e53));
+            direction_8 = (_e53 * inverse_1);
+            if (_e19) {
+                vec3 _e59 = direction_8;
+                vec3 _e60 = rotate(_e17.a, _e59);
+                direction_8 = _e60;
             }
-            vec3 _e63 = origin_7;
-            vec3 _e64 = direction_8;
-            float _e72 = intersectBox(_e63, _e64, _e17.b.xyz, group_3.start.tMin, (i_19 == group_3.start.inside));
-            uint _e73 = bits_1;
-            uint _e76 = k_3;
-            bits_1 = (_e73 | (((_e72 * inverse_1) < 1.0) ? (1u << _e76) : 0u));
+            vec3 _e61 = origin_8;
+            vec3 _e62 = direction_8;
+            float _e70 = intersectBox(_e61, _e62, _e17.b.xyz, group_3.start.tMin, (i_19 == group_3.start.inside));
+            uint _e71 = bits_1;
+            uint _e74 = k_3;
+            bits_1 = (_e71 | (((_e70 * inverse_1) < 1.0) ? (1u << _e74) : 0u));
         }
     }
-    uint _e86 = bits_1;
-    return _e86;
+    uint _e84 = bits_1;
+    return _e84;
 }
 
 bool coneMeetsPlane(ShadowCone cone_6, vec3 normal_1, float offset_1) {
-    bool local_22 = false;
+    bool local_20 = false;
     float here = (dot(normal_1, cone_6.apex) - offset_1);
     float there = (here + (dot(normal_1, cone_6.axis) * cone_6.length_));
     if (!(((here * there) <= 0.0))) {
-        local_22 = (abs(there) <= cone_6.reach);
+        local_20 = (abs(there) <= cone_6.reach);
     } else {
-        local_22 = true;
+        local_20 = true;
     }
-    bool _e21 = local_22;
+    bool _e21 = local_20;
     return _e21;
 }
 
 uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2) {
     bool meets = false;
-    bool local_23 = false;
+    bool local_21 = false;
     uint bits_2 = 0u;
     uint k_4 = 0u;
     float t_4 = 0.0;
@@ -868,11 +860,11 @@ uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2
     }
     bool _e16 = meets;
     if (!(!(_e16))) {
-        local_23 = (i_20 == group_4.start.leaves);
+        local_21 = (i_20 == group_4.start.leaves);
     } else {
-        local_23 = true;
+        local_21 = true;
     }
-    bool _e25 = local_23;
+    bool _e25 = local_21;
     if (_e25) {
         return hidden_2;
     }
@@ -915,11 +907,11 @@ uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2
 uint hiddenSamples(SampleGroup group_5) {
     uint hidden_3 = 0u;
     uint i_21 = 0u;
-    bool local_24 = false;
+    bool local_22 = false;
     uint i_22 = 0u;
-    bool local_25 = false;
+    bool local_23 = false;
     uint i_23 = 0u;
-    bool local_26 = false;
+    bool local_24 = false;
     uint _e1 = everySample(group_5);
     uvec4 ends_1 = frame.shapeEnds;
     ShadowCone _e11 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
@@ -933,11 +925,11 @@ uint hiddenSamples(SampleGroup group_5) {
         uint _e16 = i_21;
         if ((_e16 < ends_1.x)) {
             uint _e21 = hidden_3;
-            local_24 = (_e21 != _e1);
+            local_22 = (_e21 != _e1);
         } else {
-            local_24 = false;
+            local_22 = false;
         }
-        bool _e24 = local_24;
+        bool _e24 = local_22;
         if (_e24) {
         } else {
             break;
@@ -960,11 +952,11 @@ uint hiddenSamples(SampleGroup group_5) {
         uint _e33 = i_22;
         if ((_e33 < ends_1.y)) {
             uint _e38 = hidden_3;
-            local_25 = (_e38 != _e1);
+            local_23 = (_e38 != _e1);
         } else {
-            local_25 = false;
+            local_23 = false;
         }
-        bool _e41 = local_25;
+        bool _e41 = local_23;
         if (_e41) {
         } else {
             break;
@@ -988,11 +980,11 @@ uint hiddenSamples(SampleGroup group_5) {
         uint _e53 = frame.occluderEnd;
         if ((_e50 < _e53)) {
             uint _e57 = hidden_3;
-            local_26 = (_e57 != _e1);
+            local_24 = (_e57 != _e1);
         } else {
-            local_26 = false;
+            local_24 = false;
         }
-        bool _e60 = local_26;
+        bool _e60 = local_24;
         if (_e60) {
         } else {
             break;
@@ -1114,7 +1106,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_27 = false;
+    bool local_25 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1162,11 +1154,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_27 = !(_e67);
+                local_25 = !(_e67);
             } else {
-                local_27 = false;
+                local_25 = false;
             }
-            bool _e70 = local_27;
+            bool _e70 = local_25;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -269,9 +269,9 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   let half = sqrt(max(discriminant, 0.0));
   let near = along - half;
   let far = along + half;
-  let t = select(far, near, near > tMin && !startsInside);
+  let t = select(far, near, near > tMin);
   // From the surface itself the far side cannot be missed, whatever rounding says.
-  return select(miss, t, select(discriminant >= 0.0 && t > tMin, t > 0.0, startsInside));
+  return select(select(miss, t, discriminant >= 0.0 && t > tMin), max(far, 0.0), startsInside);
 }
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
@@ -289,7 +289,7 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);
   var origin = ray.start.point - bounds.center;
   var direction = ray.direction;
-  if (extent.a.w != 1.0) {
+  if (isTurned(extent.a)) {
     origin = rotate(extent.a, origin);
     direction = rotate(extent.a, direction);
   }
@@ -303,10 +303,16 @@ fn fetchExtent(i: u32) -> Extent {
   return Extent(t0.xyzw, t1.xyzw);
 }
 
+// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
+fn isTurned(q: vec4f) -> bool {
+  return any(q.xyz != vec3f(0.0));
+}
+
 fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
   let s = boxSlabs(origin, direction, halfSize);
-  let t = select(s.far, s.near, s.near > tMin && !startsInside);
-  return select(miss, t, s.near <= s.far && t > select(tMin, 0.0, startsInside));
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, s.near <= s.far && t > tMin), max(s.far, 0.0), startsInside);
 }
 
 // v turned by the unit quaternion q, and back.
@@ -324,7 +330,7 @@ struct Extent {
 
 
 fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
-  let inverse = safeReciprocal(direction);
+  let inverse = safeReciprocal(direction, origin);
   let middle = -origin * inverse;
   let reach = halfSize * abs(inverse);
   let enter = middle - reach;
@@ -332,8 +338,9 @@ fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
   return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-fn safeReciprocal(d: vec3f) -> vec3f {
-  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
 }
 
 // Where a ray enters and leaves the space between each pair of faces.
@@ -373,9 +380,12 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);
-  let t = (offset - dot(origin, normal)) / select(speed, 1e-30, speed == 0.0);
-  return select(miss, t, t > tMin && t < miss);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  return select(miss, t, t > tMin && abs(speed) > parallel);
 }
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
 
 struct SeenLight {
   t: f32,
@@ -613,7 +623,7 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
     return hidden;
   }
   let extent = fetchExtent(i);
-  let turned = extent.a.w != 1.0;
+  let turned = isTurned(extent.a);
   var origin = group.start.point - bounds.center;
   var axis = cone.axis;
   if (turned) {
@@ -644,7 +654,7 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
 // `apex` and `axis` in the box's frame; `end`: how far along the axis the box may reach.
 fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f32) -> u32 {
   let radius = min(end, cone.length + cone.reach) * cone.sine / max(cone.cosine, 1e-6);
-  let inverse = safeReciprocal(axis);
+  let inverse = safeReciprocal(axis, apex);
   let middle = -apex * inverse;
   let half = halfSize * abs(inverse);
   let margin = 1.0001 * radius * abs(inverse);

@@ -104,7 +104,6 @@ Hit nearer(Hit hit, float t, uint shape) {
 
 float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
     bool local_1 = false;
-    bool local_2 = false;
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction_1);
     vec3 across = (toCenter - (along * direction_1));
@@ -112,20 +111,14 @@ float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, 
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    if ((near > tMin)) {
-        local_1 = !(startsInside);
+    float t_2 = ((near > tMin) ? near : far);
+    if ((discriminant >= 0.0)) {
+        local_1 = (t_2 > tMin);
     } else {
         local_1 = false;
     }
-    bool _e23 = local_1;
-    float t_2 = (_e23 ? near : far);
-    if ((discriminant >= 0.0)) {
-        local_2 = (t_2 > tMin);
-    } else {
-        local_2 = false;
-    }
-    bool _e31 = local_2;
-    return ((startsInside ? (t_2 > 0.0) : _e31) ? t_2 : 1e30);
+    bool _e26 = local_1;
+    return (startsInside ? max(far, 0.0) : (_e26 ? t_2 : 1e30));
 }
 
 float hitSphere(uint i_1, Bounds bounds, Ray ray_1) {
@@ -144,91 +137,90 @@ Extent fetchExtent(uint i_3) {
     return Extent(t0_1.xyzw, t1_.xyzw);
 }
 
-vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_3 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_3)) + cross(q.xyz, t_3));
+bool isTurned(vec4 q) {
+    return any(notEqual(q.xyz, vec3(0.0)));
 }
 
-vec3 safeReciprocal(vec3 d) {
-    return (vec3(1.0) / mix(d, vec3(1e-18), lessThan(abs(d), vec3(1e-18))));
+vec3 rotate(vec4 q_1, vec3 v) {
+    vec3 t_3 = (2.0 * cross(q_1.xyz, v));
+    return ((v + (q_1.w * t_3)) + cross(q_1.xyz, t_3));
 }
 
-Slabs boxSlabs(vec3 origin_1, vec3 direction_2, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_2);
-    vec3 middle = (-(origin_1) * _e3);
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_2, vec3 direction_2, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_2, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_2, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    bool local_3 = false;
-    bool local_4 = false;
-    Slabs _e5 = boxSlabs(origin_2, direction_3, halfSize_1);
-    if ((_e5.near > tMin_1)) {
-        local_3 = !(startsInside_1);
-    } else {
-        local_3 = false;
-    }
-    bool _e14 = local_3;
-    float t_4 = (_e14 ? _e5.near : _e5.far);
+float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    bool local_2 = false;
+    Slabs _e5 = boxSlabs(origin_3, direction_3, halfSize_1);
+    float t_4 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
     if ((_e5.near <= _e5.far)) {
-        local_4 = (t_4 > (startsInside_1 ? 0.0 : tMin_1));
+        local_2 = (t_4 > tMin_1);
     } else {
-        local_4 = false;
+        local_2 = false;
     }
-    bool _e25 = local_4;
-    return (_e25 ? t_4 : 1e30);
+    bool _e18 = local_2;
+    return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_4 : 1e30));
 }
 
 float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
-    vec3 origin_3 = vec3(0.0);
+    vec3 origin_4 = vec3(0.0);
     vec3 direction_4 = vec3(0.0);
     Extent _e3 = fetchExtent(i_4);
-    origin_3 = (ray_2.start.point - bounds_1.center);
+    origin_4 = (ray_2.start.point - bounds_1.center);
     direction_4 = ray_2.direction;
-    if ((_e3.a.w != 1.0)) {
-        vec3 _e16 = origin_3;
-        vec3 _e17 = rotate(_e3.a, _e16);
-        origin_3 = _e17;
-        vec3 _e19 = direction_4;
-        vec3 _e20 = rotate(_e3.a, _e19);
-        direction_4 = _e20;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_4;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_4 = _e15;
+        vec3 _e17 = direction_4;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_4 = _e18;
     }
-    vec3 _e21 = origin_3;
-    vec3 _e22 = direction_4;
-    float _e30 = intersectBox(_e21, _e22, _e3.b.xyz, ray_2.start.tMin, (i_4 == ray_2.start.inside));
-    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e30);
+    vec3 _e19 = origin_4;
+    vec3 _e20 = direction_4;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_2.start.tMin, (i_4 == ray_2.start.inside));
+    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e28);
 }
 
-float intersectQuad(vec3 origin_4, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    bool local_3 = false;
+    bool local_4 = false;
     bool local_5 = false;
-    bool local_6 = false;
-    bool local_7 = false;
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_5, normal_2);
-    vec3 toCenter_1 = (center_1 - origin_4);
+    vec3 toCenter_1 = (center_1 - origin_5);
     float t_5 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p = ((t_5 * direction_5) - toCenter_1);
     if ((abs(dot(p, reciprocalU)) <= 0.500001)) {
-        local_5 = (abs(dot(p, reciprocalV)) <= 0.500001);
+        local_3 = (abs(dot(p, reciprocalV)) <= 0.500001);
+    } else {
+        local_3 = false;
+    }
+    bool within = local_3;
+    if ((t_5 > tMin_2)) {
+        local_4 = (t_5 < 1e30);
+    } else {
+        local_4 = false;
+    }
+    bool _e34 = local_4;
+    if (_e34) {
+        local_5 = within;
     } else {
         local_5 = false;
     }
-    bool within = local_5;
-    if ((t_5 > tMin_2)) {
-        local_6 = (t_5 < 1e30);
-    } else {
-        local_6 = false;
-    }
-    bool _e34 = local_6;
-    if (_e34) {
-        local_7 = within;
-    } else {
-        local_7 = false;
-    }
-    bool _e38 = local_7;
+    bool _e38 = local_5;
     return (_e38 ? t_5 : 1e30);
 }
 
@@ -238,17 +230,17 @@ float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
     return ((i_5 == ray_3.start.leaves) ? 1e30 : _e14);
 }
 
-float intersectPlane(vec3 origin_5, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
-    bool local_8 = false;
+float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
+    bool local_6 = false;
     float speed_1 = dot(direction_6, normal_1);
-    float t_6 = ((offset - dot(origin_5, normal_1)) / ((speed_1 == 0.0) ? 1e-30 : speed_1));
+    float t_6 = ((offset - dot(origin_6, normal_1)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     if ((t_6 > tMin_3)) {
-        local_8 = (t_6 < 1e30);
+        local_6 = (abs(speed_1) > 1e-12);
     } else {
-        local_8 = false;
+        local_6 = false;
     }
-    bool _e19 = local_8;
-    return (_e19 ? t_6 : 1e30);
+    bool _e20 = local_6;
+    return (_e20 ? t_6 : 1e30);
 }
 
 float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {
@@ -377,15 +369,15 @@ bool isFlat(uint i_13) {
     return (i_13 >= _e4);
 }
 
-vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    bool local_9 = false;
-    Slabs _e5 = boxSlabs(origin_6, direction_7, halfSize_2);
+vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    bool local_7 = false;
+    Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
     if ((_e5.near > tMin_4)) {
-        local_9 = !(startsInside_2);
+        local_7 = !(startsInside_2);
     } else {
-        local_9 = false;
+        local_7 = false;
     }
-    bool entering = local_9;
+    bool entering = local_7;
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_7 = (entering ? _e5.near : _e5.far);
     vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
@@ -398,17 +390,17 @@ vec3 boxNormal(vec3 origin_6, vec3 direction_7, vec3 halfSize_2, float tMin_4, b
     return vec3(0.0, 0.0, side.z);
 }
 
-vec3 rotateBack(vec4 q_1, vec3 v_1) {
-    vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
+vec3 rotateBack(vec4 q_2, vec3 v_1) {
+    vec3 _e6 = rotate(vec4(-(q_2.xyz), q_2.w), v_1);
     return _e6;
 }
 
 vec3 outwardNormal(uint i_14, Ray ray_6, float t_1) {
     Bounds _e3 = fetchBounds(i_14);
-    vec3 origin_7 = (ray_6.start.point - _e3.center);
+    vec3 origin_8 = (ray_6.start.point - _e3.center);
     bool _e8 = isSphere(i_14);
     if (_e8) {
-        return normalize((origin_7 + (t_1 * ray_6.direction)));
+        return normalize((origin_8 + (t_1 * ray_6.direction)));
     }
     bool _e13 = isPlane(i_14);
     if (_e13) {
@@ -420,7 +412,7 @@ vec3 outwardNormal(uint i_14, Ray ray_6, float t_1) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
     bool inside = (i_14 == ray_6.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_7);
+    vec3 _e27 = rotate(_e15.a, origin_8);
     vec3 _e30 = rotate(_e15.a, ray_6.direction);
     vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);

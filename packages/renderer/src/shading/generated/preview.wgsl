@@ -180,7 +180,7 @@ struct Extent {
 
 
 fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
-  let inverse = safeReciprocal(direction);
+  let inverse = safeReciprocal(direction, origin);
   let middle = -origin * inverse;
   let reach = halfSize * abs(inverse);
   let enter = middle - reach;
@@ -188,8 +188,9 @@ fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
   return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-fn safeReciprocal(d: vec3f) -> vec3f {
-  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
 }
 
 // Where a ray enters and leaves the space between each pair of faces.
@@ -287,16 +288,16 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   let half = sqrt(max(discriminant, 0.0));
   let near = along - half;
   let far = along + half;
-  let t = select(far, near, near > tMin && !startsInside);
+  let t = select(far, near, near > tMin);
   // From the surface itself the far side cannot be missed, whatever rounding says.
-  return select(miss, t, select(discriminant >= 0.0 && t > tMin, t > 0.0, startsInside));
+  return select(select(miss, t, discriminant >= 0.0 && t > tMin), max(far, 0.0), startsInside);
 }
 
 fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);
   var origin = ray.start.point - bounds.center;
   var direction = ray.direction;
-  if (extent.a.w != 1.0) {
+  if (isTurned(extent.a)) {
     origin = rotate(extent.a, origin);
     direction = rotate(extent.a, direction);
   }
@@ -304,10 +305,16 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
+// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
+fn isTurned(q: vec4f) -> bool {
+  return any(q.xyz != vec3f(0.0));
+}
+
 fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
   let s = boxSlabs(origin, direction, halfSize);
-  let t = select(s.far, s.near, s.near > tMin && !startsInside);
-  return select(miss, t, s.near <= s.far && t > select(tMin, 0.0, startsInside));
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, s.near <= s.far && t > tMin), max(s.far, 0.0), startsInside);
 }
 
 fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
@@ -337,9 +344,12 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);
-  let t = (offset - dot(origin, normal)) / select(speed, 1e-30, speed == 0.0);
-  return select(miss, t, t > tMin && t < miss);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  return select(miss, t, t > tMin && abs(speed) > parallel);
 }
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
 
 struct Frame {
   // camera r times tan(fov / 2) times aspect
