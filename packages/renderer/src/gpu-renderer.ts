@@ -34,8 +34,24 @@ export class GpuRenderer implements Renderer {
 
   static async create(canvas: HTMLCanvasElement, device: Device, options: RendererOptions): Promise<GpuRenderer> {
     const renderer = new GpuRenderer(canvas, device, options);
-    renderer.#use(await Stages.open(device));
+    try {
+      await renderer.#open();
+    } catch (error) {
+      renderer.dispose();
+      throw error;
+    }
     return renderer;
+  }
+
+  async #open(): Promise<void> {
+    const device = this.#device;
+    try {
+      this.#use(await Stages.open(device));
+    } catch (error) {
+      const lost = await Promise.race([device.lost.then(() => true), pause(LOSS_NEWS_MS).then(() => false)]);
+      if (!lost) throw error;
+      await this.#reopen();
+    }
   }
 
   private constructor(canvas: HTMLCanvasElement, device: Device, options: RendererOptions) {

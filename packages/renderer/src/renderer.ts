@@ -30,10 +30,5 @@ export async function createRenderer(canvas: HTMLCanvasElement, options: Rendere
 async function open(backend: Backend, canvas: HTMLCanvasElement, options: RendererOptions): Promise<Renderer> {
   if (backend === 'cpu') return CpuRenderer.create(canvas, options);
   const device: Device = await (backend === 'webgpu' ? openWebGpu(canvas) : openWebGl2(canvas));
-  try {
-    return await GpuRenderer.create(canvas, device, options);
-  } catch (error) {
-    device.destroy();
-    throw error;
-  }
+  return GpuRenderer.create(canvas, device, options);
 }
