@@ -34,7 +34,7 @@ const isSamples = wholeIn(1, SCENE_LIMITS.lightSamples);
 const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) => boolean, string] } = {
   maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
   lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
-  exposure: [(n) => Math.abs(n) <= 30, 'stops from -30 to 30'],
+  exposure: [(n) => Math.abs(n) <= 32, 'stops from -32 to 32'],
   resolutionScale: [(n) => n >= 0.1 && n <= 1, 'a number from 0.1 to 1'],
   adaptive: [(b) => typeof b === 'boolean', 'true or false'],
   targetFps: [(n) => n === 30 || n === 60, '30 or 60'],

@@ -87,7 +87,7 @@ export function describe(value: unknown): string {
 export function nearest(name: string, candidates: readonly string[]): string | null {
   const wanted = clip(name, 40).toLowerCase();
   let best: string | null = null;
-  let least = Math.max(1, Math.floor(wanted.length / 3)) + 1;
+  let least = wanted.length < 4 ? 2 : Math.max(2, Math.floor(wanted.length / 3)) + 1;
   for (const candidate of candidates) {
     const distance = editDistance(wanted, clip(candidate, 40).toLowerCase());
     if (distance < least) [best, least] = [candidate, distance];

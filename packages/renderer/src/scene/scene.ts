@@ -3,7 +3,7 @@
  *
  * World: right-handed, +Y up, metres, seconds, degrees. Colours are linear Rec.709.
  * Everything that can be pointed at has a name: `shapes`, `materials` and `lights` are maps from name to thing,
- * in the order of the file. The file format (`scene-file/`) is this structure with its defaults left out.
+ * in the order of the file; those that `parseScene` gives inherit nothing. The file format (`scene-file/`) is this structure with its defaults left out.
  */
 
 export type Vec3 = readonly [x: number, y: number, z: number];
@@ -14,7 +14,7 @@ export interface Camera {
   readonly eye: Vec3;
   readonly target: Vec3;
   readonly up: Vec3;
-  /** Full vertical field of view, degrees, in (0, 180). */
+  /** Full vertical field of view, degrees, 0.01 … 179. */
   readonly verticalFov: number;
 }
 

@@ -32,9 +32,9 @@ struct Frame {
     vec2 dividers;
     uvec4 shapeEnds;
     uint occluderEnd;
+    uint seenLightEnd;
     uint spare0_;
     uint spare1_;
-    uint spare2_;
     uvec4 panels[3];
 };
 struct Bounds {
@@ -98,10 +98,14 @@ struct ShadowCone {
     float sine;
     float cosine;
 };
+struct BallPlace {
+    float along;
+    float across;
+};
 const uint noShape = 4294967295u;
-const uint coneMisses = 0u;
-const uint coneMeets = 1u;
-const uint coneHidden = 2u;
+const uint boxMissed = 0u;
+const uint boxMet = 1u;
+const uint boxHidesLight = 2u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -395,7 +399,7 @@ SeenLight closestBall(Ray ray_5, float t_1) {
         }
         loop_init_4 = false;
         uint _e8 = i_11;
-        uint _e11 = frame.lightCount;
+        uint _e11 = frame.seenLightEnd;
         if ((_e8 < _e11)) {
         } else {
             break;
@@ -428,7 +432,7 @@ vec3 halo(Ray ray_6, float t_2) {
         }
         loop_init_5 = false;
         uint _e7 = i_12;
-        uint _e10 = frame.lightCount;
+        uint _e10 = frame.seenLightEnd;
         if ((_e7 < _e10)) {
         } else {
             break;
@@ -550,6 +554,10 @@ LightSampler lightSampler(uint count, uint pixelHash, uint light, uint reflectio
     return LightSampler(count, vec2(_e9, _e11));
 }
 
+uint everySample(SampleGroup group) {
+    return (4294967295u >> (32u - group.count));
+}
+
 float sampleReach(uint count_1) {
     if ((count_1 == 1u)) {
         return 0.0;
@@ -566,50 +574,54 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
     return ShadowCone(apex, (toLight_2 / vec3(distance_)), distance_, reach_1, sine, sqrt((1.0 - (sine * sine))));
 }
 
-uint coneMeetsBall(ShadowCone cone, vec3 center_3, float outer, float inner) {
+BallPlace placeBall(ShadowCone cone, vec3 center_3) {
+    vec3 toBall = (center_3 - cone.apex);
+    float along_2 = dot(toBall, cone.axis);
+    return BallPlace(along_2, sqrt(max((dot(toBall, toBall) - (along_2 * along_2)), 0.0)));
+}
+
+bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
     bool local_9 = false;
     bool local_10 = false;
     bool local_11 = false;
-    bool local_12 = false;
-    bool local_13 = false;
-    vec3 toShape = (center_3 - cone.apex);
-    float along_2 = dot(toShape, cone.axis);
-    float perpendicular = sqrt(max((dot(toShape, toShape) - (along_2 * along_2)), 0.0));
-    if ((((perpendicular * cone.cosine) - (along_2 * cone.sine)) > outer)) {
-        local_9 = (cone.sine < 1.0);
+    if ((((ball.across * cone_1.cosine) - (ball.along * cone_1.sine)) > radius_2)) {
+        local_9 = (cone_1.sine < 1.0);
     } else {
         local_9 = false;
     }
     bool beside = local_9;
-    if (!((along_2 < -(outer)))) {
-        local_10 = (along_2 > ((cone.length_ + cone.reach) + outer));
+    if (!(beside)) {
+        local_10 = (ball.along < -(radius_2));
     } else {
         local_10 = true;
     }
-    bool behind = local_10;
-    if (!(beside)) {
-        local_11 = behind;
+    bool _e25 = local_10;
+    if (!(_e25)) {
+        local_11 = (ball.along > ((cone_1.length_ + cone_1.reach) + radius_2));
     } else {
         local_11 = true;
     }
-    bool _e43 = local_11;
-    if (_e43) {
-        return coneMisses;
-    }
-    bool covers = (((perpendicular * cone.cosine) + (along_2 * cone.sine)) < (inner * 0.9999));
-    if ((along_2 > inner)) {
-        local_12 = ((along_2 + inner) < (cone.length_ - cone.reach));
+    bool _e36 = local_11;
+    return _e36;
+}
+
+bool ballHidesLight(ShadowCone cone_2, BallPlace ball_1, float radius_3) {
+    bool local_12 = false;
+    bool local_13 = false;
+    bool covers = (((ball_1.across * cone_2.cosine) + (ball_1.along * cone_2.sine)) < (radius_3 * 0.9999));
+    if (covers) {
+        local_12 = (ball_1.along > radius_3);
     } else {
         local_12 = false;
     }
-    bool between = local_12;
-    if (covers) {
-        local_13 = between;
+    bool _e18 = local_12;
+    if (_e18) {
+        local_13 = ((ball_1.along + radius_3) < (cone_2.length_ - cone_2.reach));
     } else {
         local_13 = false;
     }
-    bool _e68 = local_13;
-    return (_e68 ? coneHidden : coneMeets);
+    bool _e28 = local_13;
+    return _e28;
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
@@ -627,327 +639,376 @@ vec3 samplePoint(LightSampler s, uint k) {
     return vec3((r * cos(phi)), (r * sin(phi)), z);
 }
 
-vec3 toSample(SampleGroup group, uint k_1) {
-    vec3 _e7 = samplePoint(group.points, (group.first + k_1));
-    return ((group.center + (group.radius * _e7)) - group.start.point);
+vec3 toSample(SampleGroup group_1, uint k_1) {
+    vec3 _e7 = samplePoint(group_1.points, (group_1.first + k_1));
+    return ((group_1.center + (group_1.radius * _e7)) - group_1.start.point);
 }
 
-uint behindSphere(SampleGroup group_1, uint i_18, uint hidden) {
+uint behindSphere(SampleGroup group_2, uint i_18, ShadowCone cone_3, uint hidden) {
+    bool local_14 = false;
     uint bits = 0u;
     uint k_2 = 0u;
-    Bounds _e3 = fetchBounds(i_18);
+    Bounds _e4 = fetchBounds(i_18);
+    BallPlace _e6 = placeBall(cone_3, _e4.center);
+    bool _e8 = coneMissesBall(cone_3, _e6, _e4.radius);
+    if (!(_e8)) {
+        local_14 = (i_18 == group_2.start.leaves);
+    } else {
+        local_14 = true;
+    }
+    bool _e16 = local_14;
+    if (_e16) {
+        return hidden;
+    }
+    bool _e18 = ballHidesLight(cone_3, _e6, _e4.radius);
+    if (_e18) {
+        uint _e19 = everySample(group_2);
+        return _e19;
+    }
     bits = hidden;
     bool loop_init_6 = true;
     while(true) {
         if (!loop_init_6) {
-            uint _e27 = k_2;
-            k_2 = (_e27 + 1u);
+            uint _e45 = k_2;
+            k_2 = (_e45 + 1u);
         }
         loop_init_6 = false;
-        uint _e7 = k_2;
-        if ((_e7 < group_1.count)) {
+        uint _e23 = k_2;
+        if ((_e23 < group_2.count)) {
         } else {
             break;
         }
         {
-            uint _e10 = k_2;
-            vec3 _e11 = toSample(group_1, _e10);
-            float distance_1 = length(_e11);
-            uint _e13 = bits;
-            uint _e16 = k_2;
-            float _e22 = hitSphere(i_18, _e3, Ray(group_1.start, (_e11 / vec3(distance_1))));
-            bits = (_e13 | ((_e22 < distance_1) ? (1u << _e16) : 0u));
+            uint _e26 = k_2;
+            vec3 _e27 = toSample(group_2, _e26);
+            float inverse_ = inversesqrt(dot(_e27, _e27));
+            uint _e30 = bits;
+            uint _e33 = k_2;
+            float _e38 = hitSphere(i_18, _e4, Ray(group_2.start, (_e27 * inverse_)));
+            bits = (_e30 | (((_e38 * inverse_) < 1.0) ? (1u << _e33) : 0u));
         }
     }
-    uint _e29 = bits;
-    return _e29;
+    uint _e47 = bits;
+    return _e47;
 }
 
-bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_3) {
-    bool local_14 = false;
-    if (all(lessThanEqual(min(apex_1, (light_1 - vec3(cone_1.reach))), halfSize_3))) {
-        local_14 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_1.reach))), -(halfSize_3)));
+float max3_(vec3 v_2) {
+    return max(max(v_2.x, v_2.y), v_2.z);
+}
+
+float min3_(vec3 v_3) {
+    return min(min(v_3.x, v_3.y), v_3.z);
+}
+
+uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
+    bool local_15 = false;
+    bool local_16 = false;
+    bool local_17 = false;
+    bool local_18 = false;
+    bool local_19 = false;
+    bool local_20 = false;
+    float radius_4 = ((min(end, (cone_4.length_ + cone_4.reach)) * cone_4.sine) / max(cone_4.cosine, 1e-6));
+    vec3 _e15 = safeReciprocal(axis);
+    vec3 middle_1 = (-(apex_1) * _e15);
+    vec3 half_1 = (halfSize_3 * abs(_e15));
+    vec3 margin = ((1.0001 * radius_4) * abs(_e15));
+    vec3 low = (middle_1 - half_1);
+    vec3 high = (middle_1 + half_1);
+    float _e27 = max3_((low - margin));
+    float _e29 = min3_((high + margin));
+    if (!((_e27 > _e29))) {
+        local_15 = (_e29 < 0.0);
     } else {
-        local_14 = false;
+        local_15 = true;
     }
-    bool _e20 = local_14;
-    return _e20;
+    bool _e37 = local_15;
+    if (!(_e37)) {
+        local_16 = (_e27 > (cone_4.length_ + cone_4.reach));
+    } else {
+        local_16 = true;
+    }
+    bool _e46 = local_16;
+    if (_e46) {
+        return ((cone_4.sine >= 1.0) ? boxMet : boxMissed);
+    }
+    float _e54 = max3_((low + margin));
+    bool apexOutside = any(greaterThan(abs(apex_1), halfSize_3));
+    float _e59 = min3_((high - margin));
+    if ((_e54 < _e59)) {
+        local_17 = (_e54 > 0.0);
+    } else {
+        local_17 = false;
+    }
+    bool _e66 = local_17;
+    if (_e66) {
+        local_18 = (_e54 < (cone_4.length_ - cone_4.reach));
+    } else {
+        local_18 = false;
+    }
+    bool through = local_18;
+    if (through) {
+        local_19 = apexOutside;
+    } else {
+        local_19 = false;
+    }
+    bool _e80 = local_19;
+    if (_e80) {
+        local_20 = all(greaterThan(halfSize_3, vec3(radius_4)));
+    } else {
+        local_20 = false;
+    }
+    bool _e87 = local_20;
+    return (_e87 ? boxHidesLight : boxMet);
 }
 
-uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1) {
+uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1) {
+    bool local_21 = false;
     vec3 origin_7 = vec3(0.0);
-    vec3 light_2 = vec3(0.0);
+    vec3 axis_1 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
     vec3 direction_8 = vec3(0.0);
     Bounds _e4 = fetchBounds(i_19);
-    Extent _e5 = fetchExtent(i_19);
-    bool turned = (_e5.a.w != 1.0);
-    origin_7 = (group_2.start.point - _e4.center);
-    light_2 = (group_2.center - _e4.center);
-    if (turned) {
-        vec3 _e20 = origin_7;
-        vec3 _e21 = rotate(_e5.a, _e20);
-        origin_7 = _e21;
-        vec3 _e23 = light_2;
-        vec3 _e24 = rotate(_e5.a, _e23);
-        light_2 = _e24;
+    BallPlace _e6 = placeBall(cone_5, _e4.center);
+    bool _e8 = coneMissesBall(cone_5, _e6, _e4.radius);
+    if (!(_e8)) {
+        local_21 = (i_19 == group_3.start.leaves);
+    } else {
+        local_21 = true;
     }
-    vec3 _e25 = origin_7;
-    vec3 _e26 = light_2;
-    bool _e29 = coneMeetsBox(cone_2, _e25, _e26, _e5.b.xyz);
-    if (!(_e29)) {
+    bool _e16 = local_21;
+    if (_e16) {
         return hidden_1;
+    }
+    Extent _e17 = fetchExtent(i_19);
+    bool turned = (_e17.a.w != 1.0);
+    origin_7 = (group_3.start.point - _e4.center);
+    axis_1 = cone_5.axis;
+    if (turned) {
+        vec3 _e30 = origin_7;
+        vec3 _e31 = rotate(_e17.a, _e30);
+        origin_7 = _e31;
+        vec3 _e33 = axis_1;
+        vec3 _e34 = rotate(_e17.a, _e33);
+        axis_1 = _e34;
+    }
+    vec3 _e35 = origin_7;
+    vec3 _e36 = axis_1;
+    uint _e42 = placeBox(cone_5, _e35, _e36, _e17.b.xyz, (_e6.along + _e4.radius));
+    if ((_e42 == boxMissed)) {
+        return hidden_1;
+    }
+    if ((_e42 == boxHidesLight)) {
+        uint _e47 = everySample(group_3);
+        return _e47;
     }
     bits_1 = hidden_1;
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e65 = k_3;
-            k_3 = (_e65 + 1u);
+            uint _e84 = k_3;
+            k_3 = (_e84 + 1u);
         }
         loop_init_7 = false;
-        uint _e34 = k_3;
-        if ((_e34 < group_2.count)) {
+        uint _e51 = k_3;
+        if ((_e51 < group_3.count)) {
         } else {
             break;
         }
         {
-            uint _e37 = k_3;
-            vec3 _e38 = toSample(group_2, _e37);
-            float distance_2 = length(_e38);
-            direction_8 = (_e38 / vec3(distance_2));
+            uint _e54 = k_3;
+            vec3 _e55 = toSample(group_3, _e54);
+            float inverse_1 = inversesqrt(dot(_e55, _e55));
+            direction_8 = (_e55 * inverse_1);
             if (turned) {
-                vec3 _e44 = direction_8;
-                vec3 _e45 = rotate(_e5.a, _e44);
-                direction_8 = _e45;
+                vec3 _e61 = direction_8;
+                vec3 _e62 = rotate(_e17.a, _e61);
+                direction_8 = _e62;
             }
-            vec3 _e46 = origin_7;
-            vec3 _e47 = direction_8;
-            float _e55 = intersectBox(_e46, _e47, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
-            uint _e56 = bits_1;
-            uint _e59 = k_3;
-            bits_1 = (_e56 | ((_e55 < distance_2) ? (1u << _e59) : 0u));
+            vec3 _e63 = origin_7;
+            vec3 _e64 = direction_8;
+            float _e72 = intersectBox(_e63, _e64, _e17.b.xyz, group_3.start.tMin, (i_19 == group_3.start.inside));
+            uint _e73 = bits_1;
+            uint _e76 = k_3;
+            bits_1 = (_e73 | (((_e72 * inverse_1) < 1.0) ? (1u << _e76) : 0u));
         }
     }
-    uint _e67 = bits_1;
-    return _e67;
+    uint _e86 = bits_1;
+    return _e86;
 }
 
-bool coneMeetsPlane(ShadowCone cone_3, vec3 normal_1, float offset_1) {
-    bool local_15 = false;
-    float here = (dot(normal_1, cone_3.apex) - offset_1);
-    float there = (here + (dot(normal_1, cone_3.axis) * cone_3.length_));
+bool coneMeetsPlane(ShadowCone cone_6, vec3 normal_1, float offset_1) {
+    bool local_22 = false;
+    float here = (dot(normal_1, cone_6.apex) - offset_1);
+    float there = (here + (dot(normal_1, cone_6.axis) * cone_6.length_));
     if (!(((here * there) <= 0.0))) {
-        local_15 = (abs(there) <= cone_3.reach);
+        local_22 = (abs(there) <= cone_6.reach);
     } else {
-        local_15 = true;
+        local_22 = true;
     }
-    bool _e21 = local_15;
+    bool _e21 = local_22;
     return _e21;
 }
 
-uint behindFlat(SampleGroup group_3, uint i_20, uint hidden_2) {
+uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2) {
+    bool meets = false;
+    bool local_23 = false;
     uint bits_2 = 0u;
     uint k_4 = 0u;
     float t_4 = 0.0;
-    Bounds _e3 = fetchBounds(i_20);
-    bool _e4 = isPlane(i_20);
+    Bounds _e4 = fetchBounds(i_20);
+    bool _e5 = isPlane(i_20);
+    if (_e5) {
+        bool _e10 = coneMeetsPlane(cone_7, _e4.center, _e4.radius);
+        meets = _e10;
+    } else {
+        BallPlace _e12 = placeBall(cone_7, _e4.center);
+        bool _e14 = coneMissesBall(cone_7, _e12, _e4.radius);
+        meets = !(_e14);
+    }
+    bool _e16 = meets;
+    if (!(!(_e16))) {
+        local_23 = (i_20 == group_4.start.leaves);
+    } else {
+        local_23 = true;
+    }
+    bool _e25 = local_23;
+    if (_e25) {
+        return hidden_2;
+    }
     bits_2 = hidden_2;
     bool loop_init_8 = true;
     while(true) {
         if (!loop_init_8) {
-            uint _e32 = k_4;
-            k_4 = (_e32 + 1u);
+            uint _e55 = k_4;
+            k_4 = (_e55 + 1u);
         }
         loop_init_8 = false;
-        uint _e8 = k_4;
-        if ((_e8 < group_3.count)) {
+        uint _e29 = k_4;
+        if ((_e29 < group_4.count)) {
         } else {
             break;
         }
         {
-            uint _e11 = k_4;
-            vec3 _e12 = toSample(group_3, _e11);
-            float distance_3 = length(_e12);
-            Ray ray_9 = Ray(group_3.start, (_e12 / vec3(distance_3)));
+            uint _e32 = k_4;
+            vec3 _e33 = toSample(group_4, _e32);
+            float inverse_2 = inversesqrt(dot(_e33, _e33));
+            Ray ray_9 = Ray(group_4.start, (_e33 * inverse_2));
             t_4 = 1e30;
-            if (_e4) {
-                float _e20 = hitPlane(i_20, _e3, ray_9);
-                t_4 = _e20;
+            if (_e5) {
+                float _e41 = hitPlane(i_20, _e4, ray_9);
+                t_4 = _e41;
             } else {
-                float _e21 = hitQuad(i_20, _e3, ray_9);
-                t_4 = _e21;
+                float _e42 = hitQuad(i_20, _e4, ray_9);
+                t_4 = _e42;
             }
-            uint _e22 = bits_2;
-            uint _e25 = k_4;
-            float _e27 = t_4;
-            bits_2 = (_e22 | ((_e27 < distance_3) ? (1u << _e25) : 0u));
+            uint _e43 = bits_2;
+            uint _e46 = k_4;
+            float _e48 = t_4;
+            bits_2 = (_e43 | (((_e48 * inverse_2) < 1.0) ? (1u << _e46) : 0u));
         }
     }
-    uint _e34 = bits_2;
-    return _e34;
+    uint _e57 = bits_2;
+    return _e57;
 }
 
-uint hiddenSamples(SampleGroup group_4) {
+uint hiddenSamples(SampleGroup group_5) {
     uint hidden_3 = 0u;
     uint i_21 = 0u;
-    bool local_16 = false;
-    bool local_17 = false;
+    bool local_24 = false;
     uint i_22 = 0u;
-    bool local_18 = false;
-    bool local_19 = false;
+    bool local_25 = false;
     uint i_23 = 0u;
-    bool local_20 = false;
-    bool meets = false;
-    bool local_21 = false;
-    uint all_ = (4294967295u >> (32u - group_4.count));
+    bool local_26 = false;
+    uint _e1 = everySample(group_5);
     uvec4 ends_1 = frame.shapeEnds;
-    ShadowCone _e15 = shadowCone(group_4.start.point, group_4.center, group_4.radius, group_4.points.count);
+    ShadowCone _e11 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
     bool loop_init_9 = true;
     while(true) {
         if (!loop_init_9) {
-            uint _e52 = i_21;
-            i_21 = (_e52 + 1u);
+            uint _e29 = i_21;
+            i_21 = (_e29 + 1u);
         }
         loop_init_9 = false;
-        uint _e20 = i_21;
-        if ((_e20 < ends_1.x)) {
-            uint _e25 = hidden_3;
-            local_16 = (_e25 != all_);
+        uint _e16 = i_21;
+        if ((_e16 < ends_1.x)) {
+            uint _e21 = hidden_3;
+            local_24 = (_e21 != _e1);
         } else {
-            local_16 = false;
+            local_24 = false;
         }
-        bool _e28 = local_16;
-        if (_e28) {
+        bool _e24 = local_24;
+        if (_e24) {
         } else {
             break;
         }
         {
-            uint _e29 = i_21;
-            Bounds _e30 = fetchBounds(_e29);
-            uint _e34 = coneMeetsBall(_e15, _e30.center, _e30.radius, _e30.radius);
-            if (!((_e34 == coneMisses))) {
-                uint _e40 = i_21;
-                local_17 = (_e40 == group_4.start.leaves);
-            } else {
-                local_17 = true;
-            }
-            bool _e45 = local_17;
-            if (_e45) {
-                continue;
-            }
-            if ((_e34 == coneHidden)) {
-                hidden_3 = all_;
-            } else {
-                uint _e48 = i_21;
-                uint _e49 = hidden_3;
-                uint _e50 = behindSphere(group_4, _e48, _e49);
-                hidden_3 = _e50;
-            }
+            uint _e25 = i_21;
+            uint _e26 = hidden_3;
+            uint _e27 = behindSphere(group_5, _e25, _e11, _e26);
+            hidden_3 = _e27;
         }
     }
     i_22 = ends_1.x;
     bool loop_init_10 = true;
     while(true) {
         if (!loop_init_10) {
-            uint _e91 = i_22;
-            i_22 = (_e91 + 1u);
+            uint _e46 = i_22;
+            i_22 = (_e46 + 1u);
         }
         loop_init_10 = false;
-        uint _e56 = i_22;
-        if ((_e56 < ends_1.y)) {
-            uint _e61 = hidden_3;
-            local_18 = (_e61 != all_);
+        uint _e33 = i_22;
+        if ((_e33 < ends_1.y)) {
+            uint _e38 = hidden_3;
+            local_25 = (_e38 != _e1);
         } else {
-            local_18 = false;
+            local_25 = false;
         }
-        bool _e64 = local_18;
-        if (_e64) {
+        bool _e41 = local_25;
+        if (_e41) {
         } else {
             break;
         }
         {
-            uint _e65 = i_22;
-            Bounds _e66 = fetchBounds(_e65);
-            uint _e69 = i_22;
-            Extent _e70 = fetchExtent(_e69);
-            uint _e73 = coneMeetsBall(_e15, _e66.center, _e66.radius, _e70.b.w);
-            if (!((_e73 == coneMisses))) {
-                uint _e79 = i_22;
-                local_19 = (_e79 == group_4.start.leaves);
-            } else {
-                local_19 = true;
-            }
-            bool _e84 = local_19;
-            if (_e84) {
-                continue;
-            }
-            if ((_e73 == coneHidden)) {
-                hidden_3 = all_;
-            } else {
-                uint _e87 = i_22;
-                uint _e88 = hidden_3;
-                uint _e89 = behindBox(group_4, _e87, _e15, _e88);
-                hidden_3 = _e89;
-            }
+            uint _e42 = i_22;
+            uint _e43 = hidden_3;
+            uint _e44 = behindBox(group_5, _e42, _e11, _e43);
+            hidden_3 = _e44;
         }
     }
     i_23 = ends_1.y;
     bool loop_init_11 = true;
     while(true) {
         if (!loop_init_11) {
-            uint _e134 = i_23;
-            i_23 = (_e134 + 1u);
+            uint _e65 = i_23;
+            i_23 = (_e65 + 1u);
         }
         loop_init_11 = false;
-        uint _e95 = i_23;
-        uint _e98 = frame.occluderEnd;
-        if ((_e95 < _e98)) {
-            uint _e102 = hidden_3;
-            local_20 = (_e102 != all_);
+        uint _e50 = i_23;
+        uint _e53 = frame.occluderEnd;
+        if ((_e50 < _e53)) {
+            uint _e57 = hidden_3;
+            local_26 = (_e57 != _e1);
         } else {
-            local_20 = false;
+            local_26 = false;
         }
-        bool _e105 = local_20;
-        if (_e105) {
+        bool _e60 = local_26;
+        if (_e60) {
         } else {
             break;
         }
         {
-            uint _e106 = i_23;
-            Bounds _e107 = fetchBounds(_e106);
-            meets = false;
-            uint _e110 = i_23;
-            bool _e111 = isPlane(_e110);
-            if (_e111) {
-                bool _e114 = coneMeetsPlane(_e15, _e107.center, _e107.radius);
-                meets = _e114;
-            } else {
-                uint _e118 = coneMeetsBall(_e15, _e107.center, _e107.radius, 0.0);
-                meets = (_e118 != coneMisses);
-            }
-            bool _e121 = meets;
-            if (_e121) {
-                uint _e124 = i_23;
-                local_21 = (_e124 != group_4.start.leaves);
-            } else {
-                local_21 = false;
-            }
-            bool _e129 = local_21;
-            if (_e129) {
-                uint _e130 = i_23;
-                uint _e131 = hidden_3;
-                uint _e132 = behindFlat(group_4, _e130, _e131);
-                hidden_3 = _e132;
-            }
+            uint _e61 = i_23;
+            uint _e62 = hidden_3;
+            uint _e63 = behindFlat(group_5, _e61, _e11, _e62);
+            hidden_3 = _e63;
         }
     }
-    uint _e136 = hidden_3;
-    return _e136;
+    uint _e67 = hidden_3;
+    return _e67;
 }
 
-vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
+vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
     vec3 c = vec3(0.0);
     float distance2_ = dot(toLight, toLight);
     vec3 l = (toLight * inversesqrt(distance2_));
@@ -955,13 +1016,13 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
     if ((cosine <= 0.0)) {
         return vec3(0.0);
     }
-    c = ((m.baseColor * light_3.diffuse) * cosine);
+    c = ((m.baseColor * light_1.diffuse) * cosine);
     if ((m.specular > 0.0)) {
         vec3 _e21 = c;
-        c = (_e21 + ((m.specular * light_3.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
+        c = (_e21 + ((m.specular * light_1.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
     }
     vec3 _e36 = c;
-    return (_e36 * (light_3.power / distance2_));
+    return (_e36 * (light_1.power / distance2_));
 }
 
 vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, uint sampleCount) {
@@ -1011,8 +1072,8 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                     uint _e40 = first;
                     uint count_3 = min((sampleCount - _e40), 32u);
                     uint _e47 = first;
-                    SampleGroup group_5 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_3);
-                    uint _e49 = hiddenSamples(group_5);
+                    SampleGroup group_6 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_3);
+                    uint _e49 = hiddenSamples(group_6);
                     k_5 = 0u;
                     bool loop_init_14 = true;
                     while(true) {
@@ -1031,7 +1092,7 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                             if ((((_e49 >> _e54) & 1u) == 0u)) {
                                 vec3 _e60 = sum_2;
                                 uint _e61 = k_5;
-                                vec3 _e62 = toSample(group_5, _e61);
+                                vec3 _e62 = toSample(group_6, _e61);
                                 vec3 _e63 = sampleLight(p_1, m_1, _e16, _e62);
                                 sum_2 = (_e60 + _e63);
                             }
@@ -1053,7 +1114,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_22 = false;
+    bool local_27 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1101,11 +1162,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_22 = !(_e67);
+                local_27 = !(_e67);
             } else {
-                local_22 = false;
+                local_27 = false;
             }
-            bool _e70 = local_22;
+            bool _e70 = local_27;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -1,0 +1,198 @@
+import type { Draft } from './good-scene.ts';
+
+/** One defect each: what it is, how to bring it about, and the paths of exactly the problems it gives. */
+export type BrokenScene = readonly [defect: string, breakIt: (scene: Draft) => void, paths: readonly string[]];
+
+const key = (time: unknown, value: unknown) => ({ time, value });
+const track = (target: unknown, ...keys: unknown[]) => ({ target, keys });
+const many = (count: number, thing: unknown) =>
+  Object.fromEntries(Array.from({ length: count }, (_, index) => [`thing ${index}`, thing]));
+const ball = { type: 'sphere', center: [0, 0, 0], radius: 1, material: 'clay' };
+const own = (object: object, name: string, value: unknown) =>
+  Object.defineProperty(object, name, { value, enumerable: true, configurable: true });
+
+export const brokenParts: readonly BrokenScene[] = [
+  ['no version', (s) => delete s.version, ['/version']],
+  ['another version', (s) => (s.version = 2), ['/version']],
+  ['version as a text', (s) => (s.version = '1'), ['/version']],
+  ['no name', (s) => delete s.name, ['/name']],
+  ['a number as name', (s) => (s.name = 7), ['/name']],
+  ['an endless name', (s) => (s.name = 'x'.repeat(201)), ['/name']],
+  ['an unknown key', (s) => (s.shape = {}), ['/shape']],
+  ['an unknown key in a material', (s) => (s.materials.clay.colour = [1, 0, 0]), ['/materials/clay/colour']],
+  ['no camera', (s) => delete s.camera, ['/camera']],
+  ['a list as camera', (s) => (s.camera = [0, 1, 5]), ['/camera']],
+  ['null as camera', (s) => (s.camera = null), ['/camera']],
+  ['an eye of two numbers', (s) => (s.camera.eye = [0, 1]), ['/camera/eye']],
+  ['an eye of four numbers', (s) => (s.camera.eye = [0, 1, 2, 3]), ['/camera/eye']],
+  ['a text in the eye', (s) => (s.camera.eye[1] = '1'), ['/camera/eye/1']],
+  ['an eye too far away', (s) => (s.camera.eye[2] = 2e9), ['/camera/eye/2']],
+  ['an eye at its target', (s) => (s.camera.target = [0, 1, 5]), ['/camera/target']],
+  ['an up along the view', (s) => (s.camera.up = [0, 0, -2]), ['/camera/up']],
+  ['an up of zero', (s) => (s.camera.up = [0, 0, 0]), ['/camera/up']],
+  ['a field of view of 180°', (s) => (s.camera.verticalFov = 180), ['/camera/verticalFov']],
+  ['a field of view of 0°', (s) => (s.camera.verticalFov = 0), ['/camera/verticalFov']],
+  ['a sky without zenith', (s) => delete s.sky.zenith, ['/sky/zenith']],
+  ['a sky of two numbers', (s) => (s.sky = [1, 1]), ['/sky']],
+  ['a text as sky', (s) => (s.sky = 'blue'), ['/sky']],
+  ['a negative sky', (s) => (s.sky.horizon[0] = -0.1), ['/sky/horizon/0']],
+  ['a list of materials', (s) => (s.materials = [{}]), ['/materials']],
+  ['a base colour over 1', (s) => (s.materials.clay.baseColor[0] = 1.1), ['/materials/clay/baseColor/0']],
+  ['a reflectivity over 1', (s) => (s.materials.glossy.reflectivity = 1.01), ['/materials/glossy/reflectivity']],
+  ['a negative roughness', (s) => (s.materials.clay.roughness = -0.1), ['/materials/clay/roughness']],
+  ['true as specular', (s) => (s.materials.clay.specular = true), ['/materials/clay/specular']],
+  ['too many materials', (s) => Object.assign(s.materials, many(352, {})), ['/materials']],
+  ['an empty material name', (s) => (s.materials[''] = {}), ['/materials/']],
+  ['a name with a space at its end', (s) => (s.materials['clay '] = {}), ['/materials/clay ']],
+  ['a name with a line break', (s) => (s.materials['a\nb'] = {}), ['/materials/a\nb']],
+  ['names that look alike', (s) => Object.assign(s.materials, { é: {}, 'e\u0301': {} }), ['/materials/e\u0301']],
+  ['a shape named __proto__', (s) => own(s.shapes, '__proto__', ball), ['/shapes/__proto__']],
+  ['a material named constructor', (s) => own(s.materials, 'constructor', {}), ['/materials/constructor']],
+  ['a material named prototype', (s) => own(s.materials, 'prototype', {}), ['/materials/prototype']],
+  ['a __proto__ key in a shape', (s) => own(s.shapes.ball, '__proto__', {}), ['/shapes/ball/__proto__']],
+];
+
+export const brokenShapes: readonly BrokenScene[] = [
+  ['no type', (s) => delete s.shapes.ball.type, ['/shapes/ball/type']],
+  ['an unknown type', (s) => (s.shapes.ball.type = 'cone'), ['/shapes/ball/type']],
+  ['a list as type', (s) => (s.shapes.ball.type = ['sphere']), ['/shapes/ball/type']],
+  ['a number as shape', (s) => (s.shapes.ball = 5), ['/shapes/ball']],
+  ['a list as shape', (s) => (s.shapes.ball = [1, 2, 3]), ['/shapes/ball']],
+  ['a missing material name', (s) => delete s.shapes.ball.material, ['/shapes/ball/material']],
+  ['an unknown material', (s) => (s.shapes.ball.material = 'Clay'), ['/shapes/ball/material']],
+  ['a material that objects inherit', (s) => (s.shapes.ball.material = 'toString'), ['/shapes/ball/material']],
+  ['a negative radius', (s) => (s.shapes.ball.radius = -1), ['/shapes/ball/radius']],
+  ['a radius of zero', (s) => (s.shapes.ball.radius = 0), ['/shapes/ball/radius']],
+  ['NaN as radius', (s) => (s.shapes.ball.radius = Number.NaN), ['/shapes/ball/radius']],
+  ['an infinite radius', (s) => (s.shapes.ball.radius = Number.POSITIVE_INFINITY), ['/shapes/ball/radius']],
+  ['a BigInt as radius', (s) => (s.shapes.ball.radius = 1n), ['/shapes/ball/radius']],
+  ['a function as radius', (s) => (s.shapes.ball.radius = () => 1), ['/shapes/ball/radius']],
+  ['a symbol as radius', (s) => (s.shapes.ball.radius = Symbol('one')), ['/shapes/ball/radius']],
+  ['a typed array as centre', (s) => (s.shapes.ball.center = new Float32Array(3)), ['/shapes/ball/center']],
+  // biome-ignore lint/suspicious/noSparseArray: a hole is what is tried
+  ['a hole in a list', (s) => (s.shapes.ball.center = [0, , 0]), ['/shapes/ball/center/1']],
+  ['a huge list as centre', (s) => (s.shapes.ball.center = new Array(4e9)), ['/shapes/ball/center']],
+  ['a Map of shapes', (s) => (s.shapes = new Map()), ['/shapes']],
+  ['a box without depth', (s) => (s.shapes.block.size[2] = 0), ['/shapes/block/size/2']],
+  ['a rotation of one number', (s) => (s.shapes.block.rotation = 45), ['/shapes/block/rotation']],
+  ['a normal of zero', (s) => (s.shapes.floor.normal = [0, 0, 0]), ['/shapes/floor/normal']],
+  ['a quad without area', (s) => (s.shapes.panel.v = [-2, 0, 0]), ['/shapes/panel/v']],
+  ['a quad with a side of zero', (s) => (s.shapes.panel.u = [0, 0, 0]), ['/shapes/panel/v']],
+  ['no shapes and no lights', (s) => Object.assign(s, { shapes: {}, lights: {}, animation: [] }), ['/shapes']],
+  [
+    'no shapes and only an unseen light',
+    (s) => Object.assign(s, { shapes: {}, animation: [] }) && (s.lights.lamp.visible = false),
+    ['/shapes'],
+  ],
+  ['too many spheres', (s) => Object.assign(s.shapes, many(128, ball)), ['/shapes']],
+  ['too many shapes of all', (s) => Object.assign(s.shapes, many(400, ball)), ['/shapes']],
+  ['a light without radius', (s) => delete s.lights.lamp.radius, ['/lights/lamp/radius']],
+  ['a negative radiance', (s) => (s.lights.lamp.radiance = -1), ['/lights/lamp/radiance']],
+  ['a light that is a box', (s) => (s.lights.lamp.type = 'box'), ['/lights/lamp/type']],
+  ['1 as visible', (s) => (s.lights.lamp.visible = 1), ['/lights/lamp/visible']],
+  ['too many lights', (s) => Object.assign(s.lights, many(16, s.lights.lamp)), ['/lights']],
+  ['null as lights', (s) => (s.lights = null), ['/lights']],
+  ['too many reflections', (s) => (s.render = { maxReflections: 65 }), ['/render/maxReflections']],
+  ['half a light sample', (s) => (s.render = { lightSamples: 1.5 }), ['/render/lightSamples']],
+  ['an unknown integrator', (s) => (s.render = { integrator: 'magic' }), ['/render/integrator']],
+];
+
+const BALL = '/shapes/ball/center';
+export const brokenAnimation: readonly BrokenScene[] = [
+  ['an object as animation', (s) => (s.animation = {}), ['/animation']],
+  ['a text as track', (s) => (s.animation = ['up']), ['/animation/0']],
+  ['a track without keys', (s) => (s.animation = [{ target: BALL }]), ['/animation/0/keys']],
+  ['a track of no keys', (s) => (s.animation = [track(BALL)]), ['/animation/0/keys']],
+  [
+    'too many keys',
+    (s) => (s.animation = [track(BALL, ...Array.from({ length: 4097 }, (_, t) => key(t, [0, 0, 0])))]),
+    ['/animation/0/keys'],
+  ],
+  ['too many tracks', (s) => (s.animation = new Array(1025).fill(track(BALL))), ['/animation']],
+  [
+    'a target that is no pointer',
+    (s) => (s.animation = [track('shapes/ball/center', key(0, [0, 0, 0]))]),
+    ['/animation/0/target'],
+  ],
+  ['a target that is not there', (s) => (s.animation[0].target = '/shapes/bal/center'), ['/animation/0/target']],
+  [
+    'a target that is a name',
+    (s) => (s.animation = [track('/shapes/ball/material', key(0, 1))]),
+    ['/animation/0/target'],
+  ],
+  [
+    'a target that is a setting',
+    (s) => (s.animation = [track('/render/exposure', key(0, 1))]),
+    ['/animation/0/target'],
+  ],
+  [
+    'a target in the prototype',
+    (s) => (s.animation = [track('/shapes/__proto__/x', key(0, 1))]),
+    ['/animation/0/target'],
+  ],
+  ['a target past a number', (s) => (s.animation = [track(`${BALL}/0/0`, key(0, 1))]), ['/animation/0/target']],
+  ['a component that is not there', (s) => (s.animation = [track(`${BALL}/3`, key(0, 1))]), ['/animation/0/target']],
+  ['times that stand still', (s) => (s.animation[0].keys[1].time = 0), ['/animation/0/keys/1/time']],
+  ['times that go back', (s) => (s.animation[0].keys[1].time = -1), ['/animation/0/keys/1/time']],
+  ['NaN as time', (s) => (s.animation[0].keys[1].time = Number.NaN), ['/animation/0/keys/1/time']],
+  ['a number for a triple', (s) => (s.animation[0].keys[1].value = 3), ['/animation/0/keys/1/value']],
+  [
+    'a triple for a number',
+    (s) => (s.animation[0].target = '/shapes/ball/radius'),
+    ['/animation/0/keys/0/value', '/animation/0/keys/1/value'],
+  ],
+  [
+    'a key out of range',
+    (s) => (s.animation = [track('/shapes/ball/radius', key(0, 1), key(1, -1))]),
+    ['/animation/0/keys/1/value'],
+  ],
+  ['two tracks for one thing', (s) => s.animation.push(s.animation[0]), ['/animation/1/target']],
+  [
+    'a track for a triple and one for its part',
+    (s) => s.animation.push(track(`${BALL}/1`, key(0, 1))),
+    ['/animation/1/target'],
+  ],
+  ['an unknown way to repeat', (s) => (s.animation[0].repeat = 'forever'), ['/animation/0/repeat']],
+  ['an unknown interpolation', (s) => (s.animation[0].interpolation = 'bezier'), ['/animation/0/interpolation']],
+];
+
+/** Values that no JSON text can hold. */
+export const brokenObjects: readonly BrokenScene[] = [
+  ['a scene within itself', (s) => (s.shapes.again = s), ['/shapes/again/type']],
+  ['shapes within themselves', (s) => (s.shapes.again = s.shapes), ['/shapes/again/type']],
+  [
+    'a getter that throws',
+    (s) =>
+      Object.defineProperty(s.shapes.ball, 'radius', {
+        enumerable: true,
+        get: () => {
+          throw new Error('no');
+        },
+      }),
+    ['/shapes/ball/radius'],
+  ],
+  [
+    'a proxy whose every trap throws',
+    (s) => {
+      const throwing = new Proxy(
+        {},
+        {
+          get: () => () => {
+            throw new Error('trap');
+          },
+        },
+      );
+      s.shapes.ball = new Proxy({}, throwing);
+    },
+    ['/shapes/ball'],
+  ],
+  [
+    'a revoked proxy',
+    (s) => {
+      const { proxy, revoke } = Proxy.revocable([], {});
+      revoke();
+      s.camera.eye = proxy;
+    },
+    ['/camera/eye'],
+  ],
+];
