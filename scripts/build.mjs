@@ -1,9 +1,10 @@
 #!/usr/bin/env node
-// npm run build: the studio as one file, apps/studio/dist/index.html.
+// npm run build: the studio as one file, apps/studio/dist/index.html, and the library, packages/renderer/dist/mirrorball.js.
+import { buildLibrary } from './build-library.mjs';
 import { buildStudio } from './build-studio.mjs';
 import { installPackages } from './install-packages.mjs';
 import { requireNode } from './node-version.mjs';
 
 requireNode();
 await installPackages();
-process.exitCode = await buildStudio();
+process.exitCode = (await buildStudio()) || (await buildLibrary());

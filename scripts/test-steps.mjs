@@ -1,6 +1,7 @@
 // The steps of `npm test`, in order. A step gives its exit code and, when it runs test cases, how they went.
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { buildLibrary } from './build-library.mjs';
 import { buildStudio } from './build-studio.mjs';
 import { ensureChromium } from './install-chromium.mjs';
 import { root, runNode, tools } from './run-command.mjs';
@@ -76,6 +77,10 @@ export const steps = [
     run: async () => judge(await runNode(tools.biome, ['check', '.']), null),
   },
   { name: 'unit', about: 'Vitest, in Node', run: unit },
-  { name: 'build', about: 'the studio as one small file', run: async () => judge(await buildStudio(), null) },
+  {
+    name: 'build',
+    about: 'the studio as one small file, and the library as one module',
+    run: async () => judge((await buildStudio()) || (await buildLibrary()), null),
+  },
   { name: 'browser', about: 'Playwright, in Chromium on WebGPU and WebGL2', needs: 'build', run: browser },
 ];

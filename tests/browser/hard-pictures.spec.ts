@@ -3,7 +3,7 @@ import type { PictureSettings } from './harness/parity.ts';
 
 /** No speckles, no dotted faces, no light leaks: harness/hard-scenes.ts says where they are looked for. */
 // Odd, so that the middle row and column run exactly along the view.
-const PICTURE = { width: 97, height: 73, time: 0, seed: 5 };
+const PICTURE = { width: 81, height: 61, time: 0, seed: 5 };
 
 for (const backend of backends) {
   test(`${backend}: no speckles in scenes that provoke them (seed 5)`, async ({ harness }) => {
@@ -32,7 +32,7 @@ for (const backend of backends) {
         ambient,
       ] as const);
     for (const name of rooms) {
-      for (const lightSamples of [1, 9, 16]) {
+      for (const lightSamples of [1, 16]) {
         const dark = await film(name, { lightSamples }, 0);
         expect.soft(dark.good, `${name}: finite and not negative`).toBe(true);
         expect.soft(dark.lit, `${name}, ${lightSamples} samples: pixels with light`).toBe(0);
@@ -52,10 +52,9 @@ for (const backend of backends) {
     harness,
   }) => {
     const { scenes } = await harness.evaluate(() => window.harness.hardNames());
-    for (const name of scenes.filter((s) => !s.includes('far light')))
+    for (const name of scenes.filter((s) => !/far light|paper/.test(s)))
       for (const place of [
         [1, 1e4],
-        [1e-3, 0],
         [1e-3, 1e4],
       ] as [number, number][]) {
         const found = await harness.evaluate(([b, n, p, q]) => window.harness.movedPicture(b, n, p, q), [

@@ -49,7 +49,8 @@ test.describe('in Chinese', () => {
     }
     expect(await seriousProblems(page)).toEqual([]);
     await unfold(page, '页面');
-    await choose(page, '语言', 'English');
+    // The group is renamed by the click itself.
+    await group(page, '语言').getByRole('radio', { name: 'English', exact: true }).click();
     await expect(page.locator('html')).toHaveAttribute('lang', 'en');
     await expect(page.getByRole('slider', { name: 'Reflections' })).toBeVisible();
     await page.reload();

@@ -1,6 +1,5 @@
 import { batch, effect } from '@preact/signals';
 import { type Backend, createRenderer, type FrameStats, type Renderer } from 'mirrorball';
-import type { Dictionary } from './i18n.ts';
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { createCanvas, describePicture } from './stage.ts';
 import { playing, renderer, shown, speed, stats, switchingTo, time, viewMoved, wantedSettings } from './state.ts';
@@ -37,7 +36,7 @@ export async function openRenderer(backend: Backend | 'auto'): Promise<Renderer>
         if (canvas !== renderer.peek()?.canvas) return;
         if (event === 'restored') dismiss('device');
         if (event === 'lost') notify('device', (t) => t.noticeLost);
-        if (event === 'failed') deviceGone(reason);
+        if (event === 'failed') void deviceGone(reason);
       },
     });
   } catch (error) {
@@ -46,9 +45,12 @@ export async function openRenderer(backend: Backend | 'auto'): Promise<Renderer>
   }
 }
 
-function deviceGone(reason: string): void {
+/** What is left to draw with takes over: the other graphics interface, else the CPU. */
+async function deviceGone(reason: string): Promise<void> {
   notify('device', (t) => t.noticeFailed(reason));
-  void switchBackend('auto');
+  const gone = renderer.peek()?.backend;
+  for (const backend of ['webgpu', 'webgl2', 'cpu'] as const)
+    if (backend !== gone && (await switchBackend(backend))) return;
 }
 
 /** Gives `next` all that the page shows now: scene, settings, view and time. It must not be running. */
@@ -92,10 +94,10 @@ async function drawFirst(next: Renderer, from: Renderer | null): Promise<void> {
   }
 }
 
-/** Lets another backend draw. The old one goes on until the new one has a picture, and stays if there is none. */
-export async function switchBackend(backend: Backend | 'auto'): Promise<void> {
+/** Lets another backend draw. The old one goes on until the new one has a picture, and stays, with false, if there is none. */
+export async function switchBackend(backend: Backend): Promise<boolean> {
   const old = renderer.peek();
-  if (switchingTo.peek() !== null || old?.backend === backend) return;
+  if (switchingTo.peek() !== null || old?.backend === backend) return false;
   switchingTo.value = backend;
   if (backend === 'cpu') notify('backend', (t) => t.noticeCpuComputes);
   try {
@@ -103,9 +105,10 @@ export async function switchBackend(backend: Backend | 'auto'): Promise<void> {
     await drawFirst(next, old);
     dismiss('backend');
     takeOver(next, old);
+    return true;
   } catch (error) {
-    const name = (t: Dictionary): string => (backend === 'auto' ? 'WebGPU / WebGL2' : t.backendNames[backend]);
-    notify('backend', (t) => t.noticeSwitchFailed(name(t), reasonOf(error)));
+    notify('backend', (t) => t.noticeSwitchFailed(t.backendNames[backend], reasonOf(error)));
+    return false;
   } finally {
     switchingTo.value = null;
   }
@@ -164,7 +167,7 @@ export function followState(): void {
 
 let chosenCpu = false;
 /** Remembers that the still picture is wished for, so that it is not excused. */
-export function chooseBackend(backend: Backend): Promise<void> {
+export function chooseBackend(backend: Backend): Promise<boolean> {
   chosenCpu = backend === 'cpu';
   return switchBackend(backend);
 }

@@ -11,7 +11,7 @@ export const shown = signal<{ id: string; scene: Scene; fileName?: string } | nu
 /** Whether the view is the person's own and no longer the scene's. */
 export const viewMoved = signal(false);
 /** The backend being started to take over, if any. */
-export const switchingTo = signal<Backend | 'auto' | null>(null);
+export const switchingTo = signal<Backend | null>(null);
 /** Figures of the last frame, taken four times a second. */
 export const stats = signal<FrameStats | null>(null);
 

@@ -2,12 +2,17 @@ import { filmToSrgb } from './display/srgb.ts';
 import { renderStill } from './reference/reference-renderer.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Scene } from './scene/scene.ts';
+import { openStillScreen, type ShowStill } from './still-screen.ts';
 import { View } from './view.ts';
 
 /** Film pixels of a still picture at most: a few seconds' work. */
 const MOST_PIXELS = 480 * 360;
 /** Changes by hand that follow one another closely start one picture, not many, milliseconds. */
 const SETTLE_MS = 120;
+
+/** Why a picture is not finished. */
+const REPLACED = new Error('Another picture was begun.');
+const DISPOSED = new Error('The renderer was disposed of.');
 
 /**
  * One still picture by the double-precision reference tracer, where there is no GPU interface at all. It does not play; a change
@@ -20,19 +25,23 @@ export class CpuRenderer implements Renderer {
   playing = false;
   readonly #options: RendererOptions;
   readonly #view: View;
-  readonly #context: CanvasRenderingContext2D;
+  readonly #showStill: ShowStill;
   #film: { width: number; height: number; pixels: Float32Array<ArrayBuffer> } | null = null;
   #stats: FrameStats;
   #abort: AbortController | null = null;
   #timer: ReturnType<typeof setInterval> | undefined;
-  #seenRevision = -1;
+  /** What the view was like when it was last looked at, and when the picture was begun. */
+  #seen = '';
+  #drawn = '';
   #shownRevision = -1;
 
-  constructor(canvas: HTMLCanvasElement, options: RendererOptions) {
-    const context = canvas.getContext('2d');
-    if (!context) throw new Error('The canvas gives no 2D context; it may have been used with another one before.');
+  static async create(canvas: HTMLCanvasElement, options: RendererOptions): Promise<CpuRenderer> {
+    return new CpuRenderer(canvas, await openStillScreen(canvas), options);
+  }
+
+  private constructor(canvas: HTMLCanvasElement, showStill: ShowStill, options: RendererOptions) {
     this.canvas = canvas;
-    this.#context = context;
+    this.#showStill = showStill;
     this.#options = options;
     this.#view = new View(options.settings);
     this.#view.playing = false;
@@ -87,14 +96,25 @@ export class CpuRenderer implements Renderer {
 
   /** Begins a picture once the view has changed and then kept still. */
   #look(): void {
-    const { revision, shownRevision, scene } = this.#view;
-    const settled = revision === this.#seenRevision;
-    this.#seenRevision = revision;
-    if (!scene || !settled) return;
-    if (this.#drawn !== revision) this.render().catch(() => {});
-    else if (shownRevision !== this.#shownRevision || this.#canvasCleared()) this.#show();
+    const { shownRevision, scene } = this.#view;
+    const wanted = this.#wanted();
+    const settled = wanted === this.#seen;
+    this.#seen = wanted;
+    if (shownRevision !== this.#shownRevision || this.#canvasCleared()) this.#show();
+    if (scene && settled && this.#drawn !== wanted) this.render().catch(this.#report);
   }
-  #drawn = -1;
+
+  /** All that a picture depends on, in few words. */
+  #wanted(): string {
+    const { width, height } = this.#filmSize();
+    return `${this.#view.revision} ${width} × ${height}`;
+  }
+
+  readonly #report = (error: unknown): void => {
+    if (error === REPLACED || error === DISPOSED) return;
+    this.stop();
+    this.#options.onDevice?.('failed', error instanceof Error ? error.message : String(error));
+  };
 
   #canvasCleared(): boolean {
     return this.canvas.width !== this.#stats.canvasWidth || this.canvas.height !== this.#stats.canvasHeight;
@@ -103,9 +123,9 @@ export class CpuRenderer implements Renderer {
   /** Resolves when the picture is finished. Rejects when another one took its place. */
   async render(): Promise<void> {
     if (!this.#view.scene) throw new Error('Set a scene before rendering.');
-    this.#abort?.abort(new Error('Another picture was begun.'));
+    this.#abort?.abort(REPLACED);
     this.#abort = new AbortController();
-    this.#drawn = this.#view.revision;
+    this.#drawn = this.#wanted();
     const { settings } = this.#view;
     const { width, height } = this.#filmSize();
     const started = performance.now();
@@ -130,7 +150,7 @@ export class CpuRenderer implements Renderer {
 
   #filmSize() {
     const { width, height } = this.canvas;
-    const scale = Math.min(this.settings.resolutionScale, Math.sqrt(MOST_PIXELS / (width * height)));
+    const scale = Math.min(this.settings.resolutionScale, Math.sqrt(MOST_PIXELS / Math.max(width * height, 1)));
     return { width: Math.max(Math.round(width * scale), 1), height: Math.max(Math.round(height * scale), 1) };
   }
 
@@ -150,11 +170,9 @@ export class CpuRenderer implements Renderer {
 
   #show(): void {
     const film = this.#film;
-    if (!film) return;
+    if (!film || this.canvas.width * this.canvas.height === 0) return;
     const picture = new ImageData(filmToSrgb(film.pixels, this.settings.exposure), film.width, film.height);
-    const small = new OffscreenCanvas(film.width, film.height);
-    small.getContext('2d')!.putImageData(picture, 0, 0);
-    this.#context.drawImage(small, 0, 0, this.canvas.width, this.canvas.height);
+    this.#showStill(picture);
     this.#shownRevision = this.#view.shownRevision;
     this.#stats = { ...this.#stats, canvasWidth: this.canvas.width, canvasHeight: this.canvas.height };
   }
@@ -166,6 +184,6 @@ export class CpuRenderer implements Renderer {
 
   dispose(): void {
     this.stop();
-    this.#abort?.abort(new Error('The renderer was disposed of.'));
+    this.#abort?.abort(DISPOSED);
   }
 }

@@ -1,17 +1,19 @@
 import { FrameController } from './frame-controller.ts';
-import type { Device } from './gpu/device.ts';
+import { FrameFigures } from './frame-figures.ts';
+import { type Device, DeviceError } from './gpu/device.ts';
+import { Painter } from './painter.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Scene } from './scene/scene.ts';
 import { Stages } from './stages.ts';
 import { View } from './view.ts';
 
-/** Frames that may be on the device at once: one being worked on, one waiting, so that it never idles and never lags. */
-const MOST_IN_FLIGHT = 2;
 /** After the last change by hand the picture counts as moving for this long, milliseconds. */
 const STILL_AFTER_MS = 150;
 /** How often a lost device is asked for again, and how long is waited between, milliseconds. */
 const REOPEN_TRIES = 8;
 const REOPEN_PAUSE_MS = 150;
+/** Work on a lost device may fail before the loss itself is told, but not much longer, milliseconds. */
+const LOSS_NEWS_MS = 250;
 
 /** Draws with a GPU device; gets a new one when it is lost. */
 export class GpuRenderer implements Renderer {
@@ -19,29 +21,37 @@ export class GpuRenderer implements Renderer {
   readonly #options: RendererOptions;
   readonly #view: View;
   readonly #controller = new FrameController();
+  readonly #figures: FrameFigures;
   #device: Device;
-  #stages: Stages | null = null;
-  #stats: FrameStats;
+  /** Null while there is no device. */
+  #painter: Painter | null = null;
   #frameRequest = 0;
   #lastTick: number | null = null;
-  #lastShown = 0;
-  #interval = 1000;
   #lastChange = 0;
-  #inFlight = 0;
-  /** A sample that takes several submits is under way. */
-  #tracing = false;
-  #disposed = false;
-  /** What the film holds: its revision and whether the whole integrator made it. */
-  #filmRevision = -1;
-  #filmComplete = false;
-  #shownRevision = -1;
   #rays = 0;
+  /** Why nothing can be drawn any more. */
+  #gone: string | null = null;
 
   static async create(canvas: HTMLCanvasElement, device: Device, options: RendererOptions): Promise<GpuRenderer> {
     const renderer = new GpuRenderer(canvas, device, options);
-    renderer.#stages = await Stages.open(device);
-    renderer.#watch(device);
+    try {
+      await renderer.#open();
+    } catch (error) {
+      renderer.dispose();
+      throw error;
+    }
     return renderer;
+  }
+
+  async #open(): Promise<void> {
+    const device = this.#device;
+    try {
+      this.#use(await Stages.open(device));
+    } catch (error) {
+      const lost = await Promise.race([device.lost.then(() => true), pause(LOSS_NEWS_MS).then(() => false)]);
+      if (!lost) throw error;
+      await this.#reopen();
+    }
   }
 
   private constructor(canvas: HTMLCanvasElement, device: Device, options: RendererOptions) {
@@ -49,18 +59,7 @@ export class GpuRenderer implements Renderer {
     this.#device = device;
     this.#options = options;
     this.#view = new View(options.settings);
-    this.#stats = {
-      backend: device.backend,
-      fps: 0,
-      frameMs: 0,
-      samples: 0,
-      mraysPerSecond: 0,
-      filmWidth: 0,
-      filmHeight: 0,
-      canvasWidth: canvas.width,
-      canvasHeight: canvas.height,
-      time: 0,
-    };
+    this.#figures = new FrameFigures(device.backend, canvas);
   }
 
   get backend() {
@@ -74,7 +73,7 @@ export class GpuRenderer implements Renderer {
     return this.#view.settings;
   }
   get stats() {
-    return this.#stats;
+    return this.#figures.stats;
   }
   get scene() {
     return this.#view.scene;
@@ -113,9 +112,10 @@ export class GpuRenderer implements Renderer {
   async setScene(scene: Scene): Promise<void> {
     this.#view.setScene(scene);
     this.#workChanged();
-    if (!this.running) return;
     const wanted = this.#view.revision;
-    while (this.running && this.#filmRevision < wanted) await nextFrame();
+    const { canvas } = this;
+    while (this.running && canvas.width * canvas.height > 0 && (this.#painter?.shownFilm ?? -1) < wanted)
+      await nextFrame();
   }
 
   set(settings: Partial<RendererSettings>): void {
@@ -130,7 +130,7 @@ export class GpuRenderer implements Renderer {
   }
 
   start(): void {
-    if (this.running || this.#disposed) return;
+    if (this.running || this.#gone !== null) return;
     this.#lastTick = null;
     this.#frameRequest = requestAnimationFrame(this.#tick);
   }
@@ -142,159 +142,138 @@ export class GpuRenderer implements Renderer {
 
   readonly #tick = (now: number): void => {
     this.#frameRequest = requestAnimationFrame(this.#tick);
-    const moved = this.#lastTick !== null && this.#view.moves;
-    this.#view.advance(this.#lastTick === null ? 0 : Math.max(now - this.#lastTick, 0) / 1000);
-    this.#lastTick = now;
-    if (this.#tracing || this.#inFlight >= MOST_IN_FLIGHT || !this.#view.scene || !this.#stages) return;
-    if (this.#view.revision !== this.#filmRevision && !moved) this.#lastChange = now;
-    const moving = this.#view.moves || now - this.#lastChange < STILL_AFTER_MS;
-    this.#drawFrame(this.#view.settings.adaptive && moving).catch(this.#report);
-  };
-
-  /** What went wrong in a frame: with a lost device nothing that is not being mended already. */
-  readonly #report = (error: unknown): void => {
-    if (this.#stages === null || this.#disposed) return;
-    this.stop();
-    this.#options.onDevice?.('failed', error instanceof Error ? error.message : String(error));
-  };
-
-  /** Adds a sample to the film, begun anew when the view has changed, or only shows it, or does nothing. */
-  async #drawFrame(reduced: boolean): Promise<void> {
     const view = this.#view;
-    const stages = this.#stages!;
-    const { film } = stages;
-    const size = this.#filmSize(stages, reduced);
-    const outdated = view.revision !== this.#filmRevision || (stages.complete && !this.#filmComplete);
-    if (outdated || size.width !== film.width || size.height !== film.height) {
-      stages.begin({ scene: view.sceneNow(), camera: view.camera, settings: view.settings }, size.width, size.height);
-      this.#filmComplete = stages.complete;
-      this.#filmRevision = view.revision;
-    } else if (film.samples >= (stages.complete ? view.settings.maxSamples : 1)) {
-      if (view.shownRevision !== this.#shownRevision || this.#canvasCleared()) this.#showAgain(stages);
+    const moved = this.#lastTick !== null && view.moves;
+    view.advance(this.#lastTick === null ? 0 : Math.max(now - this.#lastTick, 0) / 1000);
+    this.#lastTick = now;
+    const painter = this.#painter;
+    if (!painter || !view.scene) return;
+    if (!painter.free) {
+      painter.refresh();
       return;
     }
-    this.#shownRevision = view.shownRevision;
-    await this.#trace(stages);
+    if (view.revision !== painter.filmRevision && !moved) this.#lastChange = now;
+    const moving = view.moves || now - this.#lastChange < STILL_AFTER_MS;
+    const reduced = view.settings.adaptive && moving;
+    const changed = painter.changesByHand();
+    painter
+      .draw(reduced, () => !this.running || (!reduced && changed()))
+      .catch((error: unknown) => this.#report(painter, error));
+  };
+
+  /** Work went wrong: with a lost device nothing that is not being mended already, else the end. */
+  async #report(painter: Painter, error: unknown): Promise<void> {
+    if (!(await this.#isReplaced(painter))) this.#fail(reasonOf(error));
   }
 
-  #showAgain(stages: Stages): void {
-    stages.show(this.#view.settings.exposure);
-    this.#shownRevision = this.#view.shownRevision;
-    this.#stats = { ...this.#stats, fps: 0, canvasWidth: this.canvas.width, canvasHeight: this.canvas.height };
+  #fail(reason: string): void {
+    if (this.#gone !== null) return;
+    this.#gone = reason;
+    this.stop();
+    this.#options.onDevice?.('failed', reason);
   }
 
-  /** Setting a canvas's size clears it. */
-  #canvasCleared(): boolean {
-    return this.canvas.width !== this.#stats.canvasWidth || this.canvas.height !== this.#stats.canvasHeight;
-  }
-
-  #filmSize(stages: Stages, reduced: boolean): { width: number; height: number } {
-    const { width, height } = this.canvas;
-    const { resolutionScale, targetFps } = this.#view.settings;
-    const most = this.#device.maxTextureSize;
-    const pixels = (side: number, scale: number) => Math.min(Math.max(Math.round(side * scale), 1), most);
-    stages.film.reserve(pixels(width, resolutionScale), pixels(height, resolutionScale));
-    const scale = reduced ? this.#controller.movingScale(width * height, targetFps, resolutionScale) : resolutionScale;
-    return { width: pixels(width, scale), height: pixels(height, scale) };
-  }
-
-  async #trace(stages: Stages): Promise<void> {
-    const wanted = this.#filmRevision;
-    const started = performance.now();
-    this.#inFlight++;
-    // Until the first submit is out this runs without a pause; only a sample of several submits stays unfinished here.
-    const work = stages.addSample(this.#controller, () => this.#view.revision !== wanted && !this.#view.moves);
-    this.#tracing = stages.pending;
-    try {
-      const complete = await work;
-      if (!complete) this.#filmRevision = -1;
-      this.#count(stages, started);
-    } finally {
-      this.#inFlight--;
-      this.#tracing = false;
-    }
-    if (!stages.complete) await stages.ready();
-  }
-
-  #count(stages: Stages, started: number): void {
-    const now = performance.now();
-    const { film } = stages;
-    const frameMs = Math.max(now - Math.max(started, this.#lastShown), 0.01);
-    const interval = now - this.#lastShown;
-    // The mean of the intervals, not of their reciprocals: two frames that finish together are not a thousand a second.
-    this.#interval = interval > 1000 ? interval : this.#interval + (interval - this.#interval) * 0.1;
-    const fps = 1000 / this.#interval;
-    this.#lastShown = now;
-    this.#stats = {
-      backend: this.backend,
-      fps,
-      frameMs,
-      samples: this.#filmComplete ? film.samples : 0,
-      mraysPerSecond: (film.width * film.height * this.#rays) / frameMs / 1000,
-      filmWidth: film.width,
-      filmHeight: film.height,
-      canvasWidth: this.canvas.width,
-      canvasHeight: this.canvas.height,
-      time: this.#view.time,
-    };
-    this.#options.onFrame?.(this.#stats);
+  async #isReplaced(painter: Painter): Promise<boolean> {
+    for (let waited = 0; waited < LOSS_NEWS_MS && painter === this.#painter; waited += 10) await pause(10);
+    return painter !== this.#painter;
   }
 
   async render(): Promise<void> {
     if (!this.#view.scene) throw new Error('Set a scene before rendering.');
-    const stages = await this.#waitForStages();
-    if (!this.running) await stages.ready();
-    while (this.#tracing) await nextTask();
-    await this.#drawFrame(this.running && this.#view.moves && this.#view.settings.adaptive);
+    for (;;) {
+      const painter = await this.#waitForPainter();
+      try {
+        if (await this.#renderWith(painter)) return;
+      } catch (error) {
+        if (!(await this.#isReplaced(painter))) throw error;
+      }
+    }
   }
 
-  async #waitForStages(): Promise<Stages> {
-    while (!this.#stages && !this.#disposed) await nextTask();
-    if (!this.#stages) throw new Error('The renderer was disposed of.');
-    return this.#stages;
+  /** Resolves to false when the device was lost on the way. */
+  async #renderWith(painter: Painter): Promise<boolean> {
+    if (!this.running) await painter.stages.ready();
+    if (!painter.free) painter.refresh();
+    while (!painter.free && painter === this.#painter) await pause(4);
+    if (painter !== this.#painter) return false;
+    await painter.draw(this.running && this.#view.moves && this.#view.settings.adaptive, () => false);
+    return painter === this.#painter;
+  }
+
+  async #waitForPainter(): Promise<Painter> {
+    while (!this.#painter && this.#gone === null) await pause(4);
+    if (this.#gone !== null) throw new DeviceError(this.#gone);
+    return this.#painter!;
   }
 
   async readFilm() {
-    const { film } = await this.#waitForStages();
+    const painter = await this.#waitForPainter();
+    // The film of a picture that was never asked for, or only of the preview, is not the integrator's.
+    if (painter.filmRevision >= 0 && !painter.filmComplete) await painter.stages.ready().then(() => this.render());
+    while (painter === this.#painter && painter.stages.pending && painter.stages.film.samples === 0) await pause(4);
+    const { film } = (await this.#waitForPainter()).stages;
+    if (film.samples === 0) throw new Error('Nothing has been rendered yet.');
     return { width: film.width, height: film.height, pixels: await film.read() };
   }
 
-  #watch(device: Device): void {
-    device.lost.then((reason) => {
-      if (!this.#disposed) void this.#recover(reason);
+  #use(stages: Stages): void {
+    const onFrame = (stats: FrameStats) => {
+      if (painter === this.#painter) this.#tell(stats);
+    };
+    const { canvas } = this;
+    const easel = { canvas, view: this.#view, controller: this.#controller, figures: this.#figures, onFrame };
+    const painter = new Painter(stages, easel);
+    this.#painter = painter;
+    stages.device.lost.then((reason) => {
+      if (this.#gone === null) void this.#recover(reason);
     });
+  }
+
+  /** What goes wrong at the listener's is not the renderer's end. */
+  #tell(stats: FrameStats): void {
+    try {
+      this.#options.onFrame?.(stats);
+    } catch (error) {
+      setTimeout(() => {
+        throw error;
+      });
+    }
   }
 
   /** A lost device keeps scene, view and time; the film is traced again. */
   async #recover(reason: string): Promise<void> {
-    this.#stages = null;
+    this.#painter = null;
     this.#options.onDevice?.('lost', reason);
-    let failure: unknown;
-    for (let attempt = 0; attempt < REOPEN_TRIES && !this.#disposed; attempt++) {
+    let failure = reason;
+    for (let attempt = 0; attempt < REOPEN_TRIES && this.#gone === null; attempt++) {
       try {
-        this.#device = await this.#device.reopen();
-        this.#stages = await Stages.open(this.#device);
-        this.#filmRevision = -1;
-        this.#watch(this.#device);
-        this.#options.onDevice?.('restored', reason);
+        if (await this.#reopen()) this.#options.onDevice?.('restored', reason);
         return;
       } catch (error) {
-        failure = error;
-        await new Promise((resolve) => setTimeout(resolve, REOPEN_PAUSE_MS));
+        failure = reasonOf(error);
+        await pause(REOPEN_PAUSE_MS);
       }
     }
-    if (this.#disposed) return;
-    this.stop();
-    this.#options.onDevice?.('failed', failure instanceof Error ? failure.message : reason);
+    this.#fail(failure);
+  }
+
+  /** Resolves to false when nobody wants the new device any more. */
+  async #reopen(): Promise<boolean> {
+    this.#device = await this.#device.reopen();
+    const stages = this.#gone === null ? await Stages.open(this.#device) : null;
+    if (stages && this.#gone === null) this.#use(stages);
+    else this.#device.destroy();
+    return this.#painter !== null;
   }
 
   dispose(): void {
     this.stop();
-    this.#disposed = true;
-    this.#stages = null;
+    this.#gone ??= 'The renderer was disposed of.';
+    this.#painter = null;
     this.#device.destroy();
   }
 }
 
+const reasonOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 const nextFrame = () => new Promise((resolve) => requestAnimationFrame(resolve));
-const nextTask = () => new Promise((resolve) => setTimeout(resolve, 4));
+const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));

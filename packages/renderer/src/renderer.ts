@@ -28,7 +28,7 @@ export async function createRenderer(canvas: HTMLCanvasElement, options: Rendere
 }
 
 async function open(backend: Backend, canvas: HTMLCanvasElement, options: RendererOptions): Promise<Renderer> {
-  if (backend === 'cpu') return new CpuRenderer(canvas, options);
-  const device: Device = backend === 'webgpu' ? await openWebGpu(canvas) : openWebGl2(canvas);
+  if (backend === 'cpu') return CpuRenderer.create(canvas, options);
+  const device: Device = await (backend === 'webgpu' ? openWebGpu(canvas) : openWebGl2(canvas));
   return GpuRenderer.create(canvas, device, options);
 }

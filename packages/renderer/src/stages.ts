@@ -6,7 +6,7 @@ import { Display } from './display/display.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, Pass, TableTexture, UniformBuffer } from './gpu/device.ts';
-import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
+import { type ClassicInputs, createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame } from './packed-scene/pack-frame.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
@@ -19,7 +19,14 @@ export interface Shot {
   readonly scene: Scene;
   readonly camera: Camera;
   readonly settings: Readonly<RendererSettings>;
+  /** At most. */
+  readonly raysPerPixel: number;
 }
+
+/** Rays that the first submits may ask for, while the device's speed is unknown: even a slow GPU does these in a blink. */
+const UNMEASURED_RAYS = 2 ** 25;
+/** Pixels in a submit of the preview, whose work does not grow with the settings. */
+const PREVIEW_PIXELS = 512 * 512;
 
 export class Stages {
   readonly device: Device;
@@ -42,6 +49,7 @@ export class Stages {
   /** Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. */
   static async open(device: Device): Promise<Stages> {
     const [display, preview] = await Promise.all([Display.create(device), createPreviewPass(device)]);
+    device.attach();
     return new Stages(device, display, preview);
   }
 
@@ -85,37 +93,56 @@ export class Stages {
   }
 
   /**
-   * Adds one sample to every pixel of the film, in submits of as many rows as the controller allows, and shows it. What fits into
-   * one submit is submitted before this returns; the promise is for those who want to know that the device has finished.
-   * Resolves to false when `stale` said between two submits that nobody wants the picture any more.
+   * Adds one sample to every pixel of the film, in submits of as many rows as the controller allows. What fits into one submit is
+   * submitted before this returns. `submitted` is called with the last one, when the film holds the sample; the promise is for
+   * those who want to know that the device has finished. It resolves to false when the sample was given up since `unwanted` said
+   * between two submits that nobody needs it any more.
    */
-  async addSample(controller: FrameController, stale: () => boolean): Promise<boolean> {
+  async addSample(controller: FrameController, submitted: () => void, unwanted: () => boolean): Promise<boolean> {
     const { film, device } = this;
-    const { scene, camera, settings } = this.#shot!;
-    const pass = this.#classic ?? this.#preview;
-    packFrame(this.#frameBlock, film, camera, scene.sky, this.#packed!, settings, film.samples);
-    this.#frame.write(this.#frameBlock.bytes);
-    const inputs = { frame: this.#frame, sceneTable: this.#table!, previousFilm: film.current };
     const { width, height } = film;
+    const pass = this.#classic ?? this.#preview;
+    const inputs = this.#writeFrame();
+    let row = 0;
     this.#pending = true;
-    for (let row = 0; ; ) {
-      const rowCount = Math.min(controller.rowsPerSubmit(width), height - row);
-      const submitted = performance.now();
-      drawClassic(device, pass, film.next, inputs, { width, height, firstRow: row, rowCount });
-      row += rowCount;
-      if (row === height) {
-        this.#pending = false;
-        film.swap();
-        this.show(settings.exposure);
+    try {
+      for (;;) {
+        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass), height - row);
+        const begun = performance.now();
+        drawClassic(device, pass, film.next, inputs, { width, height, firstRow: row, rowCount });
+        row += rowCount;
+        if (row === height) this.#complete(submitted);
+        await device.finished();
+        this.#measure(controller, pass, width * rowCount, begun);
+        if (row === height) return true;
+        if (unwanted()) return false;
       }
-      await device.finished();
-      this.#measure(controller, pass, width * rowCount, submitted);
-      if (row === height) return true;
-      if (stale()) {
-        this.#pending = false;
-        return false;
-      }
+    } finally {
+      // Once all is submitted, `pending` may be the next sample's.
+      if (row < height) this.#pending = false;
     }
+  }
+
+  #writeFrame(): ClassicInputs {
+    const { scene, camera, settings } = this.#shot!;
+    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.samples);
+    this.#frame.write(this.#frameBlock.bytes);
+    return { frame: this.#frame, sceneTable: this.#table!, previousFilm: this.film.current };
+  }
+
+  #complete(submitted: () => void): void {
+    this.#pending = false;
+    this.film.swap();
+    submitted();
+  }
+
+  /** Before the first measurement nobody knows how fast the device is, only how many rays a pixel may ask for. */
+  #rowsPerSubmit(controller: FrameController, pass: Pass): number {
+    const { width } = this.film;
+    if (pass === this.#preview) return Math.max(Math.floor(PREVIEW_PIXELS / width), 1);
+    const rows = controller.rowsPerSubmit(width);
+    if (controller.cost) return rows;
+    return Math.max(Math.min(rows, Math.floor(UNMEASURED_RAYS / (width * this.#shot!.raysPerPixel))), 1);
   }
 
   #measure(controller: FrameController, pass: Pass, pixels: number, submitted: number): void {
@@ -128,8 +155,10 @@ export class Stages {
     this.#warm = true;
   }
 
-  /** Puts the film on the canvas. `exposure` in stops. */
-  show(exposure: number): void {
-    if (this.film.samples > 0) this.#display.show(this.film.current, this.film.width, this.film.height, exposure);
+  /** Puts the newest whole picture on the canvas; false when there is none. `exposure` in stops. */
+  show(exposure: number): boolean {
+    const { picture } = this.film;
+    if (picture) this.#display.show(picture.texture, picture.width, picture.height, exposure);
+    return picture !== null;
   }
 }

@@ -6,6 +6,8 @@ import type { RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
 import type { Camera, Scene } from './scene/scene.ts';
+import { cameraFault } from './scene/well-formed.ts';
+import { requireScene } from './scene-file/require-scene.ts';
 
 export const DEFAULT_SETTINGS: RendererSettings = {
   maxReflections: 5,
@@ -32,7 +34,7 @@ const isSamples = wholeIn(1, SCENE_LIMITS.lightSamples);
 const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) => boolean, string] } = {
   maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
   lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
-  exposure: [(n) => Math.abs(n) <= 30, 'stops from -30 to 30'],
+  exposure: [(n) => Math.abs(n) <= 32, 'stops from -32 to 32'],
   resolutionScale: [(n) => n >= 0.1 && n <= 1, 'a number from 0.1 to 1'],
   adaptive: [(b) => typeof b === 'boolean', 'true or false'],
   targetFps: [(n) => n === 30 || n === 60, '30 or 60'],
@@ -41,9 +43,9 @@ const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) =>
   comparison: [
     (c) =>
       c === null ||
-      (c.panels.length === 3 &&
+      (c?.panels?.length === 3 &&
         c.panels.every((p) => isReflections(p.maxReflections) && isSamples(p.lightSamples)) &&
-        c.dividers.length === 2 &&
+        c.dividers?.length === 2 &&
         c.dividers.every((d) => d >= 0 && d <= 1)),
     'null, or three panels and two dividers from 0 to 1',
   ],
@@ -58,11 +60,28 @@ function checkSettings(settings: Partial<RendererSettings>): void {
   }
 }
 
+const isTriple = (v: unknown) => Array.isArray(v) && v.length === 3 && v.every(Number.isFinite);
+
+function checkCamera(camera: Camera): void {
+  const { eye, target, up, verticalFov } = camera;
+  if (![eye, target, up].every(isTriple) || !(verticalFov > 0 && verticalFov < 180))
+    throw new TypeError(
+      'A camera needs eye, target and up, each of three finite numbers, and a verticalFov between 0 and 180 degrees.',
+    );
+  const fault = cameraFault(camera);
+  if (fault)
+    throw new RangeError(
+      `The camera has no direction: its "${fault}" must not lie on the line of sight or at the eye.`,
+    );
+}
+
 export class View {
   /** Grows whenever the film's content would change. */
   revision = 0;
   /** Grows whenever anything that is shown would change. */
   shownRevision = 0;
+  /** Grows whenever somebody changes the world, not when its own time passes. */
+  changesByHand = 0;
   playing = true;
   #settings: RendererSettings;
   #scene: Scene | null = null;
@@ -85,14 +104,16 @@ export class View {
     return this.#settings;
   }
 
-  setScene(scene: Scene): void {
+  /** Throws a TypeError, and changes nothing, when it is no scene. */
+  setScene(given: Scene): void {
+    const scene = requireScene(given);
     this.#at = compileAnimation(scene);
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
     const { maxReflections, lightSamples, exposure } = scene.render;
     this.#settings = { ...this.#settings, maxReflections, lightSamples, exposure };
-    this.#filmChanged();
+    this.#changedByHand();
   }
 
   /** The scene as it is at the present time. */
@@ -107,8 +128,8 @@ export class View {
     );
     if (changed.length === 0) return;
     this.#settings = { ...this.#settings, ...settings };
-    if (changed.some((key) => !NOT_IN_FILM.has(key))) this.revision++;
-    this.shownRevision++;
+    if (changed.some((key) => !NOT_IN_FILM.has(key))) this.#changedByHand();
+    else this.shownRevision++;
   }
 
   get time(): number {
@@ -118,7 +139,7 @@ export class View {
     if (!Number.isFinite(seconds)) throw new RangeError(`Time must be a finite number of seconds, not ${seconds}.`);
     if (seconds === this.#time) return;
     this.#time = seconds;
-    this.#filmChanged();
+    this.#changedByHand();
   }
 
   get speed(): number {
@@ -140,15 +161,22 @@ export class View {
   }
 
   #passTime(step: number): void {
-    if (this.moves) this.time = this.#time + step;
-    else this.#time += step;
+    const { moves } = this;
+    this.#time += step;
+    if (moves && step !== 0) this.#filmChanged();
   }
 
   get camera(): Camera {
     return this.#camera ?? this.sceneNow().camera;
   }
   set camera(camera: Camera | null) {
+    if (camera !== null) checkCamera(camera);
     this.#camera = camera;
+    this.#changedByHand();
+  }
+
+  #changedByHand(): void {
+    this.changesByHand++;
     this.#filmChanged();
   }
 
@@ -163,5 +191,10 @@ export class View {
     const panels = this.#settings.comparison?.panels ?? [this.#settings];
     const rays = panels.map((p) => (1 + p.maxReflections) * (1 + lights * p.lightSamples));
     return rays.reduce((sum, n) => sum + n, 0) / rays.length;
+  }
+
+  /** As `raysPerPixel`, of the preview: a camera ray and one shadow ray a light. */
+  previewRaysPerPixel(): number {
+    return 1 + Object.keys(this.#scene?.lights ?? {}).length;
   }
 }

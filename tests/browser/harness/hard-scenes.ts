@@ -83,11 +83,11 @@ export const hardScenes: Readonly<Record<string, Scene>> = {
   'a small ball far in front of a far light': scene(
     {
       wall: plane([0, 0, 0], [0, 0, 1]),
-      ball: sphere([0.3, 0.2, 1000], 0.2),
-      dot: box([-0.5, 0, 900], [0.3, 0.3, 0.3]),
+      ball: sphere([0.3, 0.2, 400], 0.2),
+      dot: box([-0.5, 0, 400], [0.3, 0.3, 0.3]),
     },
     looking([2, 0, 4], [-0.2, 0, 0], 40),
-    testLight({ center: [0, 0, 3000], radius: 0.1, radiance: 1e9, ambient: [0.1, 0.1, 0.1] }),
+    testLight({ center: [0, 0, 1000], radius: 1, radiance: 1e6, ambient: [0.1, 0.1, 0.1] }),
   ),
 };
 

@@ -5,9 +5,17 @@
  */
 import type { Device, FilmTexture } from '../gpu/device.ts';
 
+/** A whole picture: the first width × height pixels of the texture. */
+export interface Picture {
+  readonly texture: FilmTexture;
+  readonly width: number;
+  readonly height: number;
+}
+
 export class Film {
   readonly #device: Device;
   #textures: [FilmTexture, FilmTexture] | null = null;
+  #picture: Picture | null = null;
   #width = 0;
   #height = 0;
   #samples = 0;
@@ -35,11 +43,16 @@ export class Film {
     return this.#textures![1];
   }
 
-  /** Makes room for pictures of up to this size. What the film held is lost when it has to grow or is far too large. */
+  /** The newest whole picture, there until the next one is complete, whatever is begun meanwhile; null before the first. */
+  get picture(): Picture | null {
+    return this.#picture;
+  }
+
+  /** Makes room for pictures of up to this size. With another size than before the film starts over. */
   reserve(width: number, height: number): void {
     const now = this.#textures?.[0];
     if (now && now.width === width && now.height === height) return;
-    this.destroy();
+    for (const texture of this.#textures ?? []) if (texture !== this.#picture?.texture) texture.destroy();
     this.#textures = [this.#device.createFilm(width, height), this.#device.createFilm(width, height)];
     this.#samples = 0;
   }
@@ -53,8 +66,12 @@ export class Film {
 
   /** The sample in `next` is complete. */
   swap(): void {
-    this.#textures!.reverse();
+    const before = this.#picture?.texture;
+    const textures = this.#textures!;
+    textures.reverse();
     this.#samples++;
+    this.#picture = { texture: textures[0], width: this.#width, height: this.#height };
+    if (before && !textures.includes(before)) before.destroy();
   }
 
   /** Mean radiance, linear RGB + samples, row 0 first. */
@@ -68,7 +85,10 @@ export class Film {
   }
 
   destroy(): void {
-    for (const texture of this.#textures ?? []) texture.destroy();
+    const textures = new Set<FilmTexture>(this.#textures ?? []);
+    if (this.#picture) textures.add(this.#picture.texture);
+    for (const texture of textures) texture.destroy();
     this.#textures = null;
+    this.#picture = null;
   }
 }

@@ -75,9 +75,13 @@ export interface Device {
   readonly description: string;
   /** Largest width and height of a film, pixels. */
   readonly maxTextureSize: number;
+  /** Samples that its films can sum up before rounding shows. */
+  readonly maxFilmSamples: number;
   readonly counts: Readonly<DeviceCounts>;
-  /** Compiles without blocking the page where the browser can. */
+  /** Compiles without blocking the page where the browser can. Rejects with `DeviceError` when the driver refuses. */
   createPass(source: PassSource): Promise<Pass>;
+  /** Takes the canvas for good, if that was not needed to open the device: call it when everything needed compiles. */
+  attach(): void;
   createUniforms(byteLength: number): UniformBuffer;
   createTable(width: number, height: number): TableTexture;
   createFilm(width: number, height: number): FilmTexture;

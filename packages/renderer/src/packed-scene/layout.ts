@@ -28,7 +28,7 @@ export const STRUCTS = {
   },
   Extent: {
     a: field('vec4f', 'box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge'),
-    b: field('vec4f', 'box: half its size, and the smallest half; quad: reciprocal of its v edge'),
+    b: field('vec4f', 'box: half its size; quad: reciprocal of its v edge'),
   },
   Material: {
     baseColor: field('vec3f', 'share of light that comes back'),
@@ -63,9 +63,9 @@ export const STRUCTS = {
     dividers: field('vec2f', 'film columns where the second and third panel begin'),
     shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
     occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
+    seenLightEnd: field('u32', 'index past the last light that camera and mirrors see'),
     spare0: field('u32', 'unused'),
     spare1: field('u32', 'unused'),
-    spare2: field('u32', 'unused'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
   },
   Display: {

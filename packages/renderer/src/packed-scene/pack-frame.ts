@@ -60,6 +60,7 @@ export function packFrame(
     dividers: [dividers[0] * film.width, dividers[1] * film.width],
     shapeEnds: packed.shapeEnds,
     occluderEnd: packed.occluderEnd,
+    seenLightEnd: packed.seenLightEnd,
     panels: panels.flatMap((p) => [p.maxReflections, p.lightSamples, 0, 0]),
   });
 }

@@ -15,6 +15,8 @@ export interface PackedScene {
   /** Index past the last shape that may stand between a light and a point. */
   readonly occluderEnd: number;
   readonly lightCount: number;
+  /** Index past the last light that camera and mirrors see. */
+  readonly seenLightEnd: number;
   /** Names in table order, so that an index can be told to people. */
   readonly shapeNames: readonly string[];
 }
@@ -57,7 +59,15 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
   let end = 0;
   const shapeEnds = sorted.map((kind) => (end += kind.length)) as [number, number, number, number];
   const occluderEnd = shapeEnds[2] + planes.filter(casts).length;
-  return { table, rows, shapeEnds, occluderEnd, lightCount: lights.length, shapeNames: ordered.map(([name]) => name) };
+  return {
+    table,
+    rows,
+    shapeEnds,
+    occluderEnd,
+    lightCount: lights.length,
+    seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
+    shapeNames: ordered.map(([name]) => name),
+  };
 }
 
 /**

@@ -28,8 +28,15 @@ export function parseScene(input: unknown): ParsedScene {
   } catch (error) {
     reportFailure(error, problems);
   }
-  return scene && problems.isEmpty ? { ok: true, scene: freeze(scene) } : { ok: false, problems: problems.list() };
+  if (!scene || !problems.isEmpty) return { ok: false, problems: problems.list() };
+  parsedScenes.add(freeze(scene));
+  return { ok: true, scene };
 }
+
+/** Scenes made here, for who wants to know whether one can be relied on. They are frozen, so they stay as they are. */
+const parsedScenes = new WeakSet<object>();
+export const isParsedScene = (value: unknown): value is Scene =>
+  typeof value === 'object' && value !== null && parsedScenes.has(value);
 
 function reportFailure(error: unknown, problems: ProblemList): void {
   if (error instanceof TooManyValues) {

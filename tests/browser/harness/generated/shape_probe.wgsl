@@ -190,7 +190,7 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
-  // box: half its size, and the smallest half; quad: reciprocal of its v edge
+  // box: half its size; quad: reciprocal of its v edge
   b: vec4f,
 }
 
@@ -270,12 +270,12 @@ struct Frame {
   shapeEnds: vec4u,
   // index past the last shape that may stand between a light and a point
   occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
   // unused
   spare0: u32,
   // unused
   spare1: u32,
-  // unused
-  spare2: u32,
   // per panel: max reflections, light samples, unused, unused
   panels: array<vec4u, 3>,
 }

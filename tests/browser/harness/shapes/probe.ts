@@ -75,7 +75,7 @@ export async function probeShapes(backend: 'webgpu' | 'webgl2', setting: Setting
   const rays = randomRays(setting, scene, SIDE * SIDE);
   const packed = packScene(scene, scene.camera.eye);
   const rows = Object.keys(scene.shapes).map((name) => packed.shapeNames.indexOf(name));
-  const device = backend === 'webgpu' ? await openWebGpu(null) : openWebGl2(document.createElement('canvas'));
+  const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
   const answers = await cast(device, packed, rayTexels(rays, rows));
   device.destroy();
   const shapes = preparedShapes(scene);

@@ -1,6 +1,6 @@
 import { DeviceError, type PassSource } from '../device.ts';
 
-/** Compiles and links without blocking where KHR_parallel_shader_compile is there. Programmer's errors carry the compiler's log. */
+/** Compiles and links without blocking where KHR_parallel_shader_compile is there. Its `DeviceError` carries the compiler's log. */
 export async function compileProgram(gl: WebGL2RenderingContext, source: PassSource): Promise<WebGLProgram> {
   const parallel = gl.getExtension('KHR_parallel_shader_compile');
   const program = gl.createProgram();
@@ -19,7 +19,7 @@ export async function compileProgram(gl: WebGL2RenderingContext, source: PassSou
     const log = [gl.getProgramInfoLog(program), ...shaders.map((s) => gl.getShaderInfoLog(s))]
       .filter(Boolean)
       .join('\n');
-    throw new Error(`The WebGL2 program "${source.label}" does not compile:\n${log}`);
+    throw new DeviceError(`The WebGL2 program "${source.label}" does not compile:\n${log}`);
   }
   for (const s of shaders) gl.deleteShader(s);
   return program;

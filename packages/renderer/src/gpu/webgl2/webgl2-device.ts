@@ -15,6 +15,7 @@ import { compileProgram } from './program.ts';
 
 /** How long a lost context may take to come back before the device counts as gone. */
 const RESTORE_TIMEOUT_MS = 3000;
+const RESTORE_PAUSE_MS = 50;
 
 interface GlPass extends Pass {
   readonly program: WebGLProgram;
@@ -30,33 +31,66 @@ interface GlUniforms extends UniformBuffer {
   readonly buffer: WebGLBuffer;
 }
 
-/** Opens a WebGL2 device that presents on the canvas. Throws `DeviceError` when there is none. */
-export function openWebGl2(canvas: HTMLCanvasElement): Device {
+/** Samples that a film of half floats sums up before rounding shows. */
+const MOST_HALF_FLOAT_SAMPLES = 32;
+
+/**
+ * Opens a WebGL2 device that presents on the canvas, waiting for a lost context to be restored. Rejects with `DeviceError` when
+ * there is none.
+ */
+export async function openWebGl2(canvas: HTMLCanvasElement): Promise<Device> {
+  const gl = await webGl2Context(canvas);
+  if (!gl) throw new DeviceError('This browser gives no WebGL2 context.');
+  if (gl.getExtension('EXT_color_buffer_float')) return new WebGl2Device(gl, canvas, gl.RGBA32F);
+  if (gl.getExtension('EXT_color_buffer_half_float')) return new WebGl2Device(gl, canvas, gl.RGBA16F);
+  throw new DeviceError('This WebGL2 cannot draw into float textures (EXT_color_buffer_float).');
+}
+
+/** The canvas's context, restored if it was lost; null where there is none. Rejects with `DeviceError` when it stays lost. */
+export async function webGl2Context(canvas: HTMLCanvasElement): Promise<WebGL2RenderingContext | null> {
   const gl = canvas.getContext('webgl2', {
     alpha: false,
     antialias: false,
     depth: false,
     powerPreference: 'high-performance',
   });
-  if (!gl) throw new DeviceError('This browser gives no WebGL2 context.');
-  if (gl.isContextLost()) throw new DeviceError('The WebGL2 context is lost.');
-  if (gl.getExtension('EXT_color_buffer_float')) return new WebGl2Device(gl, canvas, gl.RGBA32F);
-  if (gl.getExtension('EXT_color_buffer_half_float')) return new WebGl2Device(gl, canvas, gl.RGBA16F);
-  throw new DeviceError('This WebGL2 cannot draw into float textures (EXT_color_buffer_float).');
+  if (gl?.isContextLost()) await restored(canvas);
+  return gl;
 }
+
+/** For each canvas what loses and restores its context; a lost context would not give it. */
+const loseContext = new WeakMap<HTMLCanvasElement, WEBGL_lose_context>();
+
+/** Resolves when the lost context is there again. */
+function restored(canvas: HTMLCanvasElement): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const done = (error?: DeviceError) => {
+      clearTimeout(timer);
+      clearInterval(asking);
+      canvas.removeEventListener('webglcontextrestored', back);
+      if (error) reject(error);
+      else resolve();
+    };
+    const back = () => done();
+    canvas.addEventListener('webglcontextrestored', back);
+    const timer = setTimeout(() => done(new DeviceError('The WebGL2 context did not come back.')), RESTORE_TIMEOUT_MS);
+    // A context lost by this very extension waits to be asked, once its event is over; one that the browser took comes by itself.
+    const asking = setInterval(() => loseContext.get(canvas)?.restoreContext(), RESTORE_PAUSE_MS);
+  });
+}
+
+const keepRestorable = (event: Event) => event.preventDefault();
 
 class WebGl2Device implements Device {
   readonly backend = 'webgl2';
   readonly description: string;
   readonly maxTextureSize: number;
+  readonly maxFilmSamples: number;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly lost: Promise<string>;
   readonly #gl: WebGL2RenderingContext;
   readonly #canvas: HTMLCanvasElement;
   readonly #filmFormat: number;
-  readonly #programs = new Set<WebGLProgram>();
-  /** Kept from before a loss: asking a lost context for it gives nothing. */
-  readonly #loseContext: WEBGL_lose_context | null;
   readonly #onLost: (event: Event) => void;
   #closed = false;
 
@@ -67,13 +101,15 @@ class WebGl2Device implements Device {
     const info = gl.getExtension('WEBGL_debug_renderer_info');
     this.description = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
     this.maxTextureSize = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-    this.#loseContext = gl.getExtension('WEBGL_lose_context');
+    this.maxFilmSamples = filmFormat === gl.RGBA32F ? 2 ** 24 : MOST_HALF_FLOAT_SAMPLES;
+    const losing = gl.getExtension('WEBGL_lose_context');
+    if (losing) loseContext.set(canvas, losing);
     let report: (reason: string) => void = () => {};
     this.lost = new Promise((resolve) => {
       report = resolve;
     });
     this.#onLost = (event) => {
-      event.preventDefault(); // without this the browser never restores the context
+      keepRestorable(event); // without this the browser never restores the context
       if (!this.#closed) report('The browser took the WebGL2 context away.');
     };
     canvas.addEventListener('webglcontextlost', this.#onLost);
@@ -85,7 +121,6 @@ class WebGl2Device implements Device {
     const gl = this.#gl;
     this.counts.programsMade++;
     const program = await compileProgram(gl, source);
-    this.#programs.add(program);
     gl.useProgram(program);
     source.bindings.forEach((b, binding) => {
       if ('block' in b) {
@@ -95,6 +130,9 @@ class WebGl2Device implements Device {
     });
     return { label: source.label, program, source } as GlPass;
   }
+
+  /** The context was the canvas's from the start. */
+  attach(): void {}
 
   createUniforms(byteLength: number): UniformBuffer {
     const gl = this.#gl;
@@ -196,33 +234,23 @@ class WebGl2Device implements Device {
     return pixels;
   }
 
+  /** Browsers keep few contexts alive, and free one only when its canvas is garbage: so the context is let go here. */
   destroy(): void {
+    if (this.#closed) return;
+    this.#close();
+    // Another renderer may want this canvas later and have the context restored.
+    this.#canvas.addEventListener('webglcontextlost', keepRestorable, { once: true });
+    if (!this.#gl.isContextLost()) loseContext.get(this.#canvas)?.loseContext();
+  }
+
+  #close(): void {
     this.#closed = true;
     this.#canvas.removeEventListener('webglcontextlost', this.#onLost);
-    for (const program of this.#programs) this.#gl.deleteProgram(program);
   }
 
-  async reopen(): Promise<Device> {
-    this.destroy();
-    if (this.#gl.isContextLost()) await this.#restored();
+  reopen(): Promise<Device> {
+    this.#close();
     return openWebGl2(this.#canvas);
-  }
-
-  /** Resolves when the lost context is there again. */
-  #restored(): Promise<void> {
-    return new Promise((resolve, reject) => {
-      const restored = () => {
-        clearTimeout(timer);
-        resolve();
-      };
-      const timer = setTimeout(() => {
-        this.#canvas.removeEventListener('webglcontextrestored', restored);
-        reject(new DeviceError('The WebGL2 context did not come back.'));
-      }, RESTORE_TIMEOUT_MS);
-      this.#canvas.addEventListener('webglcontextrestored', restored, { once: true });
-      // A context lost by this very extension waits to be asked; one that the browser took comes back by itself.
-      setTimeout(() => this.#loseContext?.restoreContext(), 50);
-    });
   }
 }
 

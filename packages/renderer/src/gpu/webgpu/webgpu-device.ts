@@ -26,17 +26,15 @@ interface GpuResource {
 export async function openWebGpu(canvas: HTMLCanvasElement | null): Promise<Device> {
   const gpu = typeof navigator === 'undefined' ? undefined : navigator.gpu;
   if (!gpu) throw new DeviceError('This browser has no WebGPU.');
-  const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
+  const refuse = (what: string) => (error: unknown) => {
+    throw new DeviceError(`${what}: ${error instanceof Error ? error.message : error}`);
+  };
+  const adapter = await gpu
+    .requestAdapter({ powerPreference: 'high-performance' })
+    .catch(refuse('WebGPU gives no adapter'));
   if (!adapter) throw new DeviceError('WebGPU found no graphics adapter.');
-  const device = await adapter.requestDevice().catch((error: Error) => {
-    throw new DeviceError(`WebGPU gives no device: ${error.message}`);
-  });
-  const context = canvas?.getContext('webgpu') ?? null;
-  if (canvas && !context) {
-    device.destroy();
-    throw new DeviceError('The canvas gives no WebGPU context; it may have been used with another one before.');
-  }
-  return new WebGpuDevice(device, context, canvas, gpu.getPreferredCanvasFormat(), describe(adapter.info));
+  const device = await adapter.requestDevice().catch(refuse('WebGPU gives no device'));
+  return new WebGpuDevice(device, canvas, gpu.getPreferredCanvasFormat(), describe(adapter.info));
 }
 
 function describe(info: GPUAdapterInfo): string {
@@ -47,29 +45,22 @@ class WebGpuDevice implements Device {
   readonly backend = 'webgpu';
   readonly description: string;
   readonly maxTextureSize: number;
+  readonly maxFilmSamples = 2 ** 24;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly lost: Promise<string>;
   readonly #device: GPUDevice;
-  readonly #context: GPUCanvasContext | null;
+  #context: GPUCanvasContext | null = null;
   readonly #canvas: HTMLCanvasElement | null;
   readonly #format: GPUTextureFormat;
   readonly #modules = new Map<string, GPUShaderModule>();
   #closed = false;
 
-  constructor(
-    device: GPUDevice,
-    context: GPUCanvasContext | null,
-    canvas: HTMLCanvasElement | null,
-    format: GPUTextureFormat,
-    description: string,
-  ) {
+  constructor(device: GPUDevice, canvas: HTMLCanvasElement | null, format: GPUTextureFormat, description: string) {
     this.#canvas = canvas;
     this.#device = device;
-    this.#context = context;
     this.#format = format;
     this.description = description;
     this.maxTextureSize = device.limits.maxTextureDimension2D;
-    context?.configure({ device, format, alphaMode: 'opaque' });
     this.lost = new Promise((resolve) => {
       device.lost.then((info) => {
         if (!this.#closed) resolve(info.message || info.reason);
@@ -87,7 +78,12 @@ class WebGpuDevice implements Device {
       })),
     });
     this.counts.programsMade++;
-    const pipeline = await this.#device.createRenderPipelineAsync({
+    const pipeline = await this.#pipeline(source, layout);
+    return { label: source.label, pipeline, layout } as WebGpuPass;
+  }
+
+  async #pipeline(source: PassSource, layout: GPUBindGroupLayout): Promise<GPURenderPipeline> {
+    const descriptor: GPURenderPipelineDescriptor = {
       label: source.label,
       layout: this.#device.createPipelineLayout({ bindGroupLayouts: [layout] }),
       vertex: { module: this.#module(source.wgsl.vertex), entryPoint: source.entries.vertex },
@@ -96,8 +92,20 @@ class WebGpuDevice implements Device {
         entryPoint: source.entries.fragment,
         targets: [{ format: source.target === 'film' ? FILM_FORMAT : this.#format }],
       },
-    });
-    return { label: source.label, pipeline, layout } as WebGpuPass;
+    };
+    try {
+      return await this.#device.createRenderPipelineAsync(descriptor);
+    } catch (error) {
+      throw new DeviceError(`WebGPU could not make the pipeline "${source.label}": ${(error as Error).message}`);
+    }
+  }
+
+  attach(): void {
+    if (!this.#canvas) return;
+    this.#context = this.#canvas.getContext('webgpu');
+    if (!this.#context)
+      throw new DeviceError('The canvas gives no WebGPU context; it may have been used with another one before.');
+    this.#context.configure({ device: this.#device, format: this.#format, alphaMode: 'opaque' });
   }
 
   #module(code: string): GPUShaderModule {
@@ -194,6 +202,9 @@ class WebGpuDevice implements Device {
   }
 
   reopen(): Promise<Device> {
+    // The context keeps its last picture until the new device takes it over.
+    this.#closed = true;
+    this.#device.destroy();
     return openWebGpu(this.#canvas);
   }
 

@@ -32,9 +32,9 @@ struct Frame {
     vec2 dividers;
     uvec4 shapeEnds;
     uint occluderEnd;
+    uint seenLightEnd;
     uint spare0_;
     uint spare1_;
-    uint spare2_;
     uvec4 panels[3];
 };
 struct Bounds {
@@ -98,10 +98,14 @@ struct ShadowCone {
     float sine;
     float cosine;
 };
+struct BallPlace {
+    float along;
+    float across;
+};
 const uint noShape = 4294967295u;
-const uint coneMisses = 0u;
-const uint coneMeets = 1u;
-const uint coneHidden = 2u;
+const uint boxMissed = 0u;
+const uint boxMet = 1u;
+const uint boxHidesLight = 2u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -387,7 +391,7 @@ SeenLight closestBall(Ray ray_5, float t_1) {
         }
         loop_init_4 = false;
         uint _e8 = i_11;
-        uint _e11 = frame.lightCount;
+        uint _e11 = frame.seenLightEnd;
         if ((_e8 < _e11)) {
         } else {
             break;
@@ -420,7 +424,7 @@ vec3 halo(Ray ray_6, float t_2) {
         }
         loop_init_5 = false;
         uint _e7 = i_12;
-        uint _e10 = frame.lightCount;
+        uint _e10 = frame.seenLightEnd;
         if ((_e7 < _e10)) {
         } else {
             break;
@@ -542,6 +546,10 @@ LightSampler lightSampler(uint count, uint pixelHash, uint light, uint reflectio
     return LightSampler(count, vec2(_e9, _e11));
 }
 
+uint everySample(SampleGroup group) {
+    return (4294967295u >> (32u - group.count));
+}
+
 float sampleReach(uint count_1) {
     if ((count_1 == 1u)) {
         return 0.0;
@@ -558,50 +566,54 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
     return ShadowCone(apex, (toLight_2 / vec3(distance_)), distance_, reach_1, sine, sqrt((1.0 - (sine * sine))));
 }
 
-uint coneMeetsBall(ShadowCone cone, vec3 center_3, float outer, float inner) {
+BallPlace placeBall(ShadowCone cone, vec3 center_3) {
+    vec3 toBall = (center_3 - cone.apex);
+    float along_2 = dot(toBall, cone.axis);
+    return BallPlace(along_2, length((toBall - (along_2 * cone.axis))));
+}
+
+bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
     bool local_7 = false;
     bool local_8 = false;
     bool local_9 = false;
-    bool local_10 = false;
-    bool local_11 = false;
-    vec3 toShape = (center_3 - cone.apex);
-    float along_2 = dot(toShape, cone.axis);
-    float perpendicular = length((toShape - (along_2 * cone.axis)));
-    if ((((perpendicular * cone.cosine) - (along_2 * cone.sine)) > outer)) {
-        local_7 = (cone.sine < 1.0);
+    if ((((ball.across * cone_1.cosine) - (ball.along * cone_1.sine)) > radius_2)) {
+        local_7 = (cone_1.sine < 1.0);
     } else {
         local_7 = false;
     }
     bool beside = local_7;
-    if (!((along_2 < -(outer)))) {
-        local_8 = (along_2 > ((cone.length_ + cone.reach) + outer));
+    if (!(beside)) {
+        local_8 = (ball.along < -(radius_2));
     } else {
         local_8 = true;
     }
-    bool behind = local_8;
-    if (!(beside)) {
-        local_9 = behind;
+    bool _e25 = local_8;
+    if (!(_e25)) {
+        local_9 = (ball.along > ((cone_1.length_ + cone_1.reach) + radius_2));
     } else {
         local_9 = true;
     }
-    bool _e41 = local_9;
-    if (_e41) {
-        return coneMisses;
-    }
-    bool covers = (((perpendicular * cone.cosine) + (along_2 * cone.sine)) < (inner * 0.9999));
-    if ((along_2 > inner)) {
-        local_10 = ((along_2 + inner) < (cone.length_ - cone.reach));
+    bool _e36 = local_9;
+    return _e36;
+}
+
+bool ballHidesLight(ShadowCone cone_2, BallPlace ball_1, float radius_3) {
+    bool local_10 = false;
+    bool local_11 = false;
+    bool covers = (((ball_1.across * cone_2.cosine) + (ball_1.along * cone_2.sine)) < (radius_3 * 0.9999));
+    if (covers) {
+        local_10 = (ball_1.along > radius_3);
     } else {
         local_10 = false;
     }
-    bool between = local_10;
-    if (covers) {
-        local_11 = between;
+    bool _e18 = local_10;
+    if (_e18) {
+        local_11 = ((ball_1.along + radius_3) < (cone_2.length_ - cone_2.reach));
     } else {
         local_11 = false;
     }
-    bool _e66 = local_11;
-    return (_e66 ? coneHidden : coneMeets);
+    bool _e28 = local_11;
+    return _e28;
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
@@ -619,350 +631,386 @@ vec3 samplePoint(LightSampler s, uint k) {
     return vec3((r * cos(phi)), (r * sin(phi)), z);
 }
 
-vec3 toSample(SampleGroup group, uint k_1) {
-    vec3 _e7 = samplePoint(group.points, (group.first + k_1));
-    return ((group.center + (group.radius * _e7)) - group.start.point);
+vec3 toSample(SampleGroup group_1, uint k_1) {
+    vec3 _e7 = samplePoint(group_1.points, (group_1.first + k_1));
+    return ((group_1.center + (group_1.radius * _e7)) - group_1.start.point);
 }
 
-uint behindSphere(SampleGroup group_1, uint i_18, uint hidden) {
+uint behindSphere(SampleGroup group_2, uint i_18, ShadowCone cone_3, uint hidden) {
+    bool local_12 = false;
+    bool local_13 = false;
     uint bits = 0u;
     uint k_2 = 0u;
-    Bounds _e3 = fetchBounds(i_18);
+    Bounds _e4 = fetchBounds(i_18);
+    BallPlace _e6 = placeBall(cone_3, _e4.center);
+    bool _e8 = coneMissesBall(cone_3, _e6, _e4.radius);
+    if (_e8) {
+        local_12 = (i_18 != group_2.start.inside);
+    } else {
+        local_12 = false;
+    }
+    bool _e15 = local_12;
+    if (!(_e15)) {
+        local_13 = (i_18 == group_2.start.leaves);
+    } else {
+        local_13 = true;
+    }
+    bool _e23 = local_13;
+    if (_e23) {
+        return hidden;
+    }
+    bool _e25 = ballHidesLight(cone_3, _e6, _e4.radius);
+    if (_e25) {
+        uint _e26 = everySample(group_2);
+        return _e26;
+    }
     bits = hidden;
     bool loop_init_6 = true;
     while(true) {
         if (!loop_init_6) {
-            uint _e27 = k_2;
-            k_2 = (_e27 + 1u);
+            uint _e52 = k_2;
+            k_2 = (_e52 + 1u);
         }
         loop_init_6 = false;
-        uint _e7 = k_2;
-        if ((_e7 < group_1.count)) {
+        uint _e30 = k_2;
+        if ((_e30 < group_2.count)) {
         } else {
             break;
         }
         {
-            uint _e10 = k_2;
-            vec3 _e11 = toSample(group_1, _e10);
-            float distance_1 = length(_e11);
-            uint _e13 = bits;
-            uint _e16 = k_2;
-            float _e22 = hitSphere(i_18, _e3, Ray(group_1.start, (_e11 / vec3(distance_1))));
-            bits = (_e13 | ((_e22 < distance_1) ? (1u << _e16) : 0u));
+            uint _e33 = k_2;
+            vec3 _e34 = toSample(group_2, _e33);
+            float inverse_ = inversesqrt(dot(_e34, _e34));
+            uint _e37 = bits;
+            uint _e40 = k_2;
+            float _e45 = hitSphere(i_18, _e4, Ray(group_2.start, (_e34 * inverse_)));
+            bits = (_e37 | (((_e45 * inverse_) < 1.0) ? (1u << _e40) : 0u));
         }
     }
-    uint _e29 = bits;
-    return _e29;
+    uint _e54 = bits;
+    return _e54;
 }
 
-bool coneMeetsBox(ShadowCone cone_1, vec3 apex_1, vec3 light_1, vec3 halfSize_3) {
-    bool local_12 = false;
-    if (all(lessThanEqual(min(apex_1, (light_1 - vec3(cone_1.reach))), halfSize_3))) {
-        local_12 = all(greaterThanEqual(max(apex_1, (light_1 + vec3(cone_1.reach))), -(halfSize_3)));
+float max3_(vec3 v_2) {
+    return max(max(v_2.x, v_2.y), v_2.z);
+}
+
+float min3_(vec3 v_3) {
+    return min(min(v_3.x, v_3.y), v_3.z);
+}
+
+uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
+    bool local_14 = false;
+    bool local_15 = false;
+    bool local_16 = false;
+    bool local_17 = false;
+    bool local_18 = false;
+    bool local_19 = false;
+    float radius_4 = ((min(end, (cone_4.length_ + cone_4.reach)) * cone_4.sine) / max(cone_4.cosine, 1e-6));
+    vec3 _e15 = safeReciprocal(axis, apex_1);
+    vec3 middle_1 = (-(apex_1) * _e15);
+    vec3 half_1 = (halfSize_3 * abs(_e15));
+    vec3 margin = ((1.0001 * radius_4) * abs(_e15));
+    vec3 low = (middle_1 - half_1);
+    vec3 high = (middle_1 + half_1);
+    float _e27 = max3_((low - margin));
+    float _e29 = min3_((high + margin));
+    if (!((_e27 > _e29))) {
+        local_14 = (_e29 < 0.0);
     } else {
-        local_12 = false;
+        local_14 = true;
     }
-    bool _e20 = local_12;
-    return _e20;
+    bool _e37 = local_14;
+    if (!(_e37)) {
+        local_15 = (_e27 > (cone_4.length_ + cone_4.reach));
+    } else {
+        local_15 = true;
+    }
+    bool _e46 = local_15;
+    if (_e46) {
+        return ((cone_4.sine >= 1.0) ? boxMet : boxMissed);
+    }
+    float _e54 = max3_((low + margin));
+    bool apexOutside = any(greaterThan(abs(apex_1), halfSize_3));
+    float _e59 = min3_((high - margin));
+    if ((_e54 < _e59)) {
+        local_16 = (_e54 > 0.0);
+    } else {
+        local_16 = false;
+    }
+    bool _e66 = local_16;
+    if (_e66) {
+        local_17 = (_e54 < (cone_4.length_ - cone_4.reach));
+    } else {
+        local_17 = false;
+    }
+    bool through = local_17;
+    if (through) {
+        local_18 = apexOutside;
+    } else {
+        local_18 = false;
+    }
+    bool _e80 = local_18;
+    if (_e80) {
+        local_19 = all(greaterThan(halfSize_3, vec3(radius_4)));
+    } else {
+        local_19 = false;
+    }
+    bool _e87 = local_19;
+    return (_e87 ? boxHidesLight : boxMet);
 }
 
-uint behindBox(SampleGroup group_2, uint i_19, ShadowCone cone_2, uint hidden_1) {
+uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1) {
+    bool local_20 = false;
     vec3 origin_8 = vec3(0.0);
-    vec3 light_2 = vec3(0.0);
-    bool local_13 = false;
+    vec3 axis_1 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
     vec3 direction_8 = vec3(0.0);
     Bounds _e4 = fetchBounds(i_19);
-    Extent _e5 = fetchExtent(i_19);
-    bool _e7 = isTurned(_e5.a);
-    origin_8 = (group_2.start.point - _e4.center);
-    light_2 = (group_2.center - _e4.center);
-    if (_e7) {
-        vec3 _e18 = origin_8;
-        vec3 _e19 = rotate(_e5.a, _e18);
-        origin_8 = _e19;
-        vec3 _e21 = light_2;
-        vec3 _e22 = rotate(_e5.a, _e21);
-        light_2 = _e22;
-    }
-    if ((i_19 != group_2.start.inside)) {
-        vec3 _e28 = origin_8;
-        vec3 _e29 = light_2;
-        bool _e32 = coneMeetsBox(cone_2, _e28, _e29, _e5.b.xyz);
-        local_13 = !(_e32);
+    BallPlace _e6 = placeBall(cone_5, _e4.center);
+    bool _e8 = coneMissesBall(cone_5, _e6, _e4.radius);
+    if (!(_e8)) {
+        local_20 = (i_19 == group_3.start.leaves);
     } else {
-        local_13 = false;
+        local_20 = true;
     }
-    bool _e35 = local_13;
-    if (_e35) {
+    bool _e16 = local_20;
+    if (_e16) {
         return hidden_1;
+    }
+    Extent _e17 = fetchExtent(i_19);
+    bool _e19 = isTurned(_e17.a);
+    origin_8 = (group_3.start.point - _e4.center);
+    axis_1 = cone_5.axis;
+    if (_e19) {
+        vec3 _e28 = origin_8;
+        vec3 _e29 = rotate(_e17.a, _e28);
+        origin_8 = _e29;
+        vec3 _e31 = axis_1;
+        vec3 _e32 = rotate(_e17.a, _e31);
+        axis_1 = _e32;
+    }
+    bool inside_1 = (i_19 == group_3.start.inside);
+    if (!(inside_1)) {
+        vec3 _e37 = origin_8;
+        vec3 _e38 = axis_1;
+        uint _e44 = placeBox(cone_5, _e37, _e38, _e17.b.xyz, (_e6.along + _e4.radius));
+        if ((_e44 == boxMissed)) {
+            return hidden_1;
+        }
+        if ((_e44 == boxHidesLight)) {
+            uint _e49 = everySample(group_3);
+            return _e49;
+        }
     }
     bits_1 = hidden_1;
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e70 = k_3;
-            k_3 = (_e70 + 1u);
+            uint _e83 = k_3;
+            k_3 = (_e83 + 1u);
         }
         loop_init_7 = false;
-        uint _e39 = k_3;
-        if ((_e39 < group_2.count)) {
+        uint _e53 = k_3;
+        if ((_e53 < group_3.count)) {
         } else {
             break;
         }
         {
-            uint _e42 = k_3;
-            vec3 _e43 = toSample(group_2, _e42);
-            float distance_2 = length(_e43);
-            direction_8 = (_e43 / vec3(distance_2));
-            if (_e7) {
-                vec3 _e49 = direction_8;
-                vec3 _e50 = rotate(_e5.a, _e49);
-                direction_8 = _e50;
+            uint _e56 = k_3;
+            vec3 _e57 = toSample(group_3, _e56);
+            float inverse_1 = inversesqrt(dot(_e57, _e57));
+            direction_8 = (_e57 * inverse_1);
+            if (_e19) {
+                vec3 _e63 = direction_8;
+                vec3 _e64 = rotate(_e17.a, _e63);
+                direction_8 = _e64;
             }
-            vec3 _e51 = origin_8;
-            vec3 _e52 = direction_8;
-            float _e60 = intersectBox(_e51, _e52, _e5.b.xyz, group_2.start.tMin, (i_19 == group_2.start.inside));
-            uint _e61 = bits_1;
-            uint _e64 = k_3;
-            bits_1 = (_e61 | ((_e60 < distance_2) ? (1u << _e64) : 0u));
+            vec3 _e65 = origin_8;
+            vec3 _e66 = direction_8;
+            float _e71 = intersectBox(_e65, _e66, _e17.b.xyz, group_3.start.tMin, inside_1);
+            uint _e72 = bits_1;
+            uint _e75 = k_3;
+            bits_1 = (_e72 | (((_e71 * inverse_1) < 1.0) ? (1u << _e75) : 0u));
         }
     }
-    uint _e72 = bits_1;
-    return _e72;
+    uint _e85 = bits_1;
+    return _e85;
 }
 
-bool coneMeetsPlane(ShadowCone cone_3, vec3 normal_1, float offset_1) {
-    bool local_14 = false;
-    float here = (dot(normal_1, cone_3.apex) - offset_1);
-    float there = (here + (dot(normal_1, cone_3.axis) * cone_3.length_));
+bool coneMeetsPlane(ShadowCone cone_6, vec3 normal_1, float offset_1) {
+    bool local_21 = false;
+    float here = (dot(normal_1, cone_6.apex) - offset_1);
+    float there = (here + (dot(normal_1, cone_6.axis) * cone_6.length_));
     if (!(((here * there) <= 0.0))) {
-        local_14 = (abs(there) <= cone_3.reach);
+        local_21 = (abs(there) <= cone_6.reach);
     } else {
-        local_14 = true;
+        local_21 = true;
     }
-    bool _e21 = local_14;
+    bool _e21 = local_21;
     return _e21;
 }
 
-uint behindFlat(SampleGroup group_3, uint i_20, uint hidden_2) {
+uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2) {
+    bool meets = false;
+    bool local_22 = false;
     uint bits_2 = 0u;
     uint k_4 = 0u;
     float t_4 = 0.0;
-    Bounds _e3 = fetchBounds(i_20);
-    bool _e4 = isPlane(i_20);
+    Bounds _e4 = fetchBounds(i_20);
+    bool _e5 = isPlane(i_20);
+    if (_e5) {
+        bool _e10 = coneMeetsPlane(cone_7, _e4.center, _e4.radius);
+        meets = _e10;
+    } else {
+        BallPlace _e12 = placeBall(cone_7, _e4.center);
+        bool _e14 = coneMissesBall(cone_7, _e12, _e4.radius);
+        meets = !(_e14);
+    }
+    bool _e16 = meets;
+    if (!(!(_e16))) {
+        local_22 = (i_20 == group_4.start.leaves);
+    } else {
+        local_22 = true;
+    }
+    bool _e25 = local_22;
+    if (_e25) {
+        return hidden_2;
+    }
     bits_2 = hidden_2;
     bool loop_init_8 = true;
     while(true) {
         if (!loop_init_8) {
-            uint _e32 = k_4;
-            k_4 = (_e32 + 1u);
+            uint _e55 = k_4;
+            k_4 = (_e55 + 1u);
         }
         loop_init_8 = false;
-        uint _e8 = k_4;
-        if ((_e8 < group_3.count)) {
+        uint _e29 = k_4;
+        if ((_e29 < group_4.count)) {
         } else {
             break;
         }
         {
-            uint _e11 = k_4;
-            vec3 _e12 = toSample(group_3, _e11);
-            float distance_3 = length(_e12);
-            Ray ray_9 = Ray(group_3.start, (_e12 / vec3(distance_3)));
+            uint _e32 = k_4;
+            vec3 _e33 = toSample(group_4, _e32);
+            float inverse_2 = inversesqrt(dot(_e33, _e33));
+            Ray ray_9 = Ray(group_4.start, (_e33 * inverse_2));
             t_4 = 1e30;
-            if (_e4) {
-                float _e20 = hitPlane(i_20, _e3, ray_9);
-                t_4 = _e20;
+            if (_e5) {
+                float _e41 = hitPlane(i_20, _e4, ray_9);
+                t_4 = _e41;
             } else {
-                float _e21 = hitQuad(i_20, _e3, ray_9);
-                t_4 = _e21;
+                float _e42 = hitQuad(i_20, _e4, ray_9);
+                t_4 = _e42;
             }
-            uint _e22 = bits_2;
-            uint _e25 = k_4;
-            float _e27 = t_4;
-            bits_2 = (_e22 | ((_e27 < distance_3) ? (1u << _e25) : 0u));
+            uint _e43 = bits_2;
+            uint _e46 = k_4;
+            float _e48 = t_4;
+            bits_2 = (_e43 | (((_e48 * inverse_2) < 1.0) ? (1u << _e46) : 0u));
         }
     }
-    uint _e34 = bits_2;
-    return _e34;
+    uint _e57 = bits_2;
+    return _e57;
 }
 
-uint hiddenSamples(SampleGroup group_4) {
+uint hiddenSamples(SampleGroup group_5) {
     uint hidden_3 = 0u;
     uint i_21 = 0u;
-    bool local_15 = false;
-    bool local_16 = false;
-    bool local_17 = false;
+    bool local_23 = false;
     uint i_22 = 0u;
-    bool local_18 = false;
-    bool local_19 = false;
-    bool local_20 = false;
+    bool local_24 = false;
     uint i_23 = 0u;
-    bool local_21 = false;
-    bool meets = false;
-    bool local_22 = false;
-    uint all_ = (4294967295u >> (32u - group_4.count));
+    bool local_25 = false;
+    uint _e1 = everySample(group_5);
     uvec4 ends_1 = frame.shapeEnds;
-    ShadowCone _e15 = shadowCone(group_4.start.point, group_4.center, group_4.radius, group_4.points.count);
+    ShadowCone _e11 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
     bool loop_init_9 = true;
     while(true) {
         if (!loop_init_9) {
-            uint _e60 = i_21;
-            i_21 = (_e60 + 1u);
+            uint _e29 = i_21;
+            i_21 = (_e29 + 1u);
         }
         loop_init_9 = false;
-        uint _e20 = i_21;
-        if ((_e20 < ends_1.x)) {
-            uint _e25 = hidden_3;
-            local_15 = (_e25 != all_);
+        uint _e16 = i_21;
+        if ((_e16 < ends_1.x)) {
+            uint _e21 = hidden_3;
+            local_23 = (_e21 != _e1);
         } else {
-            local_15 = false;
+            local_23 = false;
         }
-        bool _e28 = local_15;
-        if (_e28) {
+        bool _e24 = local_23;
+        if (_e24) {
         } else {
             break;
         }
         {
-            uint _e29 = i_21;
-            Bounds _e30 = fetchBounds(_e29);
-            uint _e34 = coneMeetsBall(_e15, _e30.center, _e30.radius, _e30.radius);
-            uint _e35 = i_21;
-            if (!((_e35 == group_4.start.leaves))) {
-                if ((_e34 == coneMisses)) {
-                    uint _e46 = i_21;
-                    local_17 = (_e46 != group_4.start.inside);
-                } else {
-                    local_17 = false;
-                }
-                bool _e51 = local_17;
-                local_16 = _e51;
-            } else {
-                local_16 = true;
-            }
-            bool _e53 = local_16;
-            if (_e53) {
-                continue;
-            }
-            if ((_e34 == coneHidden)) {
-                hidden_3 = all_;
-            } else {
-                uint _e56 = i_21;
-                uint _e57 = hidden_3;
-                uint _e58 = behindSphere(group_4, _e56, _e57);
-                hidden_3 = _e58;
-            }
+            uint _e25 = i_21;
+            uint _e26 = hidden_3;
+            uint _e27 = behindSphere(group_5, _e25, _e11, _e26);
+            hidden_3 = _e27;
         }
     }
     i_22 = ends_1.x;
     bool loop_init_10 = true;
     while(true) {
         if (!loop_init_10) {
-            uint _e107 = i_22;
-            i_22 = (_e107 + 1u);
+            uint _e46 = i_22;
+            i_22 = (_e46 + 1u);
         }
         loop_init_10 = false;
-        uint _e64 = i_22;
-        if ((_e64 < ends_1.y)) {
-            uint _e69 = hidden_3;
-            local_18 = (_e69 != all_);
+        uint _e33 = i_22;
+        if ((_e33 < ends_1.y)) {
+            uint _e38 = hidden_3;
+            local_24 = (_e38 != _e1);
         } else {
-            local_18 = false;
+            local_24 = false;
         }
-        bool _e72 = local_18;
-        if (_e72) {
+        bool _e41 = local_24;
+        if (_e41) {
         } else {
             break;
         }
         {
-            uint _e73 = i_22;
-            Bounds _e74 = fetchBounds(_e73);
-            uint _e77 = i_22;
-            Extent _e78 = fetchExtent(_e77);
-            uint _e81 = coneMeetsBall(_e15, _e74.center, _e74.radius, _e78.b.w);
-            uint _e82 = i_22;
-            if (!((_e82 == group_4.start.leaves))) {
-                if ((_e81 == coneMisses)) {
-                    uint _e93 = i_22;
-                    local_20 = (_e93 != group_4.start.inside);
-                } else {
-                    local_20 = false;
-                }
-                bool _e98 = local_20;
-                local_19 = _e98;
-            } else {
-                local_19 = true;
-            }
-            bool _e100 = local_19;
-            if (_e100) {
-                continue;
-            }
-            if ((_e81 == coneHidden)) {
-                hidden_3 = all_;
-            } else {
-                uint _e103 = i_22;
-                uint _e104 = hidden_3;
-                uint _e105 = behindBox(group_4, _e103, _e15, _e104);
-                hidden_3 = _e105;
-            }
+            uint _e42 = i_22;
+            uint _e43 = hidden_3;
+            uint _e44 = behindBox(group_5, _e42, _e11, _e43);
+            hidden_3 = _e44;
         }
     }
     i_23 = ends_1.y;
     bool loop_init_11 = true;
     while(true) {
         if (!loop_init_11) {
-            uint _e150 = i_23;
-            i_23 = (_e150 + 1u);
+            uint _e65 = i_23;
+            i_23 = (_e65 + 1u);
         }
         loop_init_11 = false;
-        uint _e111 = i_23;
-        uint _e114 = frame.occluderEnd;
-        if ((_e111 < _e114)) {
-            uint _e118 = hidden_3;
-            local_21 = (_e118 != all_);
+        uint _e50 = i_23;
+        uint _e53 = frame.occluderEnd;
+        if ((_e50 < _e53)) {
+            uint _e57 = hidden_3;
+            local_25 = (_e57 != _e1);
         } else {
-            local_21 = false;
+            local_25 = false;
         }
-        bool _e121 = local_21;
-        if (_e121) {
+        bool _e60 = local_25;
+        if (_e60) {
         } else {
             break;
         }
         {
-            uint _e122 = i_23;
-            Bounds _e123 = fetchBounds(_e122);
-            meets = false;
-            uint _e126 = i_23;
-            bool _e127 = isPlane(_e126);
-            if (_e127) {
-                bool _e130 = coneMeetsPlane(_e15, _e123.center, _e123.radius);
-                meets = _e130;
-            } else {
-                uint _e134 = coneMeetsBall(_e15, _e123.center, _e123.radius, 0.0);
-                meets = (_e134 != coneMisses);
-            }
-            bool _e137 = meets;
-            if (_e137) {
-                uint _e140 = i_23;
-                local_22 = (_e140 != group_4.start.leaves);
-            } else {
-                local_22 = false;
-            }
-            bool _e145 = local_22;
-            if (_e145) {
-                uint _e146 = i_23;
-                uint _e147 = hidden_3;
-                uint _e148 = behindFlat(group_4, _e146, _e147);
-                hidden_3 = _e148;
-            }
+            uint _e61 = i_23;
+            uint _e62 = hidden_3;
+            uint _e63 = behindFlat(group_5, _e61, _e11, _e62);
+            hidden_3 = _e63;
         }
     }
-    uint _e152 = hidden_3;
-    return _e152;
+    uint _e67 = hidden_3;
+    return _e67;
 }
 
-vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
+vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
     vec3 c = vec3(0.0);
     float distance2_ = dot(toLight, toLight);
     vec3 l = (toLight * inversesqrt(distance2_));
@@ -970,13 +1018,13 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_3, vec3 toLight) {
     if ((cosine <= 0.0)) {
         return vec3(0.0);
     }
-    c = ((m.baseColor * light_3.diffuse) * cosine);
+    c = ((m.baseColor * light_1.diffuse) * cosine);
     if ((m.specular > 0.0)) {
         vec3 _e21 = c;
-        c = (_e21 + ((m.specular * light_3.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
+        c = (_e21 + ((m.specular * light_1.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
     }
     vec3 _e36 = c;
-    return (_e36 * (light_3.power / distance2_));
+    return (_e36 * (light_1.power / distance2_));
 }
 
 vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, uint sampleCount) {
@@ -1026,8 +1074,8 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                     uint _e40 = first;
                     uint count_3 = min((sampleCount - _e40), 32u);
                     uint _e47 = first;
-                    SampleGroup group_5 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_3);
-                    uint _e49 = hiddenSamples(group_5);
+                    SampleGroup group_6 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_3);
+                    uint _e49 = hiddenSamples(group_6);
                     k_5 = 0u;
                     bool loop_init_14 = true;
                     while(true) {
@@ -1046,7 +1094,7 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                             if ((((_e49 >> _e54) & 1u) == 0u)) {
                                 vec3 _e60 = sum_2;
                                 uint _e61 = k_5;
-                                vec3 _e62 = toSample(group_5, _e61);
+                                vec3 _e62 = toSample(group_6, _e61);
                                 vec3 _e63 = sampleLight(p_1, m_1, _e16, _e62);
                                 sum_2 = (_e60 + _e63);
                             }
@@ -1068,7 +1116,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_23 = false;
+    bool local_26 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1116,11 +1164,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_23 = !(_e67);
+                local_26 = !(_e67);
             } else {
-                local_23 = false;
+                local_26 = false;
             }
-            bool _e70 = local_23;
+            bool _e70 = local_26;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -89,7 +89,7 @@ fn closestHit(ray: Ray) -> Hit {
 // The nearest visible ball in front of distance t.
 fn closestBall(ray: Ray, t: f32) -> SeenLight {
   var seen = SeenLight(t, vec3f(0.0));
-  for (var i = 0u; i < frame.lightCount; i++) {
+  for (var i = 0u; i < frame.seenLightEnd; i++) {
     let light = fetchLight(i);
     if (light.visible < 0.0) {
       continue;
@@ -105,7 +105,7 @@ fn closestBall(ray: Ray, t: f32) -> SeenLight {
 // Light that haze along the first t metres of the ray sends back: the falloff 1 / d^2, integrated.
 fn halo(ray: Ray, t: f32) -> vec3f {
   var sum = vec3f(0.0);
-  for (var i = 0u; i < frame.lightCount; i++) {
+  for (var i = 0u; i < frame.seenLightEnd; i++) {
     let light = fetchLight(i);
     if (light.halo <= 0.0) {
       continue;
@@ -227,12 +227,12 @@ struct Frame {
   shapeEnds: vec4u,
   // index past the last shape that may stand between a light and a point
   occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
   // unused
   spare0: u32,
   // unused
   spare1: u32,
-  // unused
-  spare2: u32,
   // per panel: max reflections, light samples, unused, unused
   panels: array<vec4u, 3>,
 }
@@ -324,7 +324,7 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
-  // box: half its size, and the smallest half; quad: reciprocal of its v edge
+  // box: half its size; quad: reciprocal of its v edge
   b: vec4f,
 }
 
@@ -489,48 +489,20 @@ struct SampleGroup {
 }
 
 
-// Bit k: sample k of the group is hidden. The cone tests leave rounding aside, so that they have no say about a solid that the
-// rays start inside of.
+// Bit k set: sample k of the group is hidden.
 fn hiddenSamples(group: SampleGroup) -> u32 {
-  let all = 0xffffffffu >> (32u - group.count);
+  let all = everySample(group);
   let ends = frame.shapeEnds;
   let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
   var hidden = 0u;
   for (var i = 0u; i < ends.x && hidden != all; i++) {
-    let bounds = fetchBounds(i);
-    let meets = coneMeetsBall(cone, bounds.center, bounds.radius, bounds.radius);
-    if (i == group.start.leaves || (meets == coneMisses && i != group.start.inside)) {
-      continue;
-    }
-    if (meets == coneHidden) {
-      hidden = all;
-    } else {
-      hidden = behindSphere(group, i, hidden);
-    }
+    hidden = behindSphere(group, i, cone, hidden);
   }
   for (var i = ends.x; i < ends.y && hidden != all; i++) {
-    let bounds = fetchBounds(i);
-    let meets = coneMeetsBall(cone, bounds.center, bounds.radius, fetchExtent(i).b.w);
-    if (i == group.start.leaves || (meets == coneMisses && i != group.start.inside)) {
-      continue;
-    }
-    if (meets == coneHidden) {
-      hidden = all;
-    } else {
-      hidden = behindBox(group, i, cone, hidden);
-    }
+    hidden = behindBox(group, i, cone, hidden);
   }
   for (var i = ends.y; i < frame.occluderEnd && hidden != all; i++) {
-    let bounds = fetchBounds(i);
-    var meets = false;
-    if (isPlane(i)) {
-      meets = coneMeetsPlane(cone, bounds.center, bounds.radius);
-    } else {
-      meets = coneMeetsBall(cone, bounds.center, bounds.radius, 0.0) != coneMisses;
-    }
-    if (meets && i != group.start.leaves) {
-      hidden = behindFlat(group, i, hidden);
-    }
+    hidden = behindFlat(group, i, cone, hidden);
   }
   return hidden;
 }
@@ -577,6 +549,11 @@ struct LightSampler {
 }
 
 
+// All bits of the group.
+fn everySample(group: SampleGroup) -> u32 {
+  return 0xffffffffu >> (32u - group.count);
+}
+
 fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone {
   let toLight = center - apex;
   let distance = max(length(toLight), 1e-30);
@@ -585,41 +562,42 @@ fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone
   return ShadowCone(apex, toLight / distance, distance, reach, sine, sqrt(1.0 - sine * sine));
 }
 
-// `outer`: radius of a ball that holds the shape; `inner`: of one within it. Distances from the cone's mantle are
-// perpendicular · cos − along · sin. coneMisses and coneHidden are certain; coneMeets is not.
-fn coneMeetsBall(cone: ShadowCone, center: vec3f, outer: f32, inner: f32) -> u32 {
-  let toShape = center - cone.apex;
-  let along = dot(toShape, cone.axis);
-  // Not by Pythagoras: the difference of two large squares hides small shapes that are far away.
-  let perpendicular = length(toShape - along * cone.axis);
-  let beside = perpendicular * cone.cosine - along * cone.sine > outer && cone.sine < 1.0;
-  let behind = along < -outer || along > cone.length + cone.reach + outer;
-  if (beside || behind) {
-    return coneMisses;
-  }
-  // Every ray of the cone goes through the inner ball, which lies between the apex and the light. The margin covers rounding.
-  let covers = perpendicular * cone.cosine + along * cone.sine < inner * 0.9999;
-  let between = along > inner && along + inner < cone.length - cone.reach;
-  return select(coneMeets, coneHidden, covers && between);
-}
-
-// How a ball lies to the cone.
-const coneMisses = 0u;
-
-const coneHidden = 2u;
-
-fn behindSphere(group: SampleGroup, i: u32, hidden: u32) -> u32 {
+fn behindSphere(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
   let bounds = fetchBounds(i);
+  let place = placeBall(cone, bounds.center);
+  if ((coneMissesBall(cone, place, bounds.radius) && i != group.start.inside) || i == group.start.leaves) {
+    return hidden;
+  }
+  if (ballHidesLight(cone, place, bounds.radius)) {
+    return everySample(group);
+  }
   var bits = hidden;
   for (var k = 0u; k < group.count; k++) {
     let d = toSample(group, k);
-    let distance = length(d);
-    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d / distance)) < distance);
+    let inverse = inverseSqrt(dot(d, d));
+    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d * inverse)) * inverse < 1.0);
   }
   return bits;
 }
 
-const coneMeets = 1u;
+fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
+  let toBall = center - cone.apex;
+  let along = dot(toBall, cone.axis);
+  // Not by Pythagoras: the difference of two large squares hides small balls that are far away.
+  return BallPlace(along, length(toBall - along * cone.axis));
+}
+
+// True only when no ray of the cone meets the ball.
+fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
+  let beside = ball.across * cone.cosine - ball.along * cone.sine > radius && cone.sine < 1.0;
+  return beside || ball.along < -radius || ball.along > cone.length + cone.reach + radius;
+}
+
+// True only when every ray of the cone goes through the ball on its way to the light. The margin covers rounding.
+fn ballHidesLight(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
+  let covers = ball.across * cone.cosine + ball.along * cone.sine < radius * 0.9999;
+  return covers && ball.along > radius && ball.along + radius < cone.length - cone.reach;
+}
 
 struct ShadowCone {
   apex: vec3f,
@@ -632,36 +610,113 @@ struct ShadowCone {
 }
 
 
+// Where a ball lies to the cone. Its distance from the cone's mantle is across · cos − along · sin.
+struct BallPlace {
+  along: f32,
+  across: f32,
+}
+
+
 fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
   let bounds = fetchBounds(i);
+  let place = placeBall(cone, bounds.center);
+  if (coneMissesBall(cone, place, bounds.radius) || i == group.start.leaves) {
+    return hidden;
+  }
   let extent = fetchExtent(i);
   let turned = isTurned(extent.a);
   var origin = group.start.point - bounds.center;
-  var light = group.center - bounds.center;
+  var axis = cone.axis;
   if (turned) {
     origin = rotate(extent.a, origin);
-    light = rotate(extent.a, light);
+    axis = rotate(extent.a, axis);
   }
-  if (i != group.start.inside && !coneMeetsBox(cone, origin, light, extent.b.xyz)) {
+  let inside = i == group.start.inside;
+  if (!inside) {
+    let meets = placeBox(cone, origin, axis, extent.b.xyz, place.along + bounds.radius);
+    if (meets == boxMissed) {
+      return hidden;
+    }
+    if (meets == boxHidesLight) {
+      return everySample(group);
+    }
+  }
+  var bits = hidden;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let inverse = inverseSqrt(dot(d, d));
+    var direction = d * inverse;
+    if (turned) {
+      direction = rotate(extent.a, direction);
+    }
+    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, inside);
+    bits |= select(0u, 1u << k, t * inverse < 1.0);
+  }
+  return bits;
+}
+
+// `apex` and `axis` in the box's frame; `end`: how far along the axis the box may reach.
+fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f32) -> u32 {
+  let radius = min(end, cone.length + cone.reach) * cone.sine / max(cone.cosine, 1e-6);
+  let inverse = safeReciprocal(axis, apex);
+  let middle = -apex * inverse;
+  let half = halfSize * abs(inverse);
+  let margin = 1.0001 * radius * abs(inverse);
+  let low = middle - half;
+  let high = middle + half;
+  let grownNear = max3(low - margin);
+  let grownFar = min3(high + margin);
+  if (grownNear > grownFar || grownFar < 0.0 || grownNear > cone.length + cone.reach) {
+    return select(boxMissed, boxMet, cone.sine >= 1.0);
+  }
+  let near = max3(low + margin);
+  let apexOutside = any(abs(apex) > halfSize);
+  let through = near < min3(high - margin) && near > 0.0 && near < cone.length - cone.reach;
+  return select(boxMet, boxHidesLight, through && apexOutside && all(halfSize > vec3f(radius)));
+}
+
+// How a box about the origin lies to the cone, told by the cone's axis alone: against the box grown by the cone's radius where the
+// box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
+const boxMissed = 0u;
+
+const boxHidesLight = 2u;
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+fn min3(v: vec3f) -> f32 {
+  return min(min(v.x, v.y), v.z);
+}
+
+const boxMet = 1u;
+
+fn behindFlat(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
+  let bounds = fetchBounds(i);
+  let plane = isPlane(i);
+  var meets = false;
+  if (plane) {
+    meets = coneMeetsPlane(cone, bounds.center, bounds.radius);
+  } else {
+    meets = !coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius);
+  }
+  if (!meets || i == group.start.leaves) {
     return hidden;
   }
   var bits = hidden;
   for (var k = 0u; k < group.count; k++) {
     let d = toSample(group, k);
-    let distance = length(d);
-    var direction = d / distance;
-    if (turned) {
-      direction = rotate(extent.a, direction);
+    let inverse = inverseSqrt(dot(d, d));
+    let ray = Ray(group.start, d * inverse);
+    var t = miss;
+    if (plane) {
+      t = hitPlane(i, bounds, ray);
+    } else {
+      t = hitQuad(i, bounds, ray);
     }
-    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, i == group.start.inside);
-    bits |= select(0u, 1u << k, t < distance);
+    bits |= select(0u, 1u << k, t * inverse < 1.0);
   }
   return bits;
-}
-
-// Whether the box that holds the cone meets a box about the origin; apex and the light's centre in that box's frame.
-fn coneMeetsBox(cone: ShadowCone, apex: vec3f, light: vec3f, halfSize: vec3f) -> bool {
-  return all(min(apex, light - cone.reach) <= halfSize) && all(max(apex, light + cone.reach) >= -halfSize);
 }
 
 // Whether a plane lies between the apex and some sample point.
@@ -669,25 +724,6 @@ fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
   let here = dot(normal, cone.apex) - offset;
   let there = here + dot(normal, cone.axis) * cone.length;
   return here * there <= 0.0 || abs(there) <= cone.reach;
-}
-
-fn behindFlat(group: SampleGroup, i: u32, hidden: u32) -> u32 {
-  let bounds = fetchBounds(i);
-  let plane = isPlane(i);
-  var bits = hidden;
-  for (var k = 0u; k < group.count; k++) {
-    let d = toSample(group, k);
-    let distance = length(d);
-    let ray = Ray(group.start, d / distance);
-    var t = miss;
-    if (plane) {
-      t = hitPlane(i, bounds, ray);
-    } else {
-      t = hitQuad(i, bounds, ray);
-    }
-    bits |= select(0u, 1u << k, t < distance);
-  }
-  return bits;
 }
 
 // How far the points reach from the light's centre, in radii.

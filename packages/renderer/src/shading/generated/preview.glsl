@@ -28,9 +28,9 @@ struct Frame {
     vec2 dividers;
     uvec4 shapeEnds;
     uint occluderEnd;
+    uint seenLightEnd;
     uint spare0_;
     uint spare1_;
-    uint spare2_;
     uvec4 panels[3];
 };
 struct Hit {

@@ -1,0 +1,184 @@
+/**
+ * Keeps the film of one device, and the canvas, in step with the view: begins the film anew when the view has changed, adds samples
+ * until there are enough, only shows it again when no more than the display has changed, and otherwise does nothing. It lives as
+ * long as its device; what a lost device still had to do is forgotten with it.
+ */
+import type { FrameController } from './frame-controller.ts';
+import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
+import type { FrameStats } from './renderer-types.ts';
+import type { Stages } from './stages.ts';
+import type { View } from './view.ts';
+
+/** Frames that may be on the device at once: one being worked on, one waiting, so that it never idles and never lags. */
+const MOST_IN_FLIGHT = 2;
+
+/** What a painter shares with those before and after it. */
+export interface Easel {
+  readonly canvas: { readonly width: number; readonly height: number };
+  readonly view: View;
+  readonly controller: FrameController;
+  readonly figures: FrameFigures;
+  readonly onFrame: (stats: FrameStats) => void;
+}
+
+export class Painter {
+  readonly stages: Stages;
+  readonly #easel: Easel;
+  #inFlight = 0;
+  /** What the film is to hold: the view's revision and whether by the whole integrator. */
+  #filmRevision = -1;
+  #filmComplete = false;
+  #filmTime = 0;
+  /** What the canvas shows. */
+  #shownRevision = -1;
+  #shownFilm = -1;
+  #shownExposure = 0;
+  #shownSize = { width: 0, height: 0 };
+  /** The sample before was given up half-way. */
+  #dropped = false;
+
+  constructor(stages: Stages, easel: Easel) {
+    this.stages = stages;
+    this.#easel = easel;
+  }
+
+  /** Whether a frame may be begun: no sample is half submitted, and the device has not enough to do yet. */
+  get free(): boolean {
+    return !this.stages.pending && this.#inFlight < MOST_IN_FLIGHT;
+  }
+  /** The view's revision that the film holds or is being given. */
+  get filmRevision(): number {
+    return this.#filmRevision;
+  }
+  /** The view's revision that the canvas shows, ignoring what only the display uses; -1: none. */
+  get shownFilm(): number {
+    return this.#shownFilm;
+  }
+  /** Whether the film holds samples of the integrator and not the preview's. */
+  get filmComplete(): boolean {
+    return this.#filmComplete;
+  }
+
+  /**
+   * One frame, or nothing when the film is good and shown. Resolves when the device has finished it; what fits into one submit is
+   * submitted before this returns. `unwanted` is asked between two submits whether the sample may be given up.
+   */
+  async draw(reduced: boolean, unwanted: () => boolean): Promise<void> {
+    const { canvas } = this.#easel;
+    if (canvas.width === 0 || canvas.height === 0) return;
+    this.#keepPicture();
+    const size = this.#reserve(reduced);
+    if (this.#outdated(size)) this.#begin(size);
+    else if (this.#enough()) return this.#rest();
+    await this.#trace(unwanted);
+    if (!this.stages.complete) await this.stages.ready();
+  }
+
+  /** While a frame takes its time: a resized canvas is not left blank, and exposure follows the hand. */
+  refresh(): void {
+    if (this.#canvasCleared() || this.#shownExposure !== this.#easel.view.settings.exposure) this.#show();
+  }
+
+  /** For `unwanted`: whether the world has been changed by hand since now. Not twice in a row, lest a long drag show nothing. */
+  changesByHand(): () => boolean {
+    const { view } = this.#easel;
+    const before = view.changesByHand;
+    return this.#dropped ? () => false : () => view.changesByHand !== before || this.#canvasCleared();
+  }
+
+  /** Setting a canvas's size clears it: it gets what there is until there is better. */
+  #keepPicture(): void {
+    if (this.#canvasCleared()) this.#show();
+  }
+
+  #canvasCleared(): boolean {
+    const { width, height } = this.#easel.canvas;
+    return width !== this.#shownSize.width || height !== this.#shownSize.height;
+  }
+
+  #show(): void {
+    const { canvas, view } = this.#easel;
+    if (canvas.width === 0 || canvas.height === 0) return;
+    if (!this.stages.show(view.settings.exposure)) return;
+    this.#shownExposure = view.settings.exposure;
+    this.#shownSize = { width: canvas.width, height: canvas.height };
+  }
+
+  #outdated(size: { width: number; height: number }): boolean {
+    const { film } = this.stages;
+    if (this.#filmRevision !== this.#easel.view.revision) return true;
+    if (this.stages.complete && !this.#filmComplete) return true;
+    return size.width !== film.width || size.height !== film.height;
+  }
+
+  #begin({ width, height }: { width: number; height: number }): void {
+    const { view } = this.#easel;
+    const { settings, camera } = view;
+    const raysPerPixel = view.raysPerPixel();
+    this.stages.begin({ scene: view.sceneNow(), camera, settings, raysPerPixel }, width, height);
+    this.#filmComplete = this.stages.complete;
+    this.#filmRevision = view.revision;
+    this.#filmTime = view.time;
+  }
+
+  #enough(): boolean {
+    const { film, device } = this.stages;
+    const most = this.#filmComplete ? Math.min(this.#easel.view.settings.maxSamples, device.maxFilmSamples) : 1;
+    return film.samples >= most;
+  }
+
+  #rest(): void {
+    const { view, figures, canvas } = this.#easel;
+    if (view.shownRevision !== this.#shownRevision) this.#show();
+    this.#shownRevision = view.shownRevision;
+    figures.rest(canvas);
+  }
+
+  /** The film's size; room for the largest that the settings ask for is made at once. */
+  #reserve(reduced: boolean): { width: number; height: number } {
+    const { canvas, view, controller } = this.#easel;
+    const { width, height } = canvas;
+    const { targetFps, resolutionScale } = view.settings;
+    const largest = Math.min(resolutionScale, this.stages.device.maxTextureSize / Math.max(width, height));
+    const pixels = (side: number, scale: number) => Math.max(Math.round(side * scale), 1);
+    this.stages.film.reserve(pixels(width, largest), pixels(height, largest));
+    const scale = reduced ? controller.movingScale(width * height, targetFps, largest) : largest;
+    return { width: pixels(width, scale), height: pixels(height, scale) };
+  }
+
+  async #trace(unwanted: () => boolean): Promise<void> {
+    const { controller, figures, onFrame } = this.#easel;
+    const revision = this.#filmRevision;
+    const started = performance.now();
+    // Taken when the sample is submitted: by the time that the device has finished it, the next frame may have been begun.
+    let frame: Omit<DrawnFrame, 'finished'> | null = null;
+    const submitted = () => {
+      this.#show();
+      this.#shownFilm = revision;
+      this.#shownRevision = this.#easel.view.shownRevision;
+      frame = { started, ...this.#frameNow() };
+    };
+    this.#inFlight++;
+    try {
+      this.#dropped = !(await this.stages.addSample(controller, submitted, unwanted));
+    } finally {
+      this.#inFlight--;
+    }
+    if (this.#dropped) this.#filmRevision = -1;
+    if (frame) onFrame(figures.count({ ...(frame as Omit<DrawnFrame, 'finished'>), finished: performance.now() }));
+  }
+
+  #frameNow(): Omit<DrawnFrame, 'started' | 'finished'> {
+    const { canvas, view } = this.#easel;
+    const { film } = this.stages;
+    return {
+      samples: this.#filmComplete ? film.samples : 0,
+      raysPerPixel: this.#filmComplete ? view.raysPerPixel() : view.previewRaysPerPixel(),
+      filmWidth: film.width,
+      filmHeight: film.height,
+      canvasWidth: canvas.width,
+      canvasHeight: canvas.height,
+      time: this.#filmTime,
+    };
+  }
+}

@@ -1,0 +1,24 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { root, runNode, tools } from './run-command.mjs';
+
+const folder = 'packages/renderer/dist';
+
+/**
+ * Builds the library for pages without our build: packages/renderer/dist/mirrorball.js, one ES module that imports nothing,
+ * with its types beside it. Gives the exit code.
+ */
+export async function buildLibrary() {
+  const bundled = await runNode(tools.vite, ['build', 'packages/renderer', '--logLevel', 'warn']);
+  if (bundled !== 0) return bundled;
+  const typed = await runNode(tools.typescript, ['-p', 'packages/renderer']);
+  if (typed !== 0) return typed;
+  writeFileSync(join(root, folder, 'mirrorball.d.ts'), "export * from './types/index.ts';\n");
+  const raw = readFileSync(join(root, folder, 'mirrorball.js'));
+  const zipped = gzipSync(raw, { level: 9 }).length;
+  console.log(
+    `${folder}/mirrorball.js: ${(raw.length / 1000).toFixed(1)} KB, gzipped ${(zipped / 1000).toFixed(1)} KB`,
+  );
+  return 0;
+}
