@@ -10,6 +10,8 @@ export interface GpuHooks {
   /** Draw calls so far, and the most pixels of one, into anything but the canvas. */
   draws: number;
   largestDraw: number;
+  /** How often a canvas was drawn. */
+  presented: number;
   /** Frames that the page waits for now, and the most that it ever waited for at once. */
   waiting: number;
   mostWaiting: number;
@@ -67,6 +69,7 @@ function installGpuHooks(): void {
     textures: 0,
     draws: 0,
     largestDraw: 0,
+    presented: 0,
     waiting: 0,
     mostWaiting: 0,
     loseAtCompile: 0,
@@ -99,6 +102,10 @@ function installGpuHooks(): void {
   const wait = (by: 1 | -1) => {
     hooks.waiting += by;
     hooks.mostWaiting = Math.max(hooks.mostWaiting, hooks.waiting);
+  };
+  const present = (canvas: HTMLCanvasElement) => {
+    hooks.presented++;
+    presented(canvas);
   };
   const drawn = (pixels: number) => {
     hooks.draws++;
@@ -134,7 +141,7 @@ function installGpuHooks(): void {
     });
     follow(window.GPURenderPassEncoder, 'setScissorRect', (_, __, args) => drawn(Number(args[2]) * Number(args[3])));
     follow(window.GPUQueue, 'submit', () => {
-      if (canvas) presented(canvas);
+      if (canvas) present(canvas);
       canvas = null;
     });
     follow(window.GPUQueue, 'onSubmittedWorkDone', (_, result) => {
@@ -163,7 +170,7 @@ function installGpuHooks(): void {
     follow(gl2, 'fenceSync', (_, result) => result && wait(1));
     follow(gl2, 'deleteSync', () => wait(-1));
     follow(gl2, 'drawArrays', (gl) => {
-      if (gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING) === null) return presented(gl.canvas as HTMLCanvasElement);
+      if (gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING) === null) return present(gl.canvas as HTMLCanvasElement);
       const [, , width, height] = gl.getParameter(gl.SCISSOR_BOX) as Int32Array;
       drawn(width! * height!);
     });

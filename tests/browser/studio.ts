@@ -34,6 +34,28 @@ export async function expectState<Value>(page: Page, read: (state: RendererState
     .toEqual(wanted);
 }
 
+/** Makes four samples the whole picture, and waits until the film holds them. */
+export async function settled(page: Page): Promise<void> {
+  await page.waitForFunction(() => window.mirrorball?.renderer);
+  const samples = () =>
+    page.evaluate(async () => {
+      const renderer = window.mirrorball.renderer!;
+      renderer.set({ maxSamples: 4, seed: 7 });
+      const film = await renderer.readFilm().catch(() => null);
+      return film?.pixels[3] ?? 0;
+    });
+  await expect.poll(samples, 'samples in the film').toBe(4);
+}
+
+/** Lets the page believe that its tab is hidden, or seen again. */
+export async function setHidden(page: Page, hidden: boolean): Promise<void> {
+  await page.evaluate((value) => {
+    Object.defineProperty(document, 'hidden', { value, configurable: true });
+    Object.defineProperty(document, 'visibilityState', { value: value ? 'hidden' : 'visible', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  }, hidden);
+}
+
 /** A group of radio buttons by its name. */
 export const group = (page: Page, name: string): Locator => page.getByRole('group', { name, exact: true });
 

@@ -1,0 +1,70 @@
+import type { Page } from '@playwright/test';
+import { backends, expect, test } from './fixtures.ts';
+import { hookGpu, hooks } from './gpu-hooks.ts';
+import { choose, quick, scenes, settled, unfold } from './studio.ts';
+
+for (const backend of backends)
+  test(`after start-up nothing is compiled any more (${backend})`, async ({ page, openStudio }) => {
+    await hookGpu(page);
+    await openStudio({ backend, query: { ...quick, size: 160, paused: 1 } });
+    await settled(page);
+    const { compiled } = await hooks(page);
+    const unchanged = async (what: string) => {
+      await settled(page);
+      expect((await hooks(page)).compiled, `modules, pipelines and programs after ${what}`).toBe(compiled);
+    };
+    expect(compiled).toBeGreaterThanOrEqual(3);
+
+    for (const { en } of scenes) await choose(page, 'Scene', en);
+    await unchanged('switching scenes');
+    await everyControl(page);
+    await unchanged('changing every control');
+    await page.evaluate(everySetting);
+    await unchanged('changing every setting by the API');
+    await page.evaluate(editedScenes);
+    await unchanged('editing the scene');
+    for (const width of [1000, 700, 500]) await page.setViewportSize({ width, height: 600 });
+    await unchanged('resizing');
+  });
+
+async function everyControl(page: Page): Promise<void> {
+  await unfold(page, 'Performance');
+  for (const value of ['0', '3']) await page.getByRole('slider', { name: 'Reflections' }).fill(value);
+  for (const value of ['9', '1']) await choose(page, 'Samples per light', value);
+  for (const mode of ['Reflections 1 · 2 · 10', 'Light samples 1 · 9 · 64', 'Off'])
+    await choose(page, 'Side by side', mode);
+  await page.getByRole('slider', { name: 'Exposure' }).fill('1');
+  await page.getByRole('slider', { name: 'Time' }).fill('1');
+  await page.getByRole('slider', { name: 'Resolution scale' }).fill('0.5');
+  await choose(page, 'Target', '30 fps');
+  await page.getByRole('switch', { name: 'Lower resolution in motion when slow' }).click();
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await choose(page, 'Speed', '2×');
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
+}
+
+/** Runs in the page. */
+async function everySetting(): Promise<void> {
+  const renderer = window.mirrorball.renderer!;
+  const panel = (maxReflections: number, lightSamples: number) => ({ maxReflections, lightSamples });
+  for (const settings of [
+    { maxReflections: 64, lightSamples: 2, seed: 3, exposure: -1, adaptive: true, targetFps: 30, maxSamples: 2 },
+    { comparison: { panels: [panel(0, 1), panel(2, 25), panel(5, 4)], dividers: [0.2, 0.9] } },
+    { comparison: null, maxReflections: 1, lightSamples: 1, resolutionScale: 0.3, targetFps: 60, adaptive: false },
+  ] as const) {
+    renderer.set(settings as Parameters<typeof renderer.set>[0]);
+    await renderer.render();
+  }
+}
+
+/** Runs in the page: numbers changed, and a scene with far more shapes and lights. */
+async function editedScenes(): Promise<void> {
+  const renderer = window.mirrorball.renderer!;
+  const scene = renderer.scene!;
+  const [name, light] = Object.entries(scene.lights)[0]!;
+  await renderer.setScene({ ...scene, lights: { ...scene.lights, [name]: { ...light, radius: light.radius * 2 } } });
+  const ball = (i: number) => ({ type: 'sphere', center: [i / 50, i / 40, 0], radius: 0.1 });
+  const material = Object.keys(scene.materials)[0]!;
+  const balls = Array.from({ length: 100 }, (_, i) => [`ball ${i}`, { ...ball(i), material }]);
+  await renderer.setScene({ ...scene, animation: [], shapes: Object.fromEntries(balls) });
+}
