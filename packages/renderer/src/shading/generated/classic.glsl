@@ -93,10 +93,11 @@ struct SampleGroup {
 struct ShadowCone {
     vec3 apex;
     vec3 axis;
-    float length_;
-    float reach;
+    float start;
+    float end;
     float sine;
     float cosine;
+    float tangent;
 };
 struct BallPlace {
     float along;
@@ -563,7 +564,8 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
     float _e8 = sampleReach(count_2);
     float reach_1 = (radius_1 * _e8);
     float sine = min((reach_1 / distance_), 1.0);
-    return ShadowCone(apex, (toLight_2 / vec3(distance_)), distance_, reach_1, sine, sqrt((1.0 - (sine * sine))));
+    float cosine = sqrt((1.0 - (sine * sine)));
+    return ShadowCone(apex, (toLight_2 / vec3(distance_)), (distance_ - reach_1), (distance_ + reach_1), sine, cosine, ((cosine < 0.001) ? 1e30 : (sine / cosine)));
 }
 
 BallPlace placeBall(ShadowCone cone, vec3 center_3) {
@@ -572,61 +574,46 @@ BallPlace placeBall(ShadowCone cone, vec3 center_3) {
     return BallPlace(along_2, length((toBall - (along_2 * cone.axis))));
 }
 
-bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
+bool skipped(Start start, uint i_18, bool missed) {
     bool local_7 = false;
     bool local_8 = false;
-    bool local_9 = false;
-    if ((((ball.across * cone_1.cosine) - (ball.along * cone_1.sine)) > radius_2)) {
-        local_7 = (cone_1.sine < 1.0);
+    if (!((i_18 == start.leaves))) {
+        if (missed) {
+            local_8 = (i_18 != start.inside);
+        } else {
+            local_8 = false;
+        }
+        bool _e13 = local_8;
+        local_7 = _e13;
     } else {
-        local_7 = false;
+        local_7 = true;
     }
-    bool beside = local_7;
-    if (!(beside)) {
-        local_8 = (ball.along < -(radius_2));
-    } else {
-        local_8 = true;
-    }
-    bool _e25 = local_8;
-    if (!(_e25)) {
-        local_9 = (ball.along > ((cone_1.length_ + cone_1.reach) + radius_2));
-    } else {
-        local_9 = true;
-    }
-    bool _e36 = local_9;
-    return _e36;
+    bool _e15 = local_7;
+    return _e15;
+}
+
+bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
+    float beside = ((ball.across * cone_1.cosine) - (ball.along * cone_1.sine));
+    float outside = max(max(beside, -(ball.along)), (ball.along - cone_1.end));
+    return (outside > ((cone_1.tangent == 1e30) ? 1e30 : radius_2));
 }
 
 bool ballHidesLight(ShadowCone cone_2, BallPlace ball_1, float radius_3) {
-    bool local_10 = false;
-    bool local_11 = false;
-    bool covers = (((ball_1.across * cone_2.cosine) + (ball_1.along * cone_2.sine)) < (radius_3 * 0.9999));
-    if (covers) {
-        local_10 = (ball_1.along > radius_3);
-    } else {
-        local_10 = false;
-    }
-    bool _e18 = local_10;
-    if (_e18) {
-        local_11 = ((ball_1.along + radius_3) < (cone_2.length_ - cone_2.reach));
-    } else {
-        local_11 = false;
-    }
-    bool _e28 = local_11;
-    return _e28;
+    float covers = (((radius_3 * 0.9999) - (ball_1.across * cone_2.cosine)) - (ball_1.along * cone_2.sine));
+    return (min(min(covers, (ball_1.along - radius_3)), ((cone_2.start - ball_1.along) - radius_3)) > 0.0);
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
     if ((s.count == 1u)) {
         return vec3(0.0);
     }
-    float i_25 = float(k);
+    float i_26 = float(k);
     if ((s.count == 9u)) {
-        float row = floor(((i_25 + 0.5) / 3.0));
-        return vec3(((0.5 * (i_25 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
+        float row = floor(((i_26 + 0.5) / 3.0));
+        return vec3(((0.5 * (i_26 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
     }
-    float z = (1.0 - ((2.0 * (i_25 + s.shift.x)) / float(s.count)));
-    float phi = (6.2831855 * fract(((i_25 * 0.618034) + s.shift.y)));
+    float z = (1.0 - ((2.0 * (i_26 + s.shift.x)) / float(s.count)));
+    float phi = (6.2831855 * fract(((i_26 * 0.618034) + s.shift.y)));
     float r = sqrt(max((1.0 - (z * z)), 0.0));
     return vec3((r * cos(phi)), (r * sin(phi)), z);
 }
@@ -636,59 +623,33 @@ vec3 toSample(SampleGroup group_1, uint k_1) {
     return ((group_1.center + (group_1.radius * _e7)) - group_1.start.point);
 }
 
-uint behindSphere(SampleGroup group_2, uint i_18, ShadowCone cone_3, uint hidden) {
-    bool local_12 = false;
-    bool local_13 = false;
+uint behindSphere(SampleGroup group_2, uint i_19, Bounds bounds_4) {
     uint bits = 0u;
     uint k_2 = 0u;
-    Bounds _e4 = fetchBounds(i_18);
-    BallPlace _e6 = placeBall(cone_3, _e4.center);
-    bool _e8 = coneMissesBall(cone_3, _e6, _e4.radius);
-    if (_e8) {
-        local_12 = (i_18 != group_2.start.inside);
-    } else {
-        local_12 = false;
-    }
-    bool _e15 = local_12;
-    if (!(_e15)) {
-        local_13 = (i_18 == group_2.start.leaves);
-    } else {
-        local_13 = true;
-    }
-    bool _e23 = local_13;
-    if (_e23) {
-        return hidden;
-    }
-    bool _e25 = ballHidesLight(cone_3, _e6, _e4.radius);
-    if (_e25) {
-        uint _e26 = everySample(group_2);
-        return _e26;
-    }
-    bits = hidden;
     bool loop_init_6 = true;
     while(true) {
         if (!loop_init_6) {
-            uint _e52 = k_2;
-            k_2 = (_e52 + 1u);
+            uint _e29 = k_2;
+            k_2 = (_e29 + 1u);
         }
         loop_init_6 = false;
-        uint _e30 = k_2;
-        if ((_e30 < group_2.count)) {
+        uint _e7 = k_2;
+        if ((_e7 < group_2.count)) {
         } else {
             break;
         }
         {
-            uint _e33 = k_2;
-            vec3 _e34 = toSample(group_2, _e33);
-            float inverse_ = inversesqrt(dot(_e34, _e34));
-            uint _e37 = bits;
-            uint _e40 = k_2;
-            float _e45 = hitSphere(i_18, _e4, Ray(group_2.start, (_e34 * inverse_)));
-            bits = (_e37 | (((_e45 * inverse_) < 1.0) ? (1u << _e40) : 0u));
+            uint _e10 = k_2;
+            vec3 _e11 = toSample(group_2, _e10);
+            float inverse_ = inversesqrt(dot(_e11, _e11));
+            uint _e14 = bits;
+            uint _e17 = k_2;
+            float _e22 = hitSphere(i_19, bounds_4, Ray(group_2.start, (_e11 * inverse_)));
+            bits = (_e14 | (((_e22 * inverse_) < 1.0) ? (1u << _e17) : 0u));
         }
     }
-    uint _e54 = bits;
-    return _e54;
+    uint _e31 = bits;
+    return _e31;
 }
 
 float max3_(vec3 v_2) {
@@ -699,326 +660,307 @@ float min3_(vec3 v_3) {
     return min(min(v_3.x, v_3.y), v_3.z);
 }
 
-uint placeBox(ShadowCone cone_4, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
-    bool local_14 = false;
-    bool local_15 = false;
-    bool local_16 = false;
-    bool local_17 = false;
-    bool local_18 = false;
-    bool local_19 = false;
-    float radius_4 = ((min(end, (cone_4.length_ + cone_4.reach)) * cone_4.sine) / max(cone_4.cosine, 1e-6));
-    vec3 _e15 = safeReciprocal(axis, apex_1);
-    vec3 middle_1 = (-(apex_1) * _e15);
-    vec3 half_1 = (halfSize_3 * abs(_e15));
-    vec3 margin = ((1.0001 * radius_4) * abs(_e15));
+uint placeBox(ShadowCone cone_3, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
+    bool local_9 = false;
+    bool local_10 = false;
+    bool local_11 = false;
+    float radius_4 = ((1.0001 * min(end, cone_3.end)) * cone_3.tangent);
+    vec3 _e11 = safeReciprocal(axis, apex_1);
+    vec3 middle_1 = (-(apex_1) * _e11);
+    vec3 half_1 = (halfSize_3 * abs(_e11));
+    vec3 margin = (radius_4 * abs(_e11));
     vec3 low = (middle_1 - half_1);
     vec3 high = (middle_1 + half_1);
-    float _e27 = max3_((low - margin));
-    float _e29 = min3_((high + margin));
-    if (!((_e27 > _e29))) {
-        local_14 = (_e29 < 0.0);
-    } else {
-        local_14 = true;
-    }
-    bool _e37 = local_14;
-    if (!(_e37)) {
-        local_15 = (_e27 > (cone_4.length_ + cone_4.reach));
-    } else {
-        local_15 = true;
-    }
-    bool _e46 = local_15;
-    if (_e46) {
-        return ((cone_4.sine >= 1.0) ? boxMet : boxMissed);
-    }
-    float _e54 = max3_((low + margin));
-    bool apexOutside = any(greaterThan(abs(apex_1), halfSize_3));
-    float _e59 = min3_((high - margin));
-    if ((_e54 < _e59)) {
-        local_16 = (_e54 > 0.0);
-    } else {
-        local_16 = false;
-    }
-    bool _e66 = local_16;
-    if (_e66) {
-        local_17 = (_e54 < (cone_4.length_ - cone_4.reach));
-    } else {
-        local_17 = false;
-    }
-    bool through = local_17;
+    float _e21 = max3_((low - margin));
+    float _e23 = min3_((high + margin));
+    bool met = (min(min((_e23 - _e21), _e23), (cone_3.end - _e21)) >= 0.0);
+    float _e32 = max3_((low + margin));
+    float _e34 = min3_((high - margin));
+    bool through = (min(min((_e34 - _e32), _e32), (cone_3.start - _e32)) > 0.0);
+    float _e44 = max3_((abs(apex_1) - halfSize_3));
+    bool apexOutside = (_e44 > 0.0);
     if (through) {
-        local_18 = apexOutside;
+        local_9 = apexOutside;
     } else {
-        local_18 = false;
+        local_9 = false;
     }
-    bool _e80 = local_18;
-    if (_e80) {
-        local_19 = all(greaterThan(halfSize_3, vec3(radius_4)));
+    bool _e50 = local_9;
+    if (_e50) {
+        float _e53 = min3_(halfSize_3);
+        local_10 = (_e53 > radius_4);
     } else {
-        local_19 = false;
+        local_10 = false;
     }
-    bool _e87 = local_19;
-    return (_e87 ? boxHidesLight : boxMet);
+    bool hides = local_10;
+    if (!(met)) {
+        local_11 = (cone_3.tangent == 1e30);
+    } else {
+        local_11 = true;
+    }
+    bool _e68 = local_11;
+    return (_e68 ? (hides ? boxHidesLight : boxMet) : boxMissed);
 }
 
-uint behindBox(SampleGroup group_3, uint i_19, ShadowCone cone_5, uint hidden_1) {
-    bool local_20 = false;
+uint behindBox(SampleGroup group_3, uint i_20, Bounds bounds_5, ShadowCone cone_4, float end_1) {
     vec3 origin_8 = vec3(0.0);
     vec3 axis_1 = vec3(0.0);
     uint bits_1 = 0u;
     uint k_3 = 0u;
     vec3 direction_8 = vec3(0.0);
-    Bounds _e4 = fetchBounds(i_19);
-    BallPlace _e6 = placeBall(cone_5, _e4.center);
-    bool _e8 = coneMissesBall(cone_5, _e6, _e4.radius);
-    if (!(_e8)) {
-        local_20 = (i_19 == group_3.start.leaves);
-    } else {
-        local_20 = true;
+    Extent _e5 = fetchExtent(i_20);
+    bool _e7 = isTurned(_e5.a);
+    origin_8 = (group_3.start.point - bounds_5.center);
+    axis_1 = cone_4.axis;
+    if (_e7) {
+        vec3 _e16 = origin_8;
+        vec3 _e17 = rotate(_e5.a, _e16);
+        origin_8 = _e17;
+        vec3 _e19 = axis_1;
+        vec3 _e20 = rotate(_e5.a, _e19);
+        axis_1 = _e20;
     }
-    bool _e16 = local_20;
-    if (_e16) {
-        return hidden_1;
-    }
-    Extent _e17 = fetchExtent(i_19);
-    bool _e19 = isTurned(_e17.a);
-    origin_8 = (group_3.start.point - _e4.center);
-    axis_1 = cone_5.axis;
-    if (_e19) {
-        vec3 _e28 = origin_8;
-        vec3 _e29 = rotate(_e17.a, _e28);
-        origin_8 = _e29;
-        vec3 _e31 = axis_1;
-        vec3 _e32 = rotate(_e17.a, _e31);
-        axis_1 = _e32;
-    }
-    bool inside_1 = (i_19 == group_3.start.inside);
-    if (!(inside_1)) {
-        vec3 _e37 = origin_8;
-        vec3 _e38 = axis_1;
-        uint _e44 = placeBox(cone_5, _e37, _e38, _e17.b.xyz, (_e6.along + _e4.radius));
-        if ((_e44 == boxMissed)) {
-            return hidden_1;
-        }
-        if ((_e44 == boxHidesLight)) {
-            uint _e49 = everySample(group_3);
-            return _e49;
-        }
-    }
-    bits_1 = hidden_1;
+    bool startsInside_3 = (i_20 == group_3.start.inside);
+    vec3 _e24 = origin_8;
+    vec3 _e25 = axis_1;
+    uint _e28 = placeBox(cone_4, _e24, _e25, _e5.b.xyz, end_1);
+    uint meets = (startsInside_3 ? boxMet : _e28);
+    uint _e32 = everySample(group_3);
+    bits_1 = ((meets == boxHidesLight) ? _e32 : 0u);
+    uint count_3 = ((meets == boxMet) ? group_3.count : 0u);
     bool loop_init_7 = true;
     while(true) {
         if (!loop_init_7) {
-            uint _e83 = k_3;
-            k_3 = (_e83 + 1u);
+            uint _e73 = k_3;
+            k_3 = (_e73 + 1u);
         }
         loop_init_7 = false;
-        uint _e53 = k_3;
-        if ((_e53 < group_3.count)) {
+        uint _e44 = k_3;
+        if ((_e44 < count_3)) {
         } else {
             break;
         }
         {
-            uint _e56 = k_3;
-            vec3 _e57 = toSample(group_3, _e56);
-            float inverse_1 = inversesqrt(dot(_e57, _e57));
-            direction_8 = (_e57 * inverse_1);
-            if (_e19) {
-                vec3 _e63 = direction_8;
-                vec3 _e64 = rotate(_e17.a, _e63);
-                direction_8 = _e64;
+            uint _e46 = k_3;
+            vec3 _e47 = toSample(group_3, _e46);
+            float inverse_1 = inversesqrt(dot(_e47, _e47));
+            direction_8 = (_e47 * inverse_1);
+            if (_e7) {
+                vec3 _e53 = direction_8;
+                vec3 _e54 = rotate(_e5.a, _e53);
+                direction_8 = _e54;
             }
-            vec3 _e65 = origin_8;
-            vec3 _e66 = direction_8;
-            float _e71 = intersectBox(_e65, _e66, _e17.b.xyz, group_3.start.tMin, inside_1);
-            uint _e72 = bits_1;
-            uint _e75 = k_3;
-            bits_1 = (_e72 | (((_e71 * inverse_1) < 1.0) ? (1u << _e75) : 0u));
+            vec3 _e55 = origin_8;
+            vec3 _e56 = direction_8;
+            float _e61 = intersectBox(_e55, _e56, _e5.b.xyz, group_3.start.tMin, startsInside_3);
+            uint _e62 = bits_1;
+            uint _e65 = k_3;
+            bits_1 = (_e62 | (((_e61 * inverse_1) < 1.0) ? (1u << _e65) : 0u));
         }
     }
-    uint _e85 = bits_1;
-    return _e85;
+    uint _e75 = bits_1;
+    return _e75;
 }
 
-bool coneMeetsPlane(ShadowCone cone_6, vec3 normal_1, float offset_1) {
-    bool local_21 = false;
-    float here = (dot(normal_1, cone_6.apex) - offset_1);
-    float there = (here + (dot(normal_1, cone_6.axis) * cone_6.length_));
+bool coneMeetsPlane(ShadowCone cone_5, vec3 normal_1, float offset_1) {
+    bool local_12 = false;
+    float here = (dot(normal_1, cone_5.apex) - offset_1);
+    float there = (here + ((dot(normal_1, cone_5.axis) * 0.5) * (cone_5.start + cone_5.end)));
     if (!(((here * there) <= 0.0))) {
-        local_21 = (abs(there) <= cone_6.reach);
+        local_12 = (abs(there) <= (0.5 * (cone_5.end - cone_5.start)));
     } else {
-        local_21 = true;
+        local_12 = true;
     }
-    bool _e21 = local_21;
-    return _e21;
+    bool _e29 = local_12;
+    return _e29;
 }
 
-uint behindFlat(SampleGroup group_4, uint i_20, ShadowCone cone_7, uint hidden_2) {
-    bool meets = false;
-    bool local_22 = false;
+uint behindFlat(SampleGroup group_4, uint i_21, Bounds bounds_6) {
     uint bits_2 = 0u;
     uint k_4 = 0u;
     float t_4 = 0.0;
-    Bounds _e4 = fetchBounds(i_20);
-    bool _e5 = isPlane(i_20);
-    if (_e5) {
-        bool _e10 = coneMeetsPlane(cone_7, _e4.center, _e4.radius);
-        meets = _e10;
-    } else {
-        BallPlace _e12 = placeBall(cone_7, _e4.center);
-        bool _e14 = coneMissesBall(cone_7, _e12, _e4.radius);
-        meets = !(_e14);
-    }
-    bool _e16 = meets;
-    if (!(!(_e16))) {
-        local_22 = (i_20 == group_4.start.leaves);
-    } else {
-        local_22 = true;
-    }
-    bool _e25 = local_22;
-    if (_e25) {
-        return hidden_2;
-    }
-    bits_2 = hidden_2;
+    bool _e3 = isPlane(i_21);
     bool loop_init_8 = true;
     while(true) {
         if (!loop_init_8) {
-            uint _e55 = k_4;
-            k_4 = (_e55 + 1u);
+            uint _e34 = k_4;
+            k_4 = (_e34 + 1u);
         }
         loop_init_8 = false;
-        uint _e29 = k_4;
-        if ((_e29 < group_4.count)) {
+        uint _e8 = k_4;
+        if ((_e8 < group_4.count)) {
         } else {
             break;
         }
         {
-            uint _e32 = k_4;
-            vec3 _e33 = toSample(group_4, _e32);
-            float inverse_2 = inversesqrt(dot(_e33, _e33));
-            Ray ray_9 = Ray(group_4.start, (_e33 * inverse_2));
+            uint _e11 = k_4;
+            vec3 _e12 = toSample(group_4, _e11);
+            float inverse_2 = inversesqrt(dot(_e12, _e12));
+            Ray ray_9 = Ray(group_4.start, (_e12 * inverse_2));
             t_4 = 1e30;
-            if (_e5) {
-                float _e41 = hitPlane(i_20, _e4, ray_9);
-                t_4 = _e41;
+            if (_e3) {
+                float _e20 = hitPlane(i_21, bounds_6, ray_9);
+                t_4 = _e20;
             } else {
-                float _e42 = hitQuad(i_20, _e4, ray_9);
-                t_4 = _e42;
+                float _e21 = hitQuad(i_21, bounds_6, ray_9);
+                t_4 = _e21;
             }
-            uint _e43 = bits_2;
-            uint _e46 = k_4;
-            float _e48 = t_4;
-            bits_2 = (_e43 | (((_e48 * inverse_2) < 1.0) ? (1u << _e46) : 0u));
+            uint _e22 = bits_2;
+            uint _e25 = k_4;
+            float _e27 = t_4;
+            bits_2 = (_e22 | (((_e27 * inverse_2) < 1.0) ? (1u << _e25) : 0u));
         }
     }
-    uint _e57 = bits_2;
-    return _e57;
+    uint _e36 = bits_2;
+    return _e36;
 }
 
 uint hiddenSamples(SampleGroup group_5) {
-    uint hidden_3 = 0u;
-    uint i_21 = 0u;
-    bool local_23 = false;
+    uint hidden = 0u;
     uint i_22 = 0u;
-    bool local_24 = false;
+    bool local_13 = false;
     uint i_23 = 0u;
-    bool local_25 = false;
+    bool local_14 = false;
+    uint i_24 = 0u;
+    bool local_15 = false;
+    bool missed_1 = false;
     uint _e1 = everySample(group_5);
     uvec4 ends_1 = frame.shapeEnds;
     ShadowCone _e11 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
     bool loop_init_9 = true;
     while(true) {
         if (!loop_init_9) {
-            uint _e29 = i_21;
-            i_21 = (_e29 + 1u);
+            uint _e41 = i_22;
+            i_22 = (_e41 + 1u);
         }
         loop_init_9 = false;
-        uint _e16 = i_21;
+        uint _e16 = i_22;
         if ((_e16 < ends_1.x)) {
-            uint _e21 = hidden_3;
-            local_23 = (_e21 != _e1);
+            uint _e21 = hidden;
+            local_13 = (_e21 != _e1);
         } else {
-            local_23 = false;
+            local_13 = false;
         }
-        bool _e24 = local_23;
+        bool _e24 = local_13;
         if (_e24) {
         } else {
             break;
         }
         {
-            uint _e25 = i_21;
-            uint _e26 = hidden_3;
-            uint _e27 = behindSphere(group_5, _e25, _e11, _e26);
-            hidden_3 = _e27;
+            uint _e25 = i_22;
+            Bounds _e26 = fetchBounds(_e25);
+            BallPlace _e28 = placeBall(_e11, _e26.center);
+            uint _e30 = i_22;
+            bool _e32 = coneMissesBall(_e11, _e28, _e26.radius);
+            bool _e33 = skipped(group_5.start, _e30, _e32);
+            if (_e33) {
+                continue;
+            }
+            bool _e35 = ballHidesLight(_e11, _e28, _e26.radius);
+            if (_e35) {
+                hidden = _e1;
+            } else {
+                uint _e36 = hidden;
+                uint _e37 = i_22;
+                uint _e38 = behindSphere(group_5, _e37, _e26);
+                hidden = (_e36 | _e38);
+            }
         }
     }
-    i_22 = ends_1.x;
+    i_23 = ends_1.x;
     bool loop_init_10 = true;
     while(true) {
         if (!loop_init_10) {
-            uint _e46 = i_22;
-            i_22 = (_e46 + 1u);
+            uint _e71 = i_23;
+            i_23 = (_e71 + 1u);
         }
         loop_init_10 = false;
-        uint _e33 = i_22;
-        if ((_e33 < ends_1.y)) {
-            uint _e38 = hidden_3;
-            local_24 = (_e38 != _e1);
+        uint _e45 = i_23;
+        if ((_e45 < ends_1.y)) {
+            uint _e50 = hidden;
+            local_14 = (_e50 != _e1);
         } else {
-            local_24 = false;
+            local_14 = false;
         }
-        bool _e41 = local_24;
-        if (_e41) {
+        bool _e53 = local_14;
+        if (_e53) {
         } else {
             break;
         }
         {
-            uint _e42 = i_22;
-            uint _e43 = hidden_3;
-            uint _e44 = behindBox(group_5, _e42, _e11, _e43);
-            hidden_3 = _e44;
+            uint _e54 = i_23;
+            Bounds _e55 = fetchBounds(_e54);
+            BallPlace _e57 = placeBall(_e11, _e55.center);
+            uint _e59 = i_23;
+            bool _e61 = coneMissesBall(_e11, _e57, _e55.radius);
+            bool _e62 = skipped(group_5.start, _e59, _e61);
+            if (_e62) {
+                continue;
+            }
+            uint _e63 = hidden;
+            uint _e64 = i_23;
+            uint _e68 = behindBox(group_5, _e64, _e55, _e11, (_e57.along + _e55.radius));
+            hidden = (_e63 | _e68);
         }
     }
-    i_23 = ends_1.y;
+    i_24 = ends_1.y;
     bool loop_init_11 = true;
     while(true) {
         if (!loop_init_11) {
-            uint _e65 = i_23;
-            i_23 = (_e65 + 1u);
+            uint _e110 = i_24;
+            i_24 = (_e110 + 1u);
         }
         loop_init_11 = false;
-        uint _e50 = i_23;
-        uint _e53 = frame.occluderEnd;
-        if ((_e50 < _e53)) {
-            uint _e57 = hidden_3;
-            local_25 = (_e57 != _e1);
+        uint _e75 = i_24;
+        uint _e78 = frame.occluderEnd;
+        if ((_e75 < _e78)) {
+            uint _e82 = hidden;
+            local_15 = (_e82 != _e1);
         } else {
-            local_25 = false;
+            local_15 = false;
         }
-        bool _e60 = local_25;
-        if (_e60) {
+        bool _e85 = local_15;
+        if (_e85) {
         } else {
             break;
         }
         {
-            uint _e61 = i_23;
-            uint _e62 = hidden_3;
-            uint _e63 = behindFlat(group_5, _e61, _e11, _e62);
-            hidden_3 = _e63;
+            uint _e86 = i_24;
+            Bounds _e87 = fetchBounds(_e86);
+            missed_1 = false;
+            uint _e90 = i_24;
+            bool _e91 = isPlane(_e90);
+            if (_e91) {
+                bool _e94 = coneMeetsPlane(_e11, _e87.center, _e87.radius);
+                missed_1 = !(_e94);
+            } else {
+                BallPlace _e97 = placeBall(_e11, _e87.center);
+                bool _e99 = coneMissesBall(_e11, _e97, _e87.radius);
+                missed_1 = _e99;
+            }
+            uint _e101 = i_24;
+            bool _e102 = missed_1;
+            bool _e103 = skipped(group_5.start, _e101, _e102);
+            if (!(_e103)) {
+                uint _e105 = hidden;
+                uint _e106 = i_24;
+                uint _e107 = behindFlat(group_5, _e106, _e87);
+                hidden = (_e105 | _e107);
+            }
         }
     }
-    uint _e67 = hidden_3;
-    return _e67;
+    uint _e112 = hidden;
+    return _e112;
 }
 
 vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
     vec3 c = vec3(0.0);
     float distance2_ = dot(toLight, toLight);
     vec3 l = (toLight * inversesqrt(distance2_));
-    float cosine = dot(p.normal, l);
-    if ((cosine <= 0.0)) {
+    float cosine_1 = dot(p.normal, l);
+    if ((cosine_1 <= 0.0)) {
         return vec3(0.0);
     }
-    c = ((m.baseColor * light_1.diffuse) * cosine);
+    c = ((m.baseColor * light_1.diffuse) * cosine_1);
     if ((m.specular > 0.0)) {
         vec3 _e21 = c;
         c = (_e21 + ((m.specular * light_1.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
@@ -1029,32 +971,32 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
 
 vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, uint sampleCount) {
     vec3 color = vec3(0.0);
-    uint i_24 = 0u;
+    uint i_25 = 0u;
     vec3 sum_2 = vec3(0.0);
     uint first = 0u;
     uint k_5 = 0u;
     bool loop_init_12 = true;
     while(true) {
         if (!loop_init_12) {
-            uint _e78 = i_24;
-            i_24 = (_e78 + 1u);
+            uint _e78 = i_25;
+            i_25 = (_e78 + 1u);
         }
         loop_init_12 = false;
-        uint _e10 = i_24;
+        uint _e10 = i_25;
         uint _e13 = frame.lightCount;
         if ((_e10 < _e13)) {
         } else {
             break;
         }
         {
-            uint _e15 = i_24;
+            uint _e15 = i_25;
             Light _e16 = fetchLight(_e15);
             vec3 _e17 = color;
             color = (_e17 + (_e16.ambient * m_1.baseColor));
             if ((dot(p_1.normal, (_e16.center - p_1.start.point)) <= -(_e16.radius))) {
                 continue;
             }
-            uint _e31 = i_24;
+            uint _e31 = i_25;
             LightSampler _e32 = lightSampler(sampleCount, pixelHash_1, _e31, reflection_1);
             sum_2 = vec3(0.0);
             first = 0u;
@@ -1072,9 +1014,9 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                 }
                 {
                     uint _e40 = first;
-                    uint count_3 = min((sampleCount - _e40), 32u);
+                    uint count_4 = min((sampleCount - _e40), 32u);
                     uint _e47 = first;
-                    SampleGroup group_6 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_3);
+                    SampleGroup group_6 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_4);
                     uint _e49 = hiddenSamples(group_6);
                     k_5 = 0u;
                     bool loop_init_14 = true;
@@ -1085,7 +1027,7 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                         }
                         loop_init_14 = false;
                         uint _e52 = k_5;
-                        if ((_e52 < count_3)) {
+                        if ((_e52 < count_4)) {
                         } else {
                             break;
                         }
@@ -1116,7 +1058,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_26 = false;
+    bool local_16 = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1164,11 +1106,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_26 = !(_e67);
+                local_16 = !(_e67);
             } else {
-                local_26 = false;
+                local_16 = false;
             }
-            bool _e70 = local_26;
+            bool _e70 = local_16;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -496,13 +496,36 @@ fn hiddenSamples(group: SampleGroup) -> u32 {
   let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
   var hidden = 0u;
   for (var i = 0u; i < ends.x && hidden != all; i++) {
-    hidden = behindSphere(group, i, cone, hidden);
+    let bounds = fetchBounds(i);
+    let place = placeBall(cone, bounds.center);
+    if (skipped(group.start, i, coneMissesBall(cone, place, bounds.radius))) {
+      continue;
+    }
+    if (ballHidesLight(cone, place, bounds.radius)) {
+      hidden = all;
+    } else {
+      hidden |= behindSphere(group, i, bounds);
+    }
   }
   for (var i = ends.x; i < ends.y && hidden != all; i++) {
-    hidden = behindBox(group, i, cone, hidden);
+    let bounds = fetchBounds(i);
+    let place = placeBall(cone, bounds.center);
+    if (skipped(group.start, i, coneMissesBall(cone, place, bounds.radius))) {
+      continue;
+    }
+    hidden |= behindBox(group, i, bounds, cone, place.along + bounds.radius);
   }
   for (var i = ends.y; i < frame.occluderEnd && hidden != all; i++) {
-    hidden = behindFlat(group, i, cone, hidden);
+    let bounds = fetchBounds(i);
+    var missed = false;
+    if (isPlane(i)) {
+      missed = !coneMeetsPlane(cone, bounds.center, bounds.radius);
+    } else {
+      missed = coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius);
+    }
+    if (!skipped(group.start, i, missed)) {
+      hidden |= behindFlat(group, i, bounds);
+    }
   }
   return hidden;
 }
@@ -557,27 +580,11 @@ fn everySample(group: SampleGroup) -> u32 {
 fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone {
   let toLight = center - apex;
   let distance = max(length(toLight), 1e-30);
+  // Radius of the sphere around the light's centre that holds all sample points.
   let reach = radius * sampleReach(count);
   let sine = min(reach / distance, 1.0);
-  return ShadowCone(apex, toLight / distance, distance, reach, sine, sqrt(1.0 - sine * sine));
-}
-
-fn behindSphere(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
-  let bounds = fetchBounds(i);
-  let place = placeBall(cone, bounds.center);
-  if ((coneMissesBall(cone, place, bounds.radius) && i != group.start.inside) || i == group.start.leaves) {
-    return hidden;
-  }
-  if (ballHidesLight(cone, place, bounds.radius)) {
-    return everySample(group);
-  }
-  var bits = hidden;
-  for (var k = 0u; k < group.count; k++) {
-    let d = toSample(group, k);
-    let inverse = inverseSqrt(dot(d, d));
-    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d * inverse)) * inverse < 1.0);
-  }
-  return bits;
+  let cosine = sqrt(1.0 - sine * sine);
+  return ShadowCone(apex, toLight / distance, distance - reach, distance + reach, sine, cosine, select(sine / cosine, everywhere, cosine < 1e-3));
 }
 
 fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
@@ -587,42 +594,59 @@ fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
   return BallPlace(along, length(toBall - along * cone.axis));
 }
 
-// True only when no ray of the cone meets the ball.
+// What the cone misses; never the solid that the rays start inside of, where rounding might say so.
+fn skipped(start: Start, i: u32, missed: bool) -> bool {
+  return i == start.leaves || (missed && i != start.inside);
+}
+
+// True only when no ray of the cone meets the ball. The distance from the cone's mantle is across · cos − along · sin. Maxima in place
+// of conditions: software rasterisers and compilers both take them faster.
 fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
-  let beside = ball.across * cone.cosine - ball.along * cone.sine > radius && cone.sine < 1.0;
-  return beside || ball.along < -radius || ball.along > cone.length + cone.reach + radius;
+  let beside = ball.across * cone.cosine - ball.along * cone.sine;
+  let outside = max(max(beside, -ball.along), ball.along - cone.end);
+  return outside > select(radius, everywhere, cone.tangent == everywhere);
 }
 
 // True only when every ray of the cone goes through the ball on its way to the light. The margin covers rounding.
 fn ballHidesLight(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
-  let covers = ball.across * cone.cosine + ball.along * cone.sine < radius * 0.9999;
-  return covers && ball.along > radius && ball.along + radius < cone.length - cone.reach;
+  let covers = radius * 0.9999 - ball.across * cone.cosine - ball.along * cone.sine;
+  return min(min(covers, ball.along - radius), cone.start - ball.along - radius) > 0.0;
 }
 
-struct ShadowCone {
-  apex: vec3f,
-  axis: vec3f,
-  length: f32,
-  // Radius of the sphere around the light's centre that holds all sample points.
-  reach: f32,
-  sine: f32,
-  cosine: f32,
+// Bit k set: sample k of the group is behind the sphere, box or flat shape i, whose ball the cone meets.
+fn behindSphere(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
+  var bits = 0u;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let inverse = inverseSqrt(dot(d, d));
+    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d * inverse)) * inverse < 1.0);
+  }
+  return bits;
 }
 
-
-// Where a ball lies to the cone. Its distance from the cone's mantle is across · cos − along · sin.
+// Where a ball lies to the cone.
 struct BallPlace {
   along: f32,
   across: f32,
 }
 
 
-fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
-  let bounds = fetchBounds(i);
-  let place = placeBall(cone, bounds.center);
-  if (coneMissesBall(cone, place, bounds.radius) || i == group.start.leaves) {
-    return hidden;
-  }
+struct ShadowCone {
+  apex: vec3f,
+  axis: vec3f,
+  // How far along the axis sample points may lie, at least and at most.
+  start: f32,
+  end: f32,
+  sine: f32,
+  cosine: f32,
+  tangent: f32,
+}
+
+
+// Farther than any scene. For a point among the sample points themselves, where there is no cone.
+const everywhere = 1e30;
+
+fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone, end: f32) -> u32 {
   let extent = fetchExtent(i);
   let turned = isTurned(extent.a);
   var origin = group.start.point - bounds.center;
@@ -631,25 +655,18 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
     origin = rotate(extent.a, origin);
     axis = rotate(extent.a, axis);
   }
-  let inside = i == group.start.inside;
-  if (!inside) {
-    let meets = placeBox(cone, origin, axis, extent.b.xyz, place.along + bounds.radius);
-    if (meets == boxMissed) {
-      return hidden;
-    }
-    if (meets == boxHidesLight) {
-      return everySample(group);
-    }
-  }
-  var bits = hidden;
-  for (var k = 0u; k < group.count; k++) {
+  let startsInside = i == group.start.inside;
+  let meets = select(placeBox(cone, origin, axis, extent.b.xyz, end), boxMet, startsInside);
+  var bits = select(0u, everySample(group), meets == boxHidesLight);
+  let count = select(0u, group.count, meets == boxMet);
+  for (var k = 0u; k < count; k++) {
     let d = toSample(group, k);
     let inverse = inverseSqrt(dot(d, d));
     var direction = d * inverse;
     if (turned) {
       direction = rotate(extent.a, direction);
     }
-    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, inside);
+    let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, startsInside);
     bits |= select(0u, 1u << k, t * inverse < 1.0);
   }
   return bits;
@@ -657,27 +674,24 @@ fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
 
 // `apex` and `axis` in the box's frame; `end`: how far along the axis the box may reach.
 fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f32) -> u32 {
-  let radius = min(end, cone.length + cone.reach) * cone.sine / max(cone.cosine, 1e-6);
+  let radius = 1.0001 * min(end, cone.end) * cone.tangent;
   let inverse = safeReciprocal(axis, apex);
   let middle = -apex * inverse;
   let half = halfSize * abs(inverse);
-  let margin = 1.0001 * radius * abs(inverse);
+  let margin = radius * abs(inverse);
   let low = middle - half;
   let high = middle + half;
   let grownNear = max3(low - margin);
   let grownFar = min3(high + margin);
-  if (grownNear > grownFar || grownFar < 0.0 || grownNear > cone.length + cone.reach) {
-    return select(boxMissed, boxMet, cone.sine >= 1.0);
-  }
+  let met = min(min(grownFar - grownNear, grownFar), cone.end - grownNear) >= 0.0;
   let near = max3(low + margin);
-  let apexOutside = any(abs(apex) > halfSize);
-  let through = near < min3(high - margin) && near > 0.0 && near < cone.length - cone.reach;
-  return select(boxMet, boxHidesLight, through && apexOutside && all(halfSize > vec3f(radius)));
+  let through = min(min(min3(high - margin) - near, near), cone.start - near) > 0.0;
+  let apexOutside = max3(abs(apex) - halfSize) > 0.0;
+  let hides = through && apexOutside && min3(halfSize) > radius;
+  return select(boxMissed, select(boxMet, boxHidesLight, hides), met || cone.tangent == everywhere);
 }
 
-// How a box about the origin lies to the cone, told by the cone's axis alone: against the box grown by the cone's radius where the
-// box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
-const boxMissed = 0u;
+const boxMet = 1u;
 
 const boxHidesLight = 2u;
 
@@ -689,21 +703,20 @@ fn min3(v: vec3f) -> f32 {
   return min(min(v.x, v.y), v.z);
 }
 
-const boxMet = 1u;
+// How a box about the origin lies to the cone, told by the cone's axis alone: against the box grown by the cone's radius where the
+// box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
+const boxMissed = 0u;
 
-fn behindFlat(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 {
-  let bounds = fetchBounds(i);
+// Whether a plane lies between the apex and some sample point.
+fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
+  let here = dot(normal, cone.apex) - offset;
+  let there = here + dot(normal, cone.axis) * 0.5 * (cone.start + cone.end);
+  return here * there <= 0.0 || abs(there) <= 0.5 * (cone.end - cone.start);
+}
+
+fn behindFlat(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
   let plane = isPlane(i);
-  var meets = false;
-  if (plane) {
-    meets = coneMeetsPlane(cone, bounds.center, bounds.radius);
-  } else {
-    meets = !coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius);
-  }
-  if (!meets || i == group.start.leaves) {
-    return hidden;
-  }
-  var bits = hidden;
+  var bits = 0u;
   for (var k = 0u; k < group.count; k++) {
     let d = toSample(group, k);
     let inverse = inverseSqrt(dot(d, d));
@@ -717,13 +730,6 @@ fn behindFlat(group: SampleGroup, i: u32, cone: ShadowCone, hidden: u32) -> u32 
     bits |= select(0u, 1u << k, t * inverse < 1.0);
   }
   return bits;
-}
-
-// Whether a plane lies between the apex and some sample point.
-fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
-  let here = dot(normal, cone.apex) - offset;
-  let there = here + dot(normal, cone.axis) * cone.length;
-  return here * there <= 0.0 || abs(there) <= cone.reach;
 }
 
 // How far the points reach from the light's centre, in radii.

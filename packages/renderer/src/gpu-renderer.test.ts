@@ -1,0 +1,273 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { type Device, DeviceError, type FilmTexture, type Pass, type PassSource, type Region } from './gpu/device.ts';
+import { GpuRenderer } from './gpu-renderer.ts';
+import type { RendererOptions } from './renderer-types.ts';
+import { builtInScenes } from './scene/built-in/index.ts';
+
+/** A device that draws nothing and remembers what it was asked for. Its work is finished when the test says so. */
+class FakeDevice implements Device {
+  readonly backend = 'webgl2';
+  readonly description = 'fake';
+  readonly maxTextureSize = 4096;
+  readonly maxFilmSamples = 2 ** 24;
+  readonly counts = { buffers: 0, textures: 0, programsMade: 0 };
+  readonly drawn: { pass: string; rows: number; firstRow: number }[] = [];
+  destroyed = false;
+  /** Milliseconds that each submit takes. */
+  submitMs = 1;
+  /** And each row of it. */
+  rowMs = 0;
+  compileMs: Record<string, number> = {};
+  lose: (reason: string) => void = () => {};
+  readonly lost = new Promise<string>((resolve) => {
+    this.lose = resolve;
+  });
+  next: FakeDevice | null = null;
+
+  async createPass({ label }: PassSource): Promise<Pass> {
+    this.counts.programsMade++;
+    await pause(this.compileMs[label] ?? 0);
+    return { label };
+  }
+  attach(): void {}
+  createUniforms() {
+    this.counts.buffers++;
+    return { write: () => {}, destroy: () => this.counts.buffers-- };
+  }
+  createTable(width: number, height: number) {
+    this.counts.textures++;
+    return { width, height, write: () => {}, destroy: () => this.counts.textures-- };
+  }
+  createFilm(width: number, height: number): FilmTexture {
+    this.counts.textures++;
+    return { width, height, renderable: true, destroy: () => this.counts.textures-- };
+  }
+  draw(pass: Pass, _target: unknown, _resources: unknown, region?: Region): void {
+    if (this.destroyed) throw new Error('drawn with a destroyed device');
+    this.drawn.push({ pass: pass.label, rows: region?.rowCount ?? 0, firstRow: region?.firstRow ?? 0 });
+  }
+  finished = () => pause(this.submitMs + this.rowMs * (this.drawn.findLast(({ rows }) => rows > 0)?.rows ?? 0));
+  read = async (_film: unknown, width: number, height: number) => new Float32Array(width * height * 4).fill(1);
+  async reopen(): Promise<Device> {
+    if (!this.next) throw new DeviceError('There is none.');
+    return this.next;
+  }
+  destroy(): void {
+    this.destroyed = true;
+  }
+  /** How often this pass was begun. */
+  count = (label: string) => this.drawn.filter(({ pass, firstRow }) => pass === label && firstRow === 0).length;
+}
+
+const pause = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
+const scenes = builtInScenes.map(({ scene }) => scene);
+
+async function open(device: FakeDevice, options: RendererOptions = {}, size = 64) {
+  const canvas = { width: size, height: size } as HTMLCanvasElement;
+  const settings = { adaptive: false, maxSamples: 3, ...options.settings };
+  const renderer = await GpuRenderer.create(canvas, device, { ...options, settings });
+  renderer.playing = false;
+  return renderer;
+}
+/** Lets time pass in small steps, for promises between timers. */
+const pass = (ms: number) => vi.advanceTimersByTimeAsync(ms);
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
+  vi.stubGlobal('requestAnimationFrame', (tick: (now: number) => void) =>
+    setTimeout(() => tick(performance.now()), 16),
+  );
+  vi.stubGlobal('cancelAnimationFrame', (request: ReturnType<typeof setTimeout>) => clearTimeout(request));
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+async function started(device: FakeDevice, options: RendererOptions = {}, size = 64) {
+  const opening = open(device, options, size);
+  await pass(1);
+  const renderer = await opening;
+  void renderer.setScene(scenes[0]!);
+  renderer.start();
+  return renderer;
+}
+
+describe('a still picture', () => {
+  test('the preview counts as no sample, and is replaced by the whole one though nothing moves', async () => {
+    const device = new FakeDevice();
+    device.compileMs.classic = 200;
+    const samples: number[] = [];
+    const renderer = await started(device, { onFrame: (stats) => samples.push(stats.samples) });
+    await pass(150);
+    expect([device.count('preview'), device.count('classic'), samples]).toEqual([1, 0, [0]]);
+    await pass(500);
+    expect([device.count('preview'), device.count('classic'), samples]).toEqual([1, 3, [0, 1, 2, 3]]);
+    expect(renderer.stats.samples).toBe(3);
+  });
+
+  test('when it is finished nothing is drawn; exposure and a new canvas size only show it again', async () => {
+    const device = new FakeDevice();
+    const renderer = await started(device);
+    await pass(500);
+    const before = device.drawn.length;
+    await pass(500);
+    expect(device.drawn.length).toBe(before);
+    expect(renderer.stats.fps).toBe(0);
+    renderer.set({ exposure: 1 });
+    await pass(100);
+    expect(device.drawn.slice(before).map((draw) => draw.pass)).toEqual(['display']);
+  });
+
+  test('exposure takes hold while samples are still added', async () => {
+    const device = new FakeDevice();
+    device.submitMs = 400;
+    const renderer = await started(device, { settings: { maxSamples: 1000 } });
+    await pass(3000);
+    const shown = device.count('display');
+    renderer.set({ exposure: 1 });
+    await pass(20);
+    expect(device.count('display')).toBe(shown + 1);
+  });
+
+  test('the film that is read is the integrator’s, or nobody’s', async () => {
+    const device = new FakeDevice();
+    device.compileMs.classic = 200;
+    const renderer = await started(device);
+    await pass(50);
+    const reading = renderer.readFilm();
+    await pass(500);
+    expect((await reading).pixels.length).toBe(64 * 64 * 4);
+    expect(device.count('classic')).toBeGreaterThan(0);
+    const other = open(new FakeDevice());
+    await pass(1);
+    await expect((await other).readFilm()).rejects.toThrow('Nothing has been rendered yet.');
+  });
+});
+
+describe('a sample of many submits', () => {
+  const heavy = { settings: { maxReflections: 64, lightSamples: 256 } };
+  async function heavyStarted(device: FakeDevice) {
+    device.rowMs = 4;
+    const renderer = await started(device, {}, 256);
+    renderer.set(heavy.settings);
+    await pass(1000);
+    return renderer;
+  }
+
+  test('no frame begins within another', async () => {
+    const device = new FakeDevice();
+    const renderer = await heavyStarted(device);
+    for (let i = 0; i < 20; i++) {
+      renderer.time += 0.1;
+      void renderer.render();
+      await pass(70);
+    }
+    let row = 0;
+    for (const { pass: label, firstRow, rows } of device.drawn) {
+      if (label !== 'classic') continue;
+      expect([row, 0], 'the next rows, or a new sample').toContain(firstRow);
+      row = (firstRow + rows) % 256;
+    }
+  });
+
+  test('another scene interrupts it; many changes in a row do not starve the picture', async () => {
+    const device = new FakeDevice();
+    const renderer = await heavyStarted(device);
+    void renderer.setScene(scenes[1]!);
+    renderer.set({ maxReflections: 0, lightSamples: 1 });
+    await pass(400);
+    expect(renderer.scene).toBe(scenes[1]);
+    const shown = new Set([renderer.stats]);
+    renderer.set(heavy.settings);
+    for (let i = 0; i < 400; i++) {
+      renderer.time += 0.01;
+      await pass(20);
+      shown.add(renderer.stats);
+    }
+    expect(shown.size, 'frames in eight seconds of changes').toBeGreaterThan(2);
+  });
+
+  test('before the speed is known, submits are small when the settings are heavy', async () => {
+    const device = new FakeDevice();
+    const opening = open(device, {}, 512);
+    await pass(1);
+    const renderer = await opening;
+    void renderer.setScene(scenes[0]!);
+    renderer.set(heavy.settings);
+    renderer.start();
+    await pass(60);
+    const first = device.drawn.find((draw) => draw.pass === 'classic')!;
+    expect(first.rows).toBeLessThan(16);
+  });
+});
+
+describe('loss and the end', () => {
+  test('a lost device is replaced; scene, time and settings stay; an interrupted frame blocks nothing', async () => {
+    const device = new FakeDevice();
+    device.submitMs = 1e9;
+    device.next = new FakeDevice();
+    const events: string[] = [];
+    const renderer = await started(device, { onDevice: (event) => events.push(event) });
+    renderer.time = 2;
+    await pass(100);
+    device.lose('test');
+    await pass(500);
+    expect(events).toEqual(['lost', 'restored']);
+    expect(renderer.device).toBe(device.next);
+    expect([renderer.time, renderer.scene, renderer.stats.samples]).toEqual([2, scenes[0], 3]);
+  });
+
+  test('work that fails just before the loss is told is not the end', async () => {
+    const device = new FakeDevice();
+    device.next = new FakeDevice();
+    device.finished = () => Promise.reject(new Error('lost'));
+    const events: string[] = [];
+    await started(device, { onDevice: (event) => events.push(event) });
+    await pass(40);
+    device.lose('test');
+    await pass(500);
+    expect(events).toEqual(['lost', 'restored']);
+  });
+
+  test('no device left: it says so once, and who waits is told', async () => {
+    const device = new FakeDevice();
+    const events: string[] = [];
+    const renderer = await started(device, { onDevice: (event, reason) => events.push(`${event}: ${reason}`) });
+    await pass(100);
+    device.lose('test');
+    await pass(1);
+    const rendering = expect(renderer.render()).rejects.toThrow(DeviceError);
+    await pass(5000);
+    await rendering;
+    expect(events).toEqual(['lost: test', 'failed: There is none.']);
+    expect(renderer.running).toBe(false);
+  });
+
+  test('disposed of while it comes back: the new device goes too', async () => {
+    const device = new FakeDevice();
+    const next = new FakeDevice();
+    device.next = next;
+    next.compileMs = { display: 100, preview: 100 };
+    const renderer = await started(device);
+    await pass(100);
+    device.lose('test');
+    await pass(10);
+    renderer.dispose();
+    await pass(500);
+    expect(next.destroyed).toBe(true);
+    await expect(renderer.render()).rejects.toThrow('disposed');
+  });
+
+  test('disposed of while compiling and in a frame: nothing is thrown', async () => {
+    const device = new FakeDevice();
+    device.compileMs.classic = 100;
+    const events: string[] = [];
+    const renderer = await started(device, { onDevice: (event) => events.push(event) });
+    await pass(40);
+    renderer.dispose();
+    renderer.dispose();
+    await pass(1000);
+    expect(events).toEqual([]);
+  });
+});
