@@ -52,6 +52,12 @@ async function unit() {
   });
 }
 
+/** One case: the committed shaders are what the sources give. */
+async function shaders() {
+  const code = await runNode(tools.tsx, ['scripts/shaders.ts', '--check']);
+  return judge(code, { passed: code === 0 ? 1 : 0, failed: code === 0 ? 0 : 1, skipped: 0 });
+}
+
 async function browser() {
   const path = freshReport('browser');
   const env = { CHROMIUM: await ensureChromium(), PLAYWRIGHT_JSON_OUTPUT_NAME: path };
@@ -76,6 +82,7 @@ export const steps = [
     about: 'Biome finds nothing to mend (npm run format mends most)',
     run: async () => judge(await runNode(tools.biome, ['check', '.']), null),
   },
+  { name: 'shaders', about: 'the committed WGSL and GLSL are fresh (npm run shaders writes them)', run: shaders },
   { name: 'unit', about: 'Vitest, in Node', run: unit },
   {
     name: 'build',

@@ -1,9 +1,8 @@
 /** Pictures of hard scenes, and what is wrong with them. */
 import { traceClassic } from '../../../packages/renderer/src/reference/classic.ts';
 import { darkRooms, hardScenes, moved } from './hard-scenes.ts';
-import { compareFilms, gpuFilm, type PictureSettings } from './parity.ts';
+import { compareFilms, type GpuBackend, gpuFilm, type PictureSettings } from './parity.ts';
 
-type GpuBackend = 'webgpu' | 'webgl2';
 type Film = ArrayLike<number>;
 
 /** Largest difference of a colour channel. */

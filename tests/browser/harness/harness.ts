@@ -1,6 +1,8 @@
+import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
+import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
 
 /**
@@ -16,6 +18,8 @@ export const harness = {
   parity,
   pictureOf,
   probeShapes,
+  shadeMean,
+  compileAll,
 };
 
 declare global {

@@ -11,10 +11,10 @@ export interface PictureSettings {
   readonly lightSamples: number;
   readonly seed: number;
 }
-type GpuBackend = 'webgpu' | 'webgl2';
+export type GpuBackend = 'webgpu' | 'webgl2';
 
 const renderers = new Map<GpuBackend, Promise<Renderer>>();
-function rendererOn(backend: GpuBackend): Promise<Renderer> {
+export function rendererOn(backend: GpuBackend): Promise<Renderer> {
   let renderer = renderers.get(backend);
   if (!renderer) {
     const canvas = document.createElement('canvas');
