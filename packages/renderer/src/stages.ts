@@ -25,6 +25,8 @@ export interface Shot {
 
 /** Rays that the first submits may ask for, while the device's speed is unknown: even a slow GPU does these in a blink. */
 const UNMEASURED_RAYS = 2 ** 25;
+/** Least time that a submit is taken to need, milliseconds. */
+const LEAST_MS = 0.01;
 /** Pixels in a submit of the preview, whose work does not grow with the settings. */
 const PREVIEW_PIXELS = 512 * 512;
 
@@ -147,7 +149,8 @@ export class Stages {
 
   #measure(controller: FrameController, pass: Pass, pixels: number, submitted: number): void {
     const now = performance.now();
-    const milliseconds = now - Math.max(submitted, this.#lastFinish);
+    // The clock is coarse, and nothing is free: a cost of 0 would leave the controller dividing by it.
+    const milliseconds = Math.max(now - Math.max(submitted, this.#lastFinish), LEAST_MS);
     this.#lastFinish = now;
     // The preview's cost says nothing about the integrator's, whose first frame waits for the driver's code generation.
     if (pass !== this.#classic) return;
