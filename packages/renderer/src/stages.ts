@@ -106,6 +106,7 @@ export class Stages {
     const pass = this.#classic ?? this.#preview;
     const inputs = this.#writeFrame();
     let row = 0;
+    let before: Promise<void> | null = null;
     this.#pending = true;
     try {
       for (;;) {
@@ -114,8 +115,11 @@ export class Stages {
         drawClassic(device, pass, film.next, inputs, { width, height, firstRow: row, rowCount });
         row += rowCount;
         if (row === height) this.#complete(submitted);
-        await device.finished();
-        this.#measure(controller, pass, width * rowCount, begun);
+        const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount, begun));
+        done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
+        // Two submits at once, so that the device has the next one when it has finished one.
+        await (row === height ? done : before);
+        before = done;
         if (row === height) return true;
         if (unwanted()) return false;
       }
