@@ -6,8 +6,8 @@
  * canvas costs something whatever the film's size, and a smaller film cannot buy that back.
  */
 
-/** Longest stretch of device work in one submit, milliseconds: far below any watchdog, and the page stays responsive. */
-const LONGEST_SUBMIT_MS = 40;
+/** Longest stretch of device work in one submit, milliseconds: far below any watchdog, and short enough for a page to be used meanwhile. */
+const LONGEST_SUBMIT_MS = 100;
 /** Share of the frame's time that the device may take; the rest is the browser's. */
 const SHARE = 0.8;
 /** Film pixels to try before anything is known. */
