@@ -61,32 +61,38 @@ async function hold({ page, hits, mirrorball }) {
       const { camera } = room;
       let frame = 0;
       // A new view for each frame, as in the course-style page: nothing of the last one can be used again.
-      /** @type {any} */ (window).prepareFrame = () => {
+      /** @type {any} */ (window).drawFrame = () => {
         renderer.camera = { ...camera, eye: [0.02 * Math.sin(0.1 * frame++), camera.eye[1], camera.eye[2]] };
+        return renderer.render();
       };
+      renderer.stop();
+      await renderer.render();
     }, hits - 1);
-  }
-  await page.evaluate(() => /** @type {any} */ (window).benchProbe.hold());
+  } else await page.evaluate(() => /** @type {any} */ (window).benchProbe.hold());
 }
 
 /**
- * Some frames of one page; milliseconds for each whole picture.
+ * Some frames of one page; milliseconds for each whole picture, until the device has finished it.
  * @param {Contestant} contestant
  * @returns {Promise<number>}
  */
 function slice({ page }) {
   return page.evaluate(async () => {
-    const { benchProbe: probe, benchSamples, prepareFrame = () => {} } = /** @type {any} */ (window);
-    await probe.step(prepareFrame);
+    const { benchProbe: probe, drawFrame } = /** @type {any} */ (window);
+    const timed = async () => {
+      const start = performance.now();
+      await drawFrame();
+      return performance.now() - start;
+    };
+    const one = drawFrame ? timed : () => probe.step(() => {});
+    await one();
     let frames = 0;
     let elapsed = 0;
-    const before = benchSamples?.() ?? 0;
     while (frames < 2 || (elapsed < 600 && frames < 100)) {
-      elapsed += await probe.step(prepareFrame);
+      elapsed += await one();
       frames++;
     }
-    // Mirrorball counts whole pictures itself: it may spread one over several frames.
-    return elapsed / (benchSamples ? benchSamples() - before : frames);
+    return elapsed / frames;
   });
 }
 
@@ -98,15 +104,17 @@ async function readPictures(contestants) {
   /** @type {Map<Contestant, Buffer>} */
   const pictures = new Map();
   for (const contestant of contestants) {
-    const text = await contestant.page.evaluate((isMirrorball) => {
+    const text = await contestant.page.evaluate(async (isMirrorball) => {
       const { benchProbe: probe, mirrorball } = /** @type {any} */ (window);
-      // The course-style page has drawn frames already and sways on, so the eye is put back where frame 0 has it.
-      if (isMirrorball) {
-        const { camera } = mirrorball.renderer.scene;
-        return probe.stepAndRead(() => (mirrorball.renderer.camera = { ...camera }));
+      if (!isMirrorball) {
+        // The course-style page has drawn frames already and sways on, so the eye is put back where frame 0 has it.
+        /** @type {any} */ (window).restartFrames();
+        return probe.stepAndRead(() => {});
       }
-      /** @type {any} */ (window).restartFrames();
-      return probe.stepAndRead(() => {});
+      const { renderer } = mirrorball;
+      renderer.camera = { ...renderer.scene.camera };
+      await renderer.render();
+      return probe.encode(await renderer.readFilm());
     }, contestant.mirrorball);
     pictures.set(contestant, Buffer.from(text, 'base64'));
   }

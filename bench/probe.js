@@ -121,6 +121,11 @@
           whenWaiting.push(() => resolve(undefined));
           setTimeout(resolve, 3000);
         });
+  function base64(/** @type {Uint8Array} */ bytes) {
+    let text = '';
+    for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+    return btoa(text);
+  }
   const probe = {
     /** Milliseconds from the start of navigation. @type {number | null} */
     firstPicture: null,
@@ -141,10 +146,19 @@
       await frameWaits();
       before();
       runFrames(performance.now());
-      const bytes = pixels()?.bytes ?? new Uint8Array();
-      let text = '';
-      for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
-      return btoa(text);
+      return base64(pixels()?.bytes ?? new Uint8Array());
+    },
+    /** A film of linear radiance, row 0 on top, as `stepAndRead` gives a canvas: clipped, sRGB bytes, bottom row first. */
+    encode(/** @type {{ width: number, height: number, pixels: Float32Array }} */ { width, height, pixels: film }) {
+      const bytes = new Uint8Array(width * height * 4).fill(255);
+      for (let y = 0; y < height; y++)
+        for (let x = 0; x < width; x++)
+          for (let c = 0; c < 3; c++) {
+            const linear = Math.min(Math.max(film[(y * width + x) * 4 + c] ?? 0, 0), 1);
+            const curve = linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
+            bytes[((height - 1 - y) * width + x) * 4 + c] = Math.round(curve * 255);
+          }
+      return base64(bytes);
     },
   };
   /** @type {any} */ (window).benchProbe = probe;

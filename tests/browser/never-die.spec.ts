@@ -41,7 +41,7 @@ for (const backend of backends) {
       expect(times.sort((a, b) => a - b)[LOSSES >> 1]).toBeLessThanOrEqual(RECOVERY_MS);
     });
 
-    // 1: while the renderer is being made; 4: the integrator, behind the first picture's display and preview.
+    // 1: while the renderer is being made; 3: the integrator, behind the first picture's display and preview.
     for (const nth of [1, 3])
       test(`while compiling program ${nth}`, async ({ page, openStudio }) => {
         await page.addInitScript((n) => {

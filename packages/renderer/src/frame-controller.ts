@@ -18,6 +18,8 @@ const LEAST_SCALE = 1 / 8;
 const STEPS = 16;
 /** Weight of the past when a frame is added: about the last thirty count. */
 const MEMORY = 0.97;
+/** What is left of the past's weight when it is only guessed to hold. */
+const GUESS = 0.01;
 /** Every so many frames one is a step larger, since frames of one size do not tell the two parts of the cost apart. */
 const TRY_LARGER = 24;
 const LARGER = 1.3;
@@ -53,10 +55,13 @@ export class FrameController {
     return { fixed: (this.#y - perPixel * this.#x) / this.#n, perPixel };
   }
 
-  /** The work of a pixel is about to become this many times as large. */
+  /** The work of a pixel is about to become up to this many times as large: a guess that the next measurement outweighs. */
   workChanged(factor: number): void {
-    this.#y *= factor;
-    this.#xy *= factor;
+    this.#n *= GUESS;
+    this.#x *= GUESS;
+    this.#y *= GUESS * factor;
+    this.#xx *= GUESS;
+    this.#xy *= GUESS * factor;
   }
 
   /** Share of the canvas's width and height that a moving frame may have: `largest` or less. */

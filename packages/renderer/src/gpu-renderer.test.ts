@@ -130,6 +130,18 @@ describe('a still picture', () => {
     expect(device.count('display')).toBe(shown + 1);
   });
 
+  test('a device whose work takes no time by the clock is no trap for the controller', async () => {
+    const device = new FakeDevice();
+    device.finished = () => Promise.resolve();
+    const renderer = await started(device, { settings: { adaptive: true } });
+    for (let i = 0; i < 20; i++) {
+      renderer.time += 0.1;
+      await pass(20);
+    }
+    await pass(500);
+    expect([renderer.stats.samples, renderer.stats.filmWidth]).toEqual([3, 64]);
+  });
+
   test('the film that is read is the integrator’s, or nobody’s', async () => {
     const device = new FakeDevice();
     device.compileMs.classic = 200;

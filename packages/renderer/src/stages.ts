@@ -25,6 +25,8 @@ export interface Shot {
 
 /** Rays that the first submits may ask for, while the device's speed is unknown: even a slow GPU does these in a blink. */
 const UNMEASURED_RAYS = 2 ** 25;
+/** Least time that a submit is taken to need, milliseconds. */
+const LEAST_MS = 0.01;
 /** Pixels in a submit of the preview, whose work does not grow with the settings. */
 const PREVIEW_PIXELS = 512 * 512;
 
@@ -104,6 +106,7 @@ export class Stages {
     const pass = this.#classic ?? this.#preview;
     const inputs = this.#writeFrame();
     let row = 0;
+    let before: Promise<void> | null = null;
     this.#pending = true;
     try {
       for (;;) {
@@ -112,8 +115,11 @@ export class Stages {
         drawClassic(device, pass, film.next, inputs, { width, height, firstRow: row, rowCount });
         row += rowCount;
         if (row === height) this.#complete(submitted);
-        await device.finished();
-        this.#measure(controller, pass, width * rowCount, begun);
+        const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount, begun));
+        done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
+        // Two submits at once, so that the device has the next one when it has finished one.
+        await (row === height ? done : before);
+        before = done;
         if (row === height) return true;
         if (unwanted()) return false;
       }
@@ -147,7 +153,8 @@ export class Stages {
 
   #measure(controller: FrameController, pass: Pass, pixels: number, submitted: number): void {
     const now = performance.now();
-    const milliseconds = now - Math.max(submitted, this.#lastFinish);
+    // The clock is coarse, and nothing is free: a cost of 0 would leave the controller dividing by it.
+    const milliseconds = Math.max(now - Math.max(submitted, this.#lastFinish), LEAST_MS);
     this.#lastFinish = now;
     // The preview's cost says nothing about the integrator's, whose first frame waits for the driver's code generation.
     if (pass !== this.#classic) return;
