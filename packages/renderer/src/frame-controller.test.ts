@@ -90,11 +90,11 @@ describe('a moving picture', () => {
 
   test('seldom changes its size on a noisy machine (seed 71)', () => {
     const random = seededRandom(71);
-    for (let cost = 20; cost < 400; cost *= 1.5) {
+    for (let cost = 20; cost < 400; cost *= 1.05) {
       const settled = run(new FrameController(), { ...fullFrame(cost), noise: 0.1 }, 600, { random }).slice(200);
-      const usual = settled.filter((_, k) => (k + 201) % 24 !== 0).map((f) => f.scale);
+      const usual = settled.filter((_, k) => (k + 200) % 24 !== 0).map((f) => f.scale);
       const changes = usual.filter((scale, k) => k > 0 && scale !== usual[k - 1]).length;
-      expect(changes, `${cost} ms`).toBeLessThan(usual.length / 10);
+      expect(changes, `${cost} ms`).toBeLessThan(3);
     }
   });
 

@@ -32,6 +32,7 @@ export class FrameController {
   #xx = 0;
   #xy = 0;
   #scale = 1;
+  #halved = false;
   #frames = 0;
 
   /** What a finished submit took. */
@@ -71,8 +72,10 @@ export class FrameController {
     const affordable = (fps: number) => ((SHARE * 1000) / fps - cost.fixed) / cost.perPixel;
     // A target that would leave a picture of a few blocks is given up for half of it. Below the size at which the pixels cost no
     // more than the fixed part there is little to win.
+    // It is taken up again when there is room for half as much more, so that the two do not take turns.
     const few = 4 * LEAST_SCALE * LEAST_SCALE * canvasPixels;
-    const pixels = affordable(targetFps) < few ? affordable(targetFps / 2) : affordable(targetFps);
+    this.#halved = affordable(targetFps) < (this.#halved ? 1.5 : 1) * few;
+    const pixels = affordable(this.#halved ? targetFps / 2 : targetFps);
     const worthwhile = Math.max(pixels, (0.5 * cost.fixed) / cost.perPixel);
     const fits = Math.min(Math.max(Math.sqrt(worthwhile / canvasPixels), LEAST_SCALE), largest);
     this.#scale = fits >= largest ? largest : this.#stepped(fits, largest);

@@ -157,7 +157,9 @@ function directionFrom(random: Random, normal: Vec3, outwards: boolean): Vec3 {
 /** A ray from somewhere near that meets, or just misses, a spot. */
 function rayTowards(random: Random, spot: Spot, size: number): Omit<RayCase, 'shape'> {
   const direction = randomDirection(random);
-  const aim = addScaled(spot.point, inCube(random, size), random() < 0.5 ? 0 : 0.5);
+  // At the spot itself, next to it, or anywhere near.
+  const aside = pick(random, [0, 0, 10 ** between(random, -5, -2), 0.5]);
+  const aim = addScaled(spot.point, inCube(random, size), aside);
   const back = size * between(random, 0.01, 5);
   return { rule: START.fromEye, origin: addScaled(aim, direction, -back), direction };
 }
