@@ -149,14 +149,6 @@ Bounds fetchBounds(uint i_1) {
     return Bounds(t0_.xyz, t0_.w);
 }
 
-bool meetsBall(Ray ray_1, Bounds ball) {
-    vec3 toBall = (ball.center - ray_1.start.point);
-    float along_1 = dot(toBall, ray_1.direction);
-    vec3 across_1 = (toBall - (along_1 * ray_1.direction));
-    float reach = (1.0001 * ball.radius);
-    return (max((dot(across_1, across_1) - (reach * reach)), (-(along_1) - reach)) <= 0.0);
-}
-
 Extent fetchExtent(uint i_2) {
     vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
     vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
@@ -180,9 +172,9 @@ vec3 safeReciprocal(vec3 d, vec3 origin_1) {
 Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
     vec3 _e3 = safeReciprocal(direction_1, origin_2);
     vec3 middle = (-(origin_2) * _e3);
-    vec3 reach_1 = (halfSize * abs(_e3));
-    vec3 enter = (middle - reach_1);
-    vec3 leave = (middle + reach_1);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
@@ -199,12 +191,12 @@ float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_
     return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_7 : 1e30));
 }
 
-float hitBox(uint i_3, Bounds bounds_1, Ray ray_2) {
+float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
     vec3 origin_4 = vec3(0.0);
     vec3 direction_3 = vec3(0.0);
     Extent _e3 = fetchExtent(i_3);
-    origin_4 = (ray_2.start.point - bounds_1.center);
-    direction_3 = ray_2.direction;
+    origin_4 = (ray_1.start.point - bounds_1.center);
+    direction_3 = ray_1.direction;
     bool _e12 = isTurned(_e3.a);
     if (_e12) {
         vec3 _e14 = origin_4;
@@ -216,8 +208,8 @@ float hitBox(uint i_3, Bounds bounds_1, Ray ray_2) {
     }
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_3;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_2.start.tMin, (i_3 == ray_2.start.inside));
-    return ((i_3 == ray_2.start.leaves) ? 1e30 : _e28);
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
+    return ((i_3 == ray_1.start.leaves) ? 1e30 : _e28);
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
@@ -250,10 +242,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     return (_e38 ? t_8 : 1e30);
 }
 
-float hitQuad(uint i_4, Bounds bounds_2, Ray ray_3) {
+float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
     Extent _e3 = fetchExtent(i_4);
-    float _e14 = intersectQuad(ray_3.start.point, ray_3.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_3.start.tMin);
-    return ((i_4 == ray_3.start.leaves) ? 1e30 : _e14);
+    float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
+    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
@@ -269,12 +261,12 @@ float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset,
     return (_e20 ? t_9 : 1e30);
 }
 
-float hitPlane(uint i_5, Bounds bounds_3, Ray ray_4) {
-    float _e10 = intersectPlane(ray_4.start.point, ray_4.direction, bounds_3.center, bounds_3.radius, ray_4.start.tMin);
-    return ((i_5 == ray_4.start.leaves) ? 1e30 : _e10);
+float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
+    float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
+    return ((i_5 == ray_3.start.leaves) ? 1e30 : _e10);
 }
 
-Hit closestHit(Ray ray_5) {
+Hit closestHit(Ray ray_4) {
     Hit hit_1 = Hit(1e30, 4294967295u);
     uint i_6 = 0u;
     uint i_7 = 0u;
@@ -298,7 +290,7 @@ Hit closestHit(Ray ray_5) {
             uint _e14 = i_6;
             uint _e15 = i_6;
             Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_5);
+            float _e17 = hitSphere(_e14, _e16, ray_4);
             uint _e18 = i_6;
             Hit _e19 = nearer(_e13, _e17, _e18);
             hit_1 = _e19;
@@ -308,8 +300,8 @@ Hit closestHit(Ray ray_5) {
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e37 = i_7;
-            i_7 = (_e37 + 1u);
+            uint _e36 = i_7;
+            i_7 = (_e36 + 1u);
         }
         loop_init_1 = false;
         uint _e25 = i_7;
@@ -318,72 +310,66 @@ Hit closestHit(Ray ray_5) {
             break;
         }
         {
-            uint _e28 = i_7;
-            Bounds _e29 = fetchBounds(_e28);
-            bool _e30 = meetsBall(ray_5, _e29);
-            if (_e30) {
-                Hit _e31 = hit_1;
-                uint _e32 = i_7;
-                float _e33 = hitBox(_e32, _e29, ray_5);
-                uint _e34 = i_7;
-                Hit _e35 = nearer(_e31, _e33, _e34);
-                hit_1 = _e35;
-            }
+            Hit _e28 = hit_1;
+            uint _e29 = i_7;
+            uint _e30 = i_7;
+            Bounds _e31 = fetchBounds(_e30);
+            float _e32 = hitBox(_e29, _e31, ray_4);
+            uint _e33 = i_7;
+            Hit _e34 = nearer(_e28, _e32, _e33);
+            hit_1 = _e34;
         }
     }
     i_8 = ends.y;
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e53 = i_8;
-            i_8 = (_e53 + 1u);
+            uint _e51 = i_8;
+            i_8 = (_e51 + 1u);
         }
         loop_init_2 = false;
-        uint _e41 = i_8;
-        if ((_e41 < ends.z)) {
+        uint _e40 = i_8;
+        if ((_e40 < ends.z)) {
         } else {
             break;
         }
         {
+            Hit _e43 = hit_1;
             uint _e44 = i_8;
-            Bounds _e45 = fetchBounds(_e44);
-            bool _e46 = meetsBall(ray_5, _e45);
-            if (_e46) {
-                Hit _e47 = hit_1;
-                uint _e48 = i_8;
-                float _e49 = hitQuad(_e48, _e45, ray_5);
-                uint _e50 = i_8;
-                Hit _e51 = nearer(_e47, _e49, _e50);
-                hit_1 = _e51;
-            }
+            uint _e45 = i_8;
+            Bounds _e46 = fetchBounds(_e45);
+            float _e47 = hitQuad(_e44, _e46, ray_4);
+            uint _e48 = i_8;
+            Hit _e49 = nearer(_e43, _e47, _e48);
+            hit_1 = _e49;
         }
     }
     i_9 = ends.z;
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e68 = i_9;
-            i_9 = (_e68 + 1u);
+            uint _e66 = i_9;
+            i_9 = (_e66 + 1u);
         }
         loop_init_3 = false;
-        uint _e57 = i_9;
-        if ((_e57 < ends.w)) {
+        uint _e55 = i_9;
+        if ((_e55 < ends.w)) {
         } else {
             break;
         }
         {
-            Hit _e60 = hit_1;
-            uint _e61 = i_9;
-            uint _e62 = i_9;
-            Bounds _e63 = fetchBounds(_e62);
-            float _e64 = hitPlane(_e61, _e63, ray_5);
-            uint _e65 = i_9;
-            Hit _e66 = nearer(_e60, _e64, _e65);
-            hit_1 = _e66;
+            Hit _e58 = hit_1;
+            uint _e59 = i_9;
+            uint _e60 = i_9;
+            Bounds _e61 = fetchBounds(_e60);
+            float _e62 = hitPlane(_e59, _e61, ray_4);
+            uint _e63 = i_9;
+            Hit _e64 = nearer(_e58, _e62, _e63);
+            hit_1 = _e64;
         }
     }
-    Hit _e70 = hit_1;
-    return _e70;
+    Hit _e68 = hit_1;
+    return _e68;
 }
 
 Light fetchLight(uint i_10) {
@@ -394,7 +380,7 @@ Light fetchLight(uint i_10) {
     return Light(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w);
 }
 
-SeenLight closestBall(Ray ray_6, float t_1) {
+SeenLight closestBall(Ray ray_5, float t_1) {
     SeenLight seen = SeenLight(0.0, vec3(0.0));
     uint i_11 = 0u;
     seen = SeenLight(t_1, vec3(0.0));
@@ -417,7 +403,7 @@ SeenLight closestBall(Ray ray_6, float t_1) {
             if ((_e14.visible < 0.0)) {
                 continue;
             }
-            float _e26 = intersectSphere(ray_6.start.point, ray_6.direction, _e14.center, _e14.radius, ray_6.start.tMin, false);
+            float _e26 = intersectSphere(ray_5.start.point, ray_5.direction, _e14.center, _e14.radius, ray_5.start.tMin, false);
             float _e28 = seen.t;
             if ((_e26 < _e28)) {
                 seen = SeenLight(_e26, (_e14.visible * _e14.diffuse));
@@ -428,7 +414,7 @@ SeenLight closestBall(Ray ray_6, float t_1) {
     return _e37;
 }
 
-vec3 halo(Ray ray_7, float t_2) {
+vec3 halo(Ray ray_6, float t_2) {
     vec3 sum_1 = vec3(0.0);
     uint i_12 = 0u;
     bool loop_init_5 = true;
@@ -450,12 +436,12 @@ vec3 halo(Ray ray_7, float t_2) {
             if ((_e13.halo <= 0.0)) {
                 continue;
             }
-            vec3 toLight_1 = (_e13.center - ray_7.start.point);
-            float along_2 = dot(toLight_1, ray_7.direction);
-            vec3 across_2 = (toLight_1 - (along_2 * ray_7.direction));
-            float b = max(length(across_2), _e13.radius);
+            vec3 toLight_1 = (_e13.center - ray_6.start.point);
+            float along_1 = dot(toLight_1, ray_6.direction);
+            vec3 across_1 = (toLight_1 - (along_1 * ray_6.direction));
+            float b = max(length(across_1), _e13.radius);
             vec3 _e29 = sum_1;
-            sum_1 = (_e29 + ((_e13.halo * _e13.diffuse) * ((atan(((min(t_2, 100000.0) - along_2) / b)) + atan((along_2 / b))) / b)));
+            sum_1 = (_e29 + ((_e13.halo * _e13.diffuse) * ((atan(((min(t_2, 100000.0) - along_1) / b)) + atan((along_1 / b))) / b)));
         }
     }
     vec3 _e47 = sum_1;
@@ -509,12 +495,12 @@ vec3 rotateBack(vec4 q_2, vec3 v_1) {
     return _e6;
 }
 
-vec3 outwardNormal(uint i_16, Ray ray_8, float t_3) {
+vec3 outwardNormal(uint i_16, Ray ray_7, float t_3) {
     Bounds _e3 = fetchBounds(i_16);
-    vec3 origin_9 = (ray_8.start.point - _e3.center);
+    vec3 origin_9 = (ray_7.start.point - _e3.center);
     bool _e8 = isSphere(i_16);
     if (_e8) {
-        return normalize((origin_9 + (t_3 * ray_8.direction)));
+        return normalize((origin_9 + (t_3 * ray_7.direction)));
     }
     bool _e13 = isPlane(i_16);
     if (_e13) {
@@ -525,10 +511,10 @@ vec3 outwardNormal(uint i_16, Ray ray_8, float t_3) {
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside = (i_16 == ray_8.start.inside);
+    bool inside = (i_16 == ray_7.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_9);
-    vec3 _e30 = rotate(_e15.a, ray_8.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_8.start.tMin, inside);
+    vec3 _e30 = rotate(_e15.a, ray_7.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);
     return _e37;
 }
@@ -576,16 +562,16 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
     vec3 toLight_2 = (center_2 - apex);
     float distance_ = max(length(toLight_2), 1e-30);
     float _e8 = sampleReach(count_2);
-    float reach_2 = (radius_1 * _e8);
-    float sine = min((reach_2 / distance_), 1.0);
+    float reach_1 = (radius_1 * _e8);
+    float sine = min((reach_1 / distance_), 1.0);
     float cosine = sqrt((1.0 - (sine * sine)));
-    return ShadowCone(apex, (toLight_2 / vec3(distance_)), (distance_ - reach_2), (distance_ + reach_2), sine, cosine, ((cosine < 0.001) ? 1e30 : (sine / cosine)));
+    return ShadowCone(apex, (toLight_2 / vec3(distance_)), (distance_ - reach_1), (distance_ + reach_1), sine, cosine, ((cosine < 0.001) ? 1e30 : (sine / cosine)));
 }
 
 BallPlace placeBall(ShadowCone cone, vec3 center_3) {
-    vec3 toBall_1 = (center_3 - cone.apex);
-    float along_3 = dot(toBall_1, cone.axis);
-    return BallPlace(along_3, length((toBall_1 - (along_3 * cone.axis))));
+    vec3 toBall = (center_3 - cone.apex);
+    float along_2 = dot(toBall, cone.axis);
+    return BallPlace(along_2, length((toBall - (along_2 * cone.axis))));
 }
 
 bool skipped(Start start, uint i_18, bool missed) {
@@ -606,15 +592,15 @@ bool skipped(Start start, uint i_18, bool missed) {
     return _e15;
 }
 
-bool coneMissesBall(ShadowCone cone_1, BallPlace ball_1, float radius_2) {
-    float beside = ((ball_1.across * cone_1.cosine) - (ball_1.along * cone_1.sine));
-    float outside = max(max(beside, -(ball_1.along)), (ball_1.along - cone_1.end));
+bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
+    float beside = ((ball.across * cone_1.cosine) - (ball.along * cone_1.sine));
+    float outside = max(max(beside, -(ball.along)), (ball.along - cone_1.end));
     return (outside > ((cone_1.tangent == 1e30) ? 1e30 : radius_2));
 }
 
-bool ballHidesLight(ShadowCone cone_2, BallPlace ball_2, float radius_3) {
-    float covers = (((radius_3 * 0.9999) - (ball_2.across * cone_2.cosine)) - (ball_2.along * cone_2.sine));
-    return (min(min(covers, (ball_2.along - radius_3)), ((cone_2.start - ball_2.along) - radius_3)) > 0.0);
+bool ballHidesLight(ShadowCone cone_2, BallPlace ball_1, float radius_3) {
+    float covers = (((radius_3 * 0.9999) - (ball_1.across * cone_2.cosine)) - (ball_1.along * cone_2.sine));
+    return (min(min(covers, (ball_1.along - radius_3)), ((cone_2.start - ball_1.along) - radius_3)) > 0.0);
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
@@ -809,13 +795,13 @@ uint behindFlat(SampleGroup group_4, uint i_21, Bounds bounds_6) {
             uint _e11 = k_4;
             vec3 _e12 = toSample(group_4, _e11);
             float inverse_2 = inversesqrt(dot(_e12, _e12));
-            Ray ray_10 = Ray(group_4.start, (_e12 * inverse_2));
+            Ray ray_9 = Ray(group_4.start, (_e12 * inverse_2));
             t_4 = 1e30;
             if (_e3) {
-                float _e20 = hitPlane(i_21, bounds_6, ray_10);
+                float _e20 = hitPlane(i_21, bounds_6, ray_9);
                 t_4 = _e20;
             } else {
-                float _e21 = hitQuad(i_21, bounds_6, ray_10);
+                float _e21 = hitQuad(i_21, bounds_6, ray_9);
                 t_4 = _e21;
             }
             uint _e22 = bits_2;
@@ -1068,12 +1054,12 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
 }
 
 vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
-    Ray ray_9 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
+    Ray ray_8 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
     bool local_16 = false;
-    ray_9 = first_1;
+    ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
         if (!loop_init_15) {
@@ -1087,13 +1073,13 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             break;
         }
         {
-            Ray _e14 = ray_9;
+            Ray _e14 = ray_8;
             Hit _e15 = closestHit(_e14);
-            Ray _e16 = ray_9;
+            Ray _e16 = ray_8;
             SeenLight _e18 = closestBall(_e16, _e15.t);
             vec3 _e19 = radiance;
             float _e20 = weight;
-            Ray _e21 = ray_9;
+            Ray _e21 = ray_8;
             vec3 _e23 = halo(_e21, _e18.t);
             radiance = (_e19 + (_e20 * _e23));
             if ((_e18.t < _e15.t)) {
@@ -1105,17 +1091,17 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             if ((_e15.shape == noShape)) {
                 vec3 _e37 = radiance;
                 float _e38 = weight;
-                vec3 _e40 = ray_9.direction;
+                vec3 _e40 = ray_8.direction;
                 vec3 _e41 = sky(_e40);
                 radiance = (_e37 + (_e38 * _e41));
                 break;
             }
-            vec3 _e46 = ray_9.start.point;
-            vec3 _e49 = ray_9.direction;
+            vec3 _e46 = ray_8.start.point;
+            vec3 _e49 = ray_8.direction;
             vec3 position = (_e46 + (_e15.t * _e49));
-            Ray _e53 = ray_9;
+            Ray _e53 = ray_8;
             vec3 _e55 = outwardNormal(_e15.shape, _e53, _e15.t);
-            vec3 _e57 = ray_9.direction;
+            vec3 _e57 = ray_8.direction;
             bool seenFromBack = (dot(_e55, _e57) > 0.0);
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
@@ -1127,7 +1113,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             bool _e70 = local_16;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
-            vec3 _e75 = ray_9.direction;
+            vec3 _e75 = ray_8.direction;
             SurfacePoint point_1 = SurfacePoint(_e71, normal_3, -(_e75));
             vec3 _e78 = radiance;
             float _e79 = weight;
@@ -1140,8 +1126,8 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             if ((_e91 < 0.00024414063)) {
                 break;
             }
-            vec3 _e95 = ray_9.direction;
-            ray_9 = Ray(_e71, reflect(_e95, normal_3));
+            vec3 _e95 = ray_8.direction;
+            ray_8 = Ray(_e71, reflect(_e95, normal_3));
         }
     }
     vec3 _e101 = radiance;

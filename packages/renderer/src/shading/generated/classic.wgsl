@@ -75,16 +75,10 @@ fn closestHit(ray: Ray) -> Hit {
     hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
   }
   for (var i = ends.x; i < ends.y; i++) {
-    let bounds = fetchBounds(i);
-    if (meetsBall(ray, bounds)) {
-      hit = nearer(hit, hitBox(i, bounds, ray), i);
-    }
+    hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
   }
   for (var i = ends.y; i < ends.z; i++) {
-    let bounds = fetchBounds(i);
-    if (meetsBall(ray, bounds)) {
-      hit = nearer(hit, hitQuad(i, bounds, ray), i);
-    }
+    hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
   }
   for (var i = ends.z; i < ends.w; i++) {
     hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
@@ -290,15 +284,6 @@ struct Bounds {
 
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
-// Whether the ray comes near the ball around a shape; most do not, and need not fetch the rest of it.
-fn meetsBall(ray: Ray, ball: Bounds) -> bool {
-  let toBall = ball.center - ray.start.point;
-  let along = dot(toBall, ray.direction);
-  let across = toBall - along * ray.direction;
-  let reach = 1.0001 * ball.radius;
-  return max(dot(across, across) - reach * reach, -along - reach) <= 0.0;
-}
 
 fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);

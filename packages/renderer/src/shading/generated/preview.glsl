@@ -131,14 +131,6 @@ Bounds fetchBounds(uint i_2) {
     return Bounds(t0_.xyz, t0_.w);
 }
 
-bool meetsBall(Ray ray_2, Bounds ball) {
-    vec3 toBall = (ball.center - ray_2.start.point);
-    float along_1 = dot(toBall, ray_2.direction);
-    vec3 across_1 = (toBall - (along_1 * ray_2.direction));
-    float reach = (1.0001 * ball.radius);
-    return (max((dot(across_1, across_1) - (reach * reach)), (-(along_1) - reach)) <= 0.0);
-}
-
 Extent fetchExtent(uint i_3) {
     vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
     vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
@@ -162,9 +154,9 @@ vec3 safeReciprocal(vec3 d, vec3 origin_1) {
 Slabs boxSlabs(vec3 origin_2, vec3 direction_2, vec3 halfSize) {
     vec3 _e3 = safeReciprocal(direction_2, origin_2);
     vec3 middle = (-(origin_2) * _e3);
-    vec3 reach_1 = (halfSize * abs(_e3));
-    vec3 enter = (middle - reach_1);
-    vec3 leave = (middle + reach_1);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
@@ -181,12 +173,12 @@ float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_
     return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_4 : 1e30));
 }
 
-float hitBox(uint i_4, Bounds bounds_1, Ray ray_3) {
+float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
     vec3 origin_4 = vec3(0.0);
     vec3 direction_4 = vec3(0.0);
     Extent _e3 = fetchExtent(i_4);
-    origin_4 = (ray_3.start.point - bounds_1.center);
-    direction_4 = ray_3.direction;
+    origin_4 = (ray_2.start.point - bounds_1.center);
+    direction_4 = ray_2.direction;
     bool _e12 = isTurned(_e3.a);
     if (_e12) {
         vec3 _e14 = origin_4;
@@ -198,8 +190,8 @@ float hitBox(uint i_4, Bounds bounds_1, Ray ray_3) {
     }
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_4;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_4 == ray_3.start.inside));
-    return ((i_4 == ray_3.start.leaves) ? 1e30 : _e28);
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_2.start.tMin, (i_4 == ray_2.start.inside));
+    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e28);
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
@@ -232,10 +224,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 recipro
     return (_e38 ? t_5 : 1e30);
 }
 
-float hitQuad(uint i_5, Bounds bounds_2, Ray ray_4) {
+float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
     Extent _e3 = fetchExtent(i_5);
-    float _e14 = intersectQuad(ray_4.start.point, ray_4.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_4.start.tMin);
-    return ((i_5 == ray_4.start.leaves) ? 1e30 : _e14);
+    float _e14 = intersectQuad(ray_3.start.point, ray_3.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_3.start.tMin);
+    return ((i_5 == ray_3.start.leaves) ? 1e30 : _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
@@ -251,12 +243,12 @@ float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offse
     return (_e20 ? t_6 : 1e30);
 }
 
-float hitPlane(uint i_6, Bounds bounds_3, Ray ray_5) {
-    float _e10 = intersectPlane(ray_5.start.point, ray_5.direction, bounds_3.center, bounds_3.radius, ray_5.start.tMin);
-    return ((i_6 == ray_5.start.leaves) ? 1e30 : _e10);
+float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {
+    float _e10 = intersectPlane(ray_4.start.point, ray_4.direction, bounds_3.center, bounds_3.radius, ray_4.start.tMin);
+    return ((i_6 == ray_4.start.leaves) ? 1e30 : _e10);
 }
 
-Hit closestHit(Ray ray_6) {
+Hit closestHit(Ray ray_5) {
     Hit hit_1 = Hit(1e30, 4294967295u);
     uint i_7 = 0u;
     uint i_8 = 0u;
@@ -280,7 +272,7 @@ Hit closestHit(Ray ray_6) {
             uint _e14 = i_7;
             uint _e15 = i_7;
             Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_6);
+            float _e17 = hitSphere(_e14, _e16, ray_5);
             uint _e18 = i_7;
             Hit _e19 = nearer(_e13, _e17, _e18);
             hit_1 = _e19;
@@ -290,8 +282,8 @@ Hit closestHit(Ray ray_6) {
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e37 = i_8;
-            i_8 = (_e37 + 1u);
+            uint _e36 = i_8;
+            i_8 = (_e36 + 1u);
         }
         loop_init_1 = false;
         uint _e25 = i_8;
@@ -300,72 +292,66 @@ Hit closestHit(Ray ray_6) {
             break;
         }
         {
-            uint _e28 = i_8;
-            Bounds _e29 = fetchBounds(_e28);
-            bool _e30 = meetsBall(ray_6, _e29);
-            if (_e30) {
-                Hit _e31 = hit_1;
-                uint _e32 = i_8;
-                float _e33 = hitBox(_e32, _e29, ray_6);
-                uint _e34 = i_8;
-                Hit _e35 = nearer(_e31, _e33, _e34);
-                hit_1 = _e35;
-            }
+            Hit _e28 = hit_1;
+            uint _e29 = i_8;
+            uint _e30 = i_8;
+            Bounds _e31 = fetchBounds(_e30);
+            float _e32 = hitBox(_e29, _e31, ray_5);
+            uint _e33 = i_8;
+            Hit _e34 = nearer(_e28, _e32, _e33);
+            hit_1 = _e34;
         }
     }
     i_9 = ends.y;
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e53 = i_9;
-            i_9 = (_e53 + 1u);
+            uint _e51 = i_9;
+            i_9 = (_e51 + 1u);
         }
         loop_init_2 = false;
-        uint _e41 = i_9;
-        if ((_e41 < ends.z)) {
+        uint _e40 = i_9;
+        if ((_e40 < ends.z)) {
         } else {
             break;
         }
         {
+            Hit _e43 = hit_1;
             uint _e44 = i_9;
-            Bounds _e45 = fetchBounds(_e44);
-            bool _e46 = meetsBall(ray_6, _e45);
-            if (_e46) {
-                Hit _e47 = hit_1;
-                uint _e48 = i_9;
-                float _e49 = hitQuad(_e48, _e45, ray_6);
-                uint _e50 = i_9;
-                Hit _e51 = nearer(_e47, _e49, _e50);
-                hit_1 = _e51;
-            }
+            uint _e45 = i_9;
+            Bounds _e46 = fetchBounds(_e45);
+            float _e47 = hitQuad(_e44, _e46, ray_5);
+            uint _e48 = i_9;
+            Hit _e49 = nearer(_e43, _e47, _e48);
+            hit_1 = _e49;
         }
     }
     i_10 = ends.z;
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e68 = i_10;
-            i_10 = (_e68 + 1u);
+            uint _e66 = i_10;
+            i_10 = (_e66 + 1u);
         }
         loop_init_3 = false;
-        uint _e57 = i_10;
-        if ((_e57 < ends.w)) {
+        uint _e55 = i_10;
+        if ((_e55 < ends.w)) {
         } else {
             break;
         }
         {
-            Hit _e60 = hit_1;
-            uint _e61 = i_10;
-            uint _e62 = i_10;
-            Bounds _e63 = fetchBounds(_e62);
-            float _e64 = hitPlane(_e61, _e63, ray_6);
-            uint _e65 = i_10;
-            Hit _e66 = nearer(_e60, _e64, _e65);
-            hit_1 = _e66;
+            Hit _e58 = hit_1;
+            uint _e59 = i_10;
+            uint _e60 = i_10;
+            Bounds _e61 = fetchBounds(_e60);
+            float _e62 = hitPlane(_e59, _e61, ray_5);
+            uint _e63 = i_10;
+            Hit _e64 = nearer(_e58, _e62, _e63);
+            hit_1 = _e64;
         }
     }
-    Hit _e70 = hit_1;
-    return _e70;
+    Hit _e68 = hit_1;
+    return _e68;
 }
 
 bool isSphere(uint i_11) {
@@ -409,12 +395,12 @@ vec3 rotateBack(vec4 q_2, vec3 v_1) {
     return _e6;
 }
 
-vec3 outwardNormal(uint i_14, Ray ray_7, float t_1) {
+vec3 outwardNormal(uint i_14, Ray ray_6, float t_1) {
     Bounds _e3 = fetchBounds(i_14);
-    vec3 origin_8 = (ray_7.start.point - _e3.center);
+    vec3 origin_8 = (ray_6.start.point - _e3.center);
     bool _e8 = isSphere(i_14);
     if (_e8) {
-        return normalize((origin_8 + (t_1 * ray_7.direction)));
+        return normalize((origin_8 + (t_1 * ray_6.direction)));
     }
     bool _e13 = isPlane(i_14);
     if (_e13) {
@@ -425,10 +411,10 @@ vec3 outwardNormal(uint i_14, Ray ray_7, float t_1) {
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside = (i_14 == ray_7.start.inside);
+    bool inside = (i_14 == ray_6.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_8);
-    vec3 _e30 = rotate(_e15.a, ray_7.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
+    vec3 _e30 = rotate(_e15.a, ray_6.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);
     return _e37;
 }
