@@ -26,7 +26,11 @@ export class PageProblems {
   }
 
   watch(page: Page): void {
-    page.on('console', (message) => message.type() === 'error' && this.found.push(`console: ${message.text()}`));
+    page.on('console', (message) => {
+      // Chromium reports what a driver refuses as a warning.
+      if (message.type() === 'error' || /GL_INVALID|Invalid(Enum|Value|Operation)/.test(message.text()))
+        this.found.push(`console: ${message.text()}`);
+    });
     page.on('pageerror', (error) => this.found.push(`uncaught: ${error.stack ?? error.message}`));
     page.on('crash', () => this.found.push('the page crashed'));
   }

@@ -48,7 +48,8 @@ for (const backend of backends)
         `  ${backend}: at most ${largestDraw} pixels a submit, ${milliseconds} ms between frames of the page`,
       );
       expect(largestDraw, 'the picture is drawn in parts').toBeLessThan((160 * 160) / 4);
-      expect(mostWaiting).toBeLessThanOrEqual(2);
+      // Two of a sample, and the first of the next.
+      expect(mostWaiting).toBeLessThanOrEqual(3);
       await page.evaluate(() => window.mirrorball.renderer!.set({ maxReflections: 1, lightSamples: 1 }));
       await settled(page);
     });

@@ -114,7 +114,7 @@ describe('submits', () => {
     expect(new FrameController().rowsPerSubmit(4096)).toBe(64);
   });
 
-  test('stay below 40 ms, or have one row (seed 72)', () => {
+  test('stay below 100 ms, or have one row (seed 72)', () => {
     const random = seededRandom(72);
     for (let k = 0; k < 300; k++) {
       const machine = { fixed: between(random, 0, 15), perPixel: 10 ** between(random, -7, -1) };
@@ -125,7 +125,7 @@ describe('submits', () => {
       expect(rows).toBeGreaterThanOrEqual(1);
       expect(Number.isInteger(rows)).toBe(true);
       const milliseconds = machine.fixed + machine.perPixel * rows * width;
-      if (rows > 1) expect(milliseconds, JSON.stringify({ ...machine, width })).toBeLessThan(42);
+      if (rows > 1) expect(milliseconds, JSON.stringify({ ...machine, width })).toBeLessThan(102);
     }
   });
 });

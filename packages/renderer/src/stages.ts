@@ -45,6 +45,8 @@ export class Stages {
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
+  /** The submit before the last one, done or not. */
+  #before: Promise<void> | null = null;
   /** Whether the integrator has drawn something. */
   #warm = false;
 
@@ -106,7 +108,6 @@ export class Stages {
     const pass = this.#classic ?? this.#preview;
     const inputs = this.#writeFrame();
     let row = 0;
-    let before: Promise<void> | null = null;
     this.#pending = true;
     try {
       for (;;) {
@@ -118,8 +119,9 @@ export class Stages {
         const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount, begun));
         done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
         // Two submits at once, so that the device has the next one when it has finished one.
+        const before = this.#before;
+        this.#before = done;
         await (row === height ? done : before);
-        before = done;
         if (row === height) return true;
         if (unwanted()) return false;
       }

@@ -35,8 +35,8 @@ export function closestHit(scene: PreparedScene, ray: Ray): Closest {
   };
   for (const sphere of scene.spheres) consider(intersectSphere(sphere, ray), sphere);
   for (const box of scene.boxes) consider(intersectBox(box, ray), box);
-  for (const plane of scene.planes) consider(intersectPlane(plane, ray), plane);
   for (const quad of scene.quads) consider(intersectQuad(quad, ray), quad);
+  for (const plane of scene.planes) consider(intersectPlane(plane, ray), plane);
   for (const ball of scene.visibleLights) {
     const t = intersectSphere(ball, ray);
     if (t < closest) {
