@@ -86,7 +86,6 @@ bool isSphere(uint i) {
 }
 
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
-    bool local = false;
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction);
     vec3 across = (toCenter - (along * direction));
@@ -95,13 +94,7 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float near = (along - half_);
     float far = (along + half_);
     float t_1 = ((near > tMin) ? near : far);
-    if ((discriminant >= 0.0)) {
-        local = (t_1 > tMin);
-    } else {
-        local = false;
-    }
-    bool _e26 = local;
-    return (startsInside ? max(far, 0.0) : (_e26 ? t_1 : 1e30));
+    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_1 > tMin)) ? t_1 : 1e30));
 }
 
 float hitSphere(uint i_1, Bounds bounds, Ray ray) {
@@ -110,16 +103,9 @@ float hitSphere(uint i_1, Bounds bounds, Ray ray) {
 }
 
 bool isBox(uint i_2) {
-    bool local_1 = false;
     uint _e4 = frame.shapeEnds.x;
-    if ((i_2 >= _e4)) {
-        uint _e11 = frame.shapeEnds.y;
-        local_1 = (i_2 < _e11);
-    } else {
-        local_1 = false;
-    }
-    bool _e14 = local_1;
-    return _e14;
+    uint _e9 = frame.shapeEnds.y;
+    return ((i_2 >= _e4) && (i_2 < _e9));
 }
 
 Extent fetchExtent(uint i_3) {
@@ -152,16 +138,9 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    bool local_2 = false;
     Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_3 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    if ((_e5.near <= _e5.far)) {
-        local_2 = (t_3 > tMin_1);
-    } else {
-        local_2 = false;
-    }
-    bool _e18 = local_2;
-    return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_3 : 1e30));
+    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_3 > tMin_1)) ? t_3 : 1e30));
 }
 
 float hitBox(uint i_4, Bounds bounds_1, Ray ray_1) {
@@ -191,33 +170,13 @@ bool isQuad(uint i_5) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    bool local_3 = false;
-    bool local_4 = false;
-    bool local_5 = false;
     vec3 normal_1 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_1);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_4 = (dot(toCenter_1, normal_1) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p = ((t_4 * direction_4) - toCenter_1);
-    if ((abs(dot(p, reciprocalU)) <= 0.500001)) {
-        local_3 = (abs(dot(p, reciprocalV)) <= 0.500001);
-    } else {
-        local_3 = false;
-    }
-    bool within = local_3;
-    if ((t_4 > tMin_2)) {
-        local_4 = (t_4 < 1e30);
-    } else {
-        local_4 = false;
-    }
-    bool _e34 = local_4;
-    if (_e34) {
-        local_5 = within;
-    } else {
-        local_5 = false;
-    }
-    bool _e38 = local_5;
-    return (_e38 ? t_4 : 1e30);
+    bool within = (max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= 0.500001);
+    return ((((t_4 > tMin_2) && (t_4 < 1e30)) && within) ? t_4 : 1e30);
 }
 
 float hitQuad(uint i_6, Bounds bounds_2, Ray ray_2) {
@@ -227,16 +186,9 @@ float hitQuad(uint i_6, Bounds bounds_2, Ray ray_2) {
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
-    bool local_6 = false;
     float speed_1 = dot(direction_5, normal);
     float t_5 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    if ((t_5 > tMin_3)) {
-        local_6 = (abs(speed_1) > 1e-12);
-    } else {
-        local_6 = false;
-    }
-    bool _e20 = local_6;
-    return (_e20 ? t_5 : 1e30);
+    return (((t_5 > tMin_3) && (abs(speed_1) > 1e-12)) ? t_5 : 1e30);
 }
 
 float hitPlane(uint i_7, Bounds bounds_3, Ray ray_3) {
@@ -280,14 +232,8 @@ bool isFlat(uint i_11) {
 }
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_6, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    bool local_7 = false;
     Slabs _e5 = boxSlabs(origin_7, direction_6, halfSize_2);
-    if ((_e5.near > tMin_4)) {
-        local_7 = !(startsInside_2);
-    } else {
-        local_7 = false;
-    }
-    bool entering = local_7;
+    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_6 = (entering ? _e5.near : _e5.far);
     vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));

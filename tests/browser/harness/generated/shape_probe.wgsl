@@ -109,7 +109,7 @@ fn isSphere(i: u32) -> bool {
 }
 
 fn isBox(i: u32) -> bool {
-  return i >= frame.shapeEnds.x && i < frame.shapeEnds.y;
+  return (i >= frame.shapeEnds.x) & (i < frame.shapeEnds.y);
 }
 
 fn isQuad(i: u32) -> bool {
@@ -146,7 +146,7 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   let far = along + half;
   let t = select(far, near, near > tMin);
   // From the surface itself the far side cannot be missed, whatever rounding says.
-  return select(select(miss, t, discriminant >= 0.0 && t > tMin), max(far, 0.0), startsInside);
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
 }
 
 fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
@@ -176,7 +176,7 @@ fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, sta
   let s = boxSlabs(origin, direction, halfSize);
   let t = select(s.far, s.near, s.near > tMin);
   // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
-  return select(select(miss, t, s.near <= s.far && t > tMin), max(s.far, 0.0), startsInside);
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
 }
 
 // v turned by the unit quaternion q, and back.
@@ -232,8 +232,8 @@ fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: ve
   let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
   let p = t * direction - toCenter;
   let reach = 0.5 + quadOverlap;
-  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
-  return select(miss, t, t > tMin && t < miss && within);
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
 }
 
 // Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
@@ -284,7 +284,7 @@ struct Frame {
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
-  return select(miss, t, t > tMin && abs(speed) > parallel);
+  return select(miss, t, (t > tMin) & (abs(speed) > parallel));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
@@ -302,7 +302,7 @@ fn isFlat(i: u32) -> bool {
 // to be near, so that thin boxes have two sides. One axis only, on edges too.
 fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
   let s = boxSlabs(origin, direction, halfSize);
-  let entering = s.near > tMin && !startsInside;
+  let entering = (s.near > tMin) & !startsInside;
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));

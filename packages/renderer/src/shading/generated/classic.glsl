@@ -121,7 +121,6 @@ Hit nearer(Hit hit, float t, uint shape) {
 }
 
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
-    bool local = false;
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction);
     vec3 across = (toCenter - (along * direction));
@@ -130,13 +129,7 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float near = (along - half_);
     float far = (along + half_);
     float t_5 = ((near > tMin) ? near : far);
-    if ((discriminant >= 0.0)) {
-        local = (t_5 > tMin);
-    } else {
-        local = false;
-    }
-    bool _e26 = local;
-    return (startsInside ? max(far, 0.0) : (_e26 ? t_5 : 1e30));
+    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_5 > tMin)) ? t_5 : 1e30));
 }
 
 float hitSphere(uint i, Bounds bounds, Ray ray) {
@@ -179,16 +172,9 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    bool local_1 = false;
     Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
     float t_7 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    if ((_e5.near <= _e5.far)) {
-        local_1 = (t_7 > tMin_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_7 : 1e30));
+    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_7 > tMin_1)) ? t_7 : 1e30));
 }
 
 float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
@@ -213,33 +199,13 @@ float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    bool local_2 = false;
-    bool local_3 = false;
-    bool local_4 = false;
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_8 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p_2 = ((t_8 * direction_4) - toCenter_1);
-    if ((abs(dot(p_2, reciprocalU)) <= 0.500001)) {
-        local_2 = (abs(dot(p_2, reciprocalV)) <= 0.500001);
-    } else {
-        local_2 = false;
-    }
-    bool within = local_2;
-    if ((t_8 > tMin_2)) {
-        local_3 = (t_8 < 1e30);
-    } else {
-        local_3 = false;
-    }
-    bool _e34 = local_3;
-    if (_e34) {
-        local_4 = within;
-    } else {
-        local_4 = false;
-    }
-    bool _e38 = local_4;
-    return (_e38 ? t_8 : 1e30);
+    bool within = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
+    return ((((t_8 > tMin_2) && (t_8 < 1e30)) && within) ? t_8 : 1e30);
 }
 
 float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
@@ -249,16 +215,9 @@ float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
-    bool local_5 = false;
     float speed_1 = dot(direction_5, normal);
     float t_9 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    if ((t_9 > tMin_3)) {
-        local_5 = (abs(speed_1) > 1e-12);
-    } else {
-        local_5 = false;
-    }
-    bool _e20 = local_5;
-    return (_e20 ? t_9 : 1e30);
+    return (((t_9 > tMin_3) && (abs(speed_1) > 1e-12)) ? t_9 : 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
@@ -470,14 +429,8 @@ bool isFlat(uint i_15) {
 }
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    bool local_6 = false;
     Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
-    if ((_e5.near > tMin_4)) {
-        local_6 = !(startsInside_2);
-    } else {
-        local_6 = false;
-    }
-    bool entering = local_6;
+    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_10 = (entering ? _e5.near : _e5.far);
     vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
@@ -568,88 +521,187 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
     return ShadowCone(apex, (toLight_2 / vec3(distance_)), (distance_ - reach_1), (distance_ + reach_1), sine, cosine, ((cosine < 0.001) ? 1e30 : (sine / cosine)));
 }
 
-BallPlace placeBall(ShadowCone cone, vec3 center_3) {
-    vec3 toBall = (center_3 - cone.apex);
-    float along_2 = dot(toBall, cone.axis);
-    return BallPlace(along_2, length((toBall - (along_2 * cone.axis))));
+bool coneMissesBall(ShadowCone cone, BallPlace ball, float radius_2) {
+    float beside = ((ball.across * cone.cosine) - (ball.along * cone.sine));
+    float outside = max(max(beside, -(ball.along)), (ball.along - cone.end));
+    return (outside > ((cone.tangent == 1e30) ? 1e30 : radius_2));
 }
 
-bool skipped(Start start, uint i_18, bool missed) {
-    bool local_7 = false;
-    bool local_8 = false;
-    if (!((i_18 == start.leaves))) {
-        if (missed) {
-            local_8 = (i_18 != start.inside);
-        } else {
-            local_8 = false;
+BallPlace placeBall(ShadowCone cone_1, vec3 center_3) {
+    vec3 toBall = (center_3 - cone_1.apex);
+    float along_2 = dot(toBall, cone_1.axis);
+    return BallPlace(along_2, length((toBall - (along_2 * cone_1.axis))));
+}
+
+bool coneMeetsPlane(ShadowCone cone_2, vec3 normal_1, float offset_1) {
+    float here = (dot(normal_1, cone_2.apex) - offset_1);
+    float there = (here + ((dot(normal_1, cone_2.axis) * 0.5) * (cone_2.start + cone_2.end)));
+    return (min((here * there), (abs(there) - (0.5 * (cone_2.end - cone_2.start)))) <= 0.0);
+}
+
+uint candidates(SampleGroup group_1, ShadowCone cone_3, uint base) {
+    uint found = 0u;
+    uint i_18 = 0u;
+    uint i_19 = 0u;
+    uint _e5 = frame.occluderEnd;
+    uint end_1 = min(_e5, (base + 32u));
+    uint _e12 = frame.shapeEnds.z;
+    uint ballEnd = min(_e12, end_1);
+    i_18 = base;
+    bool loop_init_6 = true;
+    while(true) {
+        if (!loop_init_6) {
+            uint _e34 = i_18;
+            i_18 = (_e34 + 1u);
         }
-        bool _e13 = local_8;
-        local_7 = _e13;
-    } else {
-        local_7 = true;
+        loop_init_6 = false;
+        uint _e17 = i_18;
+        if ((_e17 < ballEnd)) {
+        } else {
+            break;
+        }
+        {
+            uint _e19 = i_18;
+            Bounds _e20 = fetchBounds(_e19);
+            uint _e21 = found;
+            BallPlace _e25 = placeBall(cone_3, _e20.center);
+            bool _e27 = coneMissesBall(cone_3, _e25, _e20.radius);
+            uint _e29 = i_18;
+            found = (_e21 | ((_e27 ? 0u : 1u) << (_e29 - base)));
+        }
     }
-    bool _e15 = local_7;
-    return _e15;
+    i_19 = max(base, ballEnd);
+    bool loop_init_7 = true;
+    while(true) {
+        if (!loop_init_7) {
+            uint _e54 = i_19;
+            i_19 = (_e54 + 1u);
+        }
+        loop_init_7 = false;
+        uint _e38 = i_19;
+        if ((_e38 < end_1)) {
+        } else {
+            break;
+        }
+        {
+            uint _e40 = i_19;
+            Bounds _e41 = fetchBounds(_e40);
+            uint _e42 = found;
+            bool _e47 = coneMeetsPlane(cone_3, _e41.center, _e41.radius);
+            uint _e49 = i_19;
+            found = (_e42 | ((_e47 ? 1u : 0u) << (_e49 - base)));
+        }
+    }
+    uint inside_1 = (group_1.start.inside - base);
+    uint leaves = (group_1.start.leaves - base);
+    uint _e62 = found;
+    found = (_e62 | ((inside_1 < 32u) ? (1u << (inside_1 & 31u)) : 0u));
+    uint _e72 = found;
+    return (_e72 & ~(((leaves < 32u) ? (1u << (leaves & 31u)) : 0u)));
 }
 
-bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
-    float beside = ((ball.across * cone_1.cosine) - (ball.along * cone_1.sine));
-    float outside = max(max(beside, -(ball.along)), (ball.along - cone_1.end));
-    return (outside > ((cone_1.tangent == 1e30) ? 1e30 : radius_2));
+uint lowestBit(uint bits) {
+    return ((floatBitsToUint(float((bits & (~(bits) + 1u)))) >> 23u) - 127u);
 }
 
-bool ballHidesLight(ShadowCone cone_2, BallPlace ball_1, float radius_3) {
-    float covers = (((radius_3 * 0.9999) - (ball_1.across * cone_2.cosine)) - (ball_1.along * cone_2.sine));
-    return (min(min(covers, (ball_1.along - radius_3)), ((cone_2.start - ball_1.along) - radius_3)) > 0.0);
+bool ballHidesLight(ShadowCone cone_4, BallPlace ball_1, float radius_3) {
+    float covers = (((radius_3 * 0.9999) - (ball_1.across * cone_4.cosine)) - (ball_1.along * cone_4.sine));
+    return (min(min(covers, (ball_1.along - radius_3)), ((cone_4.start - ball_1.along) - radius_3)) > 0.0);
 }
 
 vec3 samplePoint(LightSampler s, uint k) {
     if ((s.count == 1u)) {
         return vec3(0.0);
     }
-    float i_26 = float(k);
+    float i_24 = float(k);
     if ((s.count == 9u)) {
-        float row = floor(((i_26 + 0.5) * 0.33333334));
-        return vec3(((0.5 * (i_26 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
+        float row = floor(((i_24 + 0.5) * 0.33333334));
+        return vec3(((0.5 * (i_24 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
     }
-    float z = (1.0 - ((2.0 * (i_26 + s.shift.x)) / float(s.count)));
-    float phi = (6.2831855 * fract(((i_26 * 0.618034) + s.shift.y)));
+    float z = (1.0 - ((2.0 * (i_24 + s.shift.x)) / float(s.count)));
+    float phi = (6.2831855 * fract(((i_24 * 0.618034) + s.shift.y)));
     float r = sqrt(max((1.0 - (z * z)), 0.0));
     return vec3((r * cos(phi)), (r * sin(phi)), z);
 }
 
-vec3 toSample(SampleGroup group_1, uint k_1) {
-    vec3 _e7 = samplePoint(group_1.points, (group_1.first + k_1));
-    return ((group_1.center + (group_1.radius * _e7)) - group_1.start.point);
+vec3 toSample(SampleGroup group_2, uint k_1) {
+    vec3 _e7 = samplePoint(group_2.points, (group_2.first + k_1));
+    return ((group_2.center + (group_2.radius * _e7)) - group_2.start.point);
 }
 
-uint behindSphere(SampleGroup group_2, uint i_19, Bounds bounds_4) {
-    uint bits = 0u;
+uint behindSphere(SampleGroup group_3, uint i_20, Bounds bounds_4, ShadowCone cone_5) {
+    uint bits_1 = 0u;
     uint k_2 = 0u;
-    bool loop_init_6 = true;
+    BallPlace _e5 = placeBall(cone_5, bounds_4.center);
+    bool _e7 = ballHidesLight(cone_5, _e5, bounds_4.radius);
+    bool hides = (_e7 && (i_20 != group_3.start.inside));
+    uint _e13 = everySample(group_3);
+    bits_1 = (hides ? _e13 : 0u);
+    uint count_3 = (hides ? 0u : group_3.count);
+    bool loop_init_8 = true;
     while(true) {
-        if (!loop_init_6) {
-            uint _e29 = k_2;
-            k_2 = (_e29 + 1u);
+        if (!loop_init_8) {
+            uint _e42 = k_2;
+            k_2 = (_e42 + 1u);
         }
-        loop_init_6 = false;
-        uint _e7 = k_2;
-        if ((_e7 < group_2.count)) {
+        loop_init_8 = false;
+        uint _e21 = k_2;
+        if ((_e21 < count_3)) {
         } else {
             break;
         }
         {
-            uint _e10 = k_2;
-            vec3 _e11 = toSample(group_2, _e10);
-            float inverse_ = inversesqrt(dot(_e11, _e11));
-            uint _e14 = bits;
-            uint _e17 = k_2;
-            float _e22 = hitSphere(i_19, bounds_4, Ray(group_2.start, (_e11 * inverse_)));
-            bits = (_e14 | (((_e22 * inverse_) < 1.0) ? (1u << _e17) : 0u));
+            uint _e23 = k_2;
+            vec3 _e24 = toSample(group_3, _e23);
+            float inverse_ = inversesqrt(dot(_e24, _e24));
+            uint _e27 = bits_1;
+            float _e33 = hitSphere(i_20, bounds_4, Ray(group_3.start, (_e24 * inverse_)));
+            uint _e38 = k_2;
+            bits_1 = (_e27 | ((((_e33 * inverse_) < 1.0) ? 1u : 0u) << _e38));
         }
     }
-    uint _e31 = bits;
-    return _e31;
+    uint _e44 = bits_1;
+    return _e44;
+}
+
+uint behindFlat(SampleGroup group_4, uint i_21, Bounds bounds_5) {
+    uint bits_2 = 0u;
+    uint k_3 = 0u;
+    float t_4 = 0.0;
+    bool _e3 = isPlane(i_21);
+    bool loop_init_9 = true;
+    while(true) {
+        if (!loop_init_9) {
+            uint _e34 = k_3;
+            k_3 = (_e34 + 1u);
+        }
+        loop_init_9 = false;
+        uint _e8 = k_3;
+        if ((_e8 < group_4.count)) {
+        } else {
+            break;
+        }
+        {
+            uint _e11 = k_3;
+            vec3 _e12 = toSample(group_4, _e11);
+            float inverse_1 = inversesqrt(dot(_e12, _e12));
+            Ray ray_9 = Ray(group_4.start, (_e12 * inverse_1));
+            t_4 = 1e30;
+            if (_e3) {
+                float _e20 = hitPlane(i_21, bounds_5, ray_9);
+                t_4 = _e20;
+            } else {
+                float _e21 = hitQuad(i_21, bounds_5, ray_9);
+                t_4 = _e21;
+            }
+            uint _e22 = bits_2;
+            uint _e25 = k_3;
+            float _e27 = t_4;
+            bits_2 = (_e22 | (((_e27 * inverse_1) < 1.0) ? (1u << _e25) : 0u));
+        }
+    }
+    uint _e36 = bits_2;
+    return _e36;
 }
 
 float max3_(vec3 v_2) {
@@ -660,11 +712,8 @@ float min3_(vec3 v_3) {
     return min(min(v_3.x, v_3.y), v_3.z);
 }
 
-uint placeBox(ShadowCone cone_3, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
-    bool local_9 = false;
-    bool local_10 = false;
-    bool local_11 = false;
-    float radius_4 = ((1.0001 * min(end, cone_3.end)) * cone_3.tangent);
+uint placeBox(ShadowCone cone_6, vec3 apex_1, vec3 axis, vec3 halfSize_3, float end) {
+    float radius_4 = ((1.0001 * min(end, cone_6.end)) * cone_6.tangent);
     vec3 _e11 = safeReciprocal(axis, apex_1);
     vec3 middle_1 = (-(apex_1) * _e11);
     vec3 half_1 = (halfSize_3 * abs(_e11));
@@ -673,283 +722,142 @@ uint placeBox(ShadowCone cone_3, vec3 apex_1, vec3 axis, vec3 halfSize_3, float 
     vec3 high = (middle_1 + half_1);
     float _e21 = max3_((low - margin));
     float _e23 = min3_((high + margin));
-    bool met = (min(min((_e23 - _e21), _e23), (cone_3.end - _e21)) >= 0.0);
+    bool met = (min(min((_e23 - _e21), _e23), (cone_6.end - _e21)) >= 0.0);
     float _e32 = max3_((low + margin));
     float _e34 = min3_((high - margin));
-    bool through = (min(min((_e34 - _e32), _e32), (cone_3.start - _e32)) > 0.0);
+    bool through = (min(min((_e34 - _e32), _e32), (cone_6.start - _e32)) > 0.0);
     float _e44 = max3_((abs(apex_1) - halfSize_3));
     bool apexOutside = (_e44 > 0.0);
-    if (through) {
-        local_9 = apexOutside;
-    } else {
-        local_9 = false;
-    }
-    bool _e50 = local_9;
-    if (_e50) {
-        float _e53 = min3_(halfSize_3);
-        local_10 = (_e53 > radius_4);
-    } else {
-        local_10 = false;
-    }
-    bool hides = local_10;
-    if (!(met)) {
-        local_11 = (cone_3.tangent == 1e30);
-    } else {
-        local_11 = true;
-    }
-    bool _e68 = local_11;
-    return (_e68 ? (hides ? boxHidesLight : boxMet) : boxMissed);
+    float _e48 = min3_(halfSize_3);
+    bool hides_1 = ((through && apexOutside) && (_e48 > radius_4));
+    return ((met || (cone_6.tangent == 1e30)) ? (hides_1 ? boxHidesLight : boxMet) : boxMissed);
 }
 
-uint behindBox(SampleGroup group_3, uint i_20, Bounds bounds_5, ShadowCone cone_4, float end_1) {
+uint behindBox(SampleGroup group_5, uint i_22, Bounds bounds_6, ShadowCone cone_7) {
     vec3 origin_8 = vec3(0.0);
     vec3 axis_1 = vec3(0.0);
-    uint bits_1 = 0u;
-    uint k_3 = 0u;
-    vec3 direction_8 = vec3(0.0);
-    Extent _e5 = fetchExtent(i_20);
-    bool _e7 = isTurned(_e5.a);
-    origin_8 = (group_3.start.point - bounds_5.center);
-    axis_1 = cone_4.axis;
-    if (_e7) {
-        vec3 _e16 = origin_8;
-        vec3 _e17 = rotate(_e5.a, _e16);
-        origin_8 = _e17;
-        vec3 _e19 = axis_1;
-        vec3 _e20 = rotate(_e5.a, _e19);
-        axis_1 = _e20;
-    }
-    bool startsInside_3 = (i_20 == group_3.start.inside);
-    vec3 _e24 = origin_8;
-    vec3 _e25 = axis_1;
-    uint _e28 = placeBox(cone_4, _e24, _e25, _e5.b.xyz, end_1);
-    uint meets = (startsInside_3 ? boxMet : _e28);
-    uint _e32 = everySample(group_3);
-    bits_1 = ((meets == boxHidesLight) ? _e32 : 0u);
-    uint count_3 = ((meets == boxMet) ? group_3.count : 0u);
-    bool loop_init_7 = true;
-    while(true) {
-        if (!loop_init_7) {
-            uint _e73 = k_3;
-            k_3 = (_e73 + 1u);
-        }
-        loop_init_7 = false;
-        uint _e44 = k_3;
-        if ((_e44 < count_3)) {
-        } else {
-            break;
-        }
-        {
-            uint _e46 = k_3;
-            vec3 _e47 = toSample(group_3, _e46);
-            float inverse_1 = inversesqrt(dot(_e47, _e47));
-            direction_8 = (_e47 * inverse_1);
-            if (_e7) {
-                vec3 _e53 = direction_8;
-                vec3 _e54 = rotate(_e5.a, _e53);
-                direction_8 = _e54;
-            }
-            vec3 _e55 = origin_8;
-            vec3 _e56 = direction_8;
-            float _e61 = intersectBox(_e55, _e56, _e5.b.xyz, group_3.start.tMin, startsInside_3);
-            uint _e62 = bits_1;
-            uint _e65 = k_3;
-            bits_1 = (_e62 | (((_e61 * inverse_1) < 1.0) ? (1u << _e65) : 0u));
-        }
-    }
-    uint _e75 = bits_1;
-    return _e75;
-}
-
-bool coneMeetsPlane(ShadowCone cone_5, vec3 normal_1, float offset_1) {
-    bool local_12 = false;
-    float here = (dot(normal_1, cone_5.apex) - offset_1);
-    float there = (here + ((dot(normal_1, cone_5.axis) * 0.5) * (cone_5.start + cone_5.end)));
-    if (!(((here * there) <= 0.0))) {
-        local_12 = (abs(there) <= (0.5 * (cone_5.end - cone_5.start)));
-    } else {
-        local_12 = true;
-    }
-    bool _e29 = local_12;
-    return _e29;
-}
-
-uint behindFlat(SampleGroup group_4, uint i_21, Bounds bounds_6) {
-    uint bits_2 = 0u;
+    uint bits_3 = 0u;
     uint k_4 = 0u;
-    float t_4 = 0.0;
-    bool _e3 = isPlane(i_21);
-    bool loop_init_8 = true;
-    while(true) {
-        if (!loop_init_8) {
-            uint _e34 = k_4;
-            k_4 = (_e34 + 1u);
-        }
-        loop_init_8 = false;
-        uint _e8 = k_4;
-        if ((_e8 < group_4.count)) {
-        } else {
-            break;
-        }
-        {
-            uint _e11 = k_4;
-            vec3 _e12 = toSample(group_4, _e11);
-            float inverse_2 = inversesqrt(dot(_e12, _e12));
-            Ray ray_9 = Ray(group_4.start, (_e12 * inverse_2));
-            t_4 = 1e30;
-            if (_e3) {
-                float _e20 = hitPlane(i_21, bounds_6, ray_9);
-                t_4 = _e20;
-            } else {
-                float _e21 = hitQuad(i_21, bounds_6, ray_9);
-                t_4 = _e21;
-            }
-            uint _e22 = bits_2;
-            uint _e25 = k_4;
-            float _e27 = t_4;
-            bits_2 = (_e22 | (((_e27 * inverse_2) < 1.0) ? (1u << _e25) : 0u));
-        }
+    vec3 direction_8 = vec3(0.0);
+    Extent _e4 = fetchExtent(i_22);
+    bool _e6 = isTurned(_e4.a);
+    origin_8 = (group_5.start.point - bounds_6.center);
+    axis_1 = cone_7.axis;
+    vec3 _e15 = origin_8;
+    vec3 _e16 = axis_1;
+    float end_2 = (bounds_6.radius - dot(_e15, _e16));
+    if (_e6) {
+        vec3 _e20 = origin_8;
+        vec3 _e21 = rotate(_e4.a, _e20);
+        origin_8 = _e21;
+        vec3 _e23 = axis_1;
+        vec3 _e24 = rotate(_e4.a, _e23);
+        axis_1 = _e24;
     }
-    uint _e36 = bits_2;
-    return _e36;
-}
-
-uint hiddenSamples(SampleGroup group_5) {
-    uint hidden = 0u;
-    uint i_22 = 0u;
-    bool local_13 = false;
-    uint i_23 = 0u;
-    bool local_14 = false;
-    uint i_24 = 0u;
-    bool local_15 = false;
-    bool missed_1 = false;
-    uint _e1 = everySample(group_5);
-    uvec4 ends_1 = frame.shapeEnds;
-    ShadowCone _e11 = shadowCone(group_5.start.point, group_5.center, group_5.radius, group_5.points.count);
-    bool loop_init_9 = true;
-    while(true) {
-        if (!loop_init_9) {
-            uint _e41 = i_22;
-            i_22 = (_e41 + 1u);
-        }
-        loop_init_9 = false;
-        uint _e16 = i_22;
-        if ((_e16 < ends_1.x)) {
-            uint _e21 = hidden;
-            local_13 = (_e21 != _e1);
-        } else {
-            local_13 = false;
-        }
-        bool _e24 = local_13;
-        if (_e24) {
-        } else {
-            break;
-        }
-        {
-            uint _e25 = i_22;
-            Bounds _e26 = fetchBounds(_e25);
-            BallPlace _e28 = placeBall(_e11, _e26.center);
-            uint _e30 = i_22;
-            bool _e32 = coneMissesBall(_e11, _e28, _e26.radius);
-            bool _e33 = skipped(group_5.start, _e30, _e32);
-            if (_e33) {
-                continue;
-            }
-            bool _e35 = ballHidesLight(_e11, _e28, _e26.radius);
-            if (_e35) {
-                hidden = _e1;
-            } else {
-                uint _e36 = hidden;
-                uint _e37 = i_22;
-                uint _e38 = behindSphere(group_5, _e37, _e26);
-                hidden = (_e36 | _e38);
-            }
-        }
-    }
-    i_23 = ends_1.x;
+    bool startsInside_3 = (i_22 == group_5.start.inside);
+    vec3 _e28 = origin_8;
+    vec3 _e29 = axis_1;
+    uint _e32 = placeBox(cone_7, _e28, _e29, _e4.b.xyz, end_2);
+    uint meets = (startsInside_3 ? boxMet : _e32);
+    uint _e36 = everySample(group_5);
+    bits_3 = ((meets == boxHidesLight) ? _e36 : 0u);
+    uint count_4 = ((meets == boxMet) ? group_5.count : 0u);
     bool loop_init_10 = true;
     while(true) {
         if (!loop_init_10) {
-            uint _e71 = i_23;
-            i_23 = (_e71 + 1u);
+            uint _e77 = k_4;
+            k_4 = (_e77 + 1u);
         }
         loop_init_10 = false;
-        uint _e45 = i_23;
-        if ((_e45 < ends_1.y)) {
-            uint _e50 = hidden;
-            local_14 = (_e50 != _e1);
-        } else {
-            local_14 = false;
-        }
-        bool _e53 = local_14;
-        if (_e53) {
+        uint _e48 = k_4;
+        if ((_e48 < count_4)) {
         } else {
             break;
         }
         {
-            uint _e54 = i_23;
-            Bounds _e55 = fetchBounds(_e54);
-            BallPlace _e57 = placeBall(_e11, _e55.center);
-            uint _e59 = i_23;
-            bool _e61 = coneMissesBall(_e11, _e57, _e55.radius);
-            bool _e62 = skipped(group_5.start, _e59, _e61);
-            if (_e62) {
-                continue;
+            uint _e50 = k_4;
+            vec3 _e51 = toSample(group_5, _e50);
+            float inverse_2 = inversesqrt(dot(_e51, _e51));
+            direction_8 = (_e51 * inverse_2);
+            if (_e6) {
+                vec3 _e57 = direction_8;
+                vec3 _e58 = rotate(_e4.a, _e57);
+                direction_8 = _e58;
             }
-            uint _e63 = hidden;
-            uint _e64 = i_23;
-            uint _e68 = behindBox(group_5, _e64, _e55, _e11, (_e57.along + _e55.radius));
-            hidden = (_e63 | _e68);
+            vec3 _e59 = origin_8;
+            vec3 _e60 = direction_8;
+            float _e65 = intersectBox(_e59, _e60, _e4.b.xyz, group_5.start.tMin, startsInside_3);
+            uint _e66 = bits_3;
+            uint _e73 = k_4;
+            bits_3 = (_e66 | ((((_e65 * inverse_2) < 1.0) ? 1u : 0u) << _e73));
         }
     }
-    i_24 = ends_1.y;
+    uint _e79 = bits_3;
+    return _e79;
+}
+
+uint hiddenSamples(SampleGroup group_6) {
+    uint hidden = 0u;
+    uint base_1 = 0u;
+    uint rest = 0u;
+    uint _e1 = everySample(group_6);
+    ShadowCone _e8 = shadowCone(group_6.start.point, group_6.center, group_6.radius, group_6.points.count);
     bool loop_init_11 = true;
     while(true) {
         if (!loop_init_11) {
-            uint _e110 = i_24;
-            i_24 = (_e110 + 1u);
+            uint _e49 = base_1;
+            base_1 = (_e49 + 32u);
         }
         loop_init_11 = false;
-        uint _e75 = i_24;
-        uint _e78 = frame.occluderEnd;
-        if ((_e75 < _e78)) {
-            uint _e82 = hidden;
-            local_15 = (_e82 != _e1);
-        } else {
-            local_15 = false;
-        }
-        bool _e85 = local_15;
-        if (_e85) {
+        uint _e13 = base_1;
+        uint _e16 = frame.occluderEnd;
+        if ((_e13 < _e16)) {
         } else {
             break;
         }
         {
-            uint _e86 = i_24;
-            Bounds _e87 = fetchBounds(_e86);
-            missed_1 = false;
-            uint _e90 = i_24;
-            bool _e91 = isPlane(_e90);
-            if (_e91) {
-                bool _e94 = coneMeetsPlane(_e11, _e87.center, _e87.radius);
-                missed_1 = !(_e94);
-            } else {
-                BallPlace _e97 = placeBall(_e11, _e87.center);
-                bool _e99 = coneMissesBall(_e11, _e97, _e87.radius);
-                missed_1 = _e99;
-            }
-            uint _e101 = i_24;
-            bool _e102 = missed_1;
-            bool _e103 = skipped(group_5.start, _e101, _e102);
-            if (!(_e103)) {
-                uint _e105 = hidden;
-                uint _e106 = i_24;
-                uint _e107 = behindFlat(group_5, _e106, _e87);
-                hidden = (_e105 | _e107);
+            uint _e18 = base_1;
+            uint _e19 = candidates(group_6, _e8, _e18);
+            rest = _e19;
+            while(true) {
+                uint _e21 = rest;
+                if ((_e21 != 0u)) {
+                } else {
+                    break;
+                }
+                {
+                    uint _e24 = base_1;
+                    uint _e25 = rest;
+                    uint _e26 = lowestBit(_e25);
+                    uint i_25 = (_e24 + _e26);
+                    Bounds _e28 = fetchBounds(i_25);
+                    bool _e29 = isSphere(i_25);
+                    if (_e29) {
+                        uint _e30 = hidden;
+                        uint _e31 = behindSphere(group_6, i_25, _e28, _e8);
+                        hidden = (_e30 | _e31);
+                    } else {
+                        bool _e33 = isFlat(i_25);
+                        if (_e33) {
+                            uint _e34 = hidden;
+                            uint _e35 = behindFlat(group_6, i_25, _e28);
+                            hidden = (_e34 | _e35);
+                        } else {
+                            uint _e37 = hidden;
+                            uint _e38 = behindBox(group_6, i_25, _e28, _e8);
+                            hidden = (_e37 | _e38);
+                        }
+                    }
+                    uint _e40 = rest;
+                    uint _e41 = rest;
+                    uint _e46 = hidden;
+                    rest = ((_e46 == _e1) ? 0u : (_e40 & (_e41 - 1u)));
+                }
             }
         }
     }
-    uint _e112 = hidden;
-    return _e112;
+    uint _e52 = hidden;
+    return _e52;
 }
 
 vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
@@ -971,32 +879,32 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
 
 vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, uint sampleCount) {
     vec3 color = vec3(0.0);
-    uint i_25 = 0u;
+    uint i_23 = 0u;
     vec3 sum_2 = vec3(0.0);
     uint first = 0u;
     uint k_5 = 0u;
     bool loop_init_12 = true;
     while(true) {
         if (!loop_init_12) {
-            uint _e78 = i_25;
-            i_25 = (_e78 + 1u);
+            uint _e78 = i_23;
+            i_23 = (_e78 + 1u);
         }
         loop_init_12 = false;
-        uint _e10 = i_25;
+        uint _e10 = i_23;
         uint _e13 = frame.lightCount;
         if ((_e10 < _e13)) {
         } else {
             break;
         }
         {
-            uint _e15 = i_25;
+            uint _e15 = i_23;
             Light _e16 = fetchLight(_e15);
             vec3 _e17 = color;
             color = (_e17 + (_e16.ambient * m_1.baseColor));
             if ((dot(p_1.normal, (_e16.center - p_1.start.point)) <= -(_e16.radius))) {
                 continue;
             }
-            uint _e31 = i_25;
+            uint _e31 = i_23;
             LightSampler _e32 = lightSampler(sampleCount, pixelHash_1, _e31, reflection_1);
             sum_2 = vec3(0.0);
             first = 0u;
@@ -1014,10 +922,10 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                 }
                 {
                     uint _e40 = first;
-                    uint count_4 = min((sampleCount - _e40), 32u);
+                    uint count_5 = min((sampleCount - _e40), 32u);
                     uint _e47 = first;
-                    SampleGroup group_6 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_4);
-                    uint _e49 = hiddenSamples(group_6);
+                    SampleGroup group_7 = SampleGroup(p_1.start, _e16.center, _e16.radius, _e32, _e47, count_5);
+                    uint _e49 = hiddenSamples(group_7);
                     k_5 = 0u;
                     bool loop_init_14 = true;
                     while(true) {
@@ -1027,7 +935,7 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                         }
                         loop_init_14 = false;
                         uint _e52 = k_5;
-                        if ((_e52 < count_4)) {
+                        if ((_e52 < count_5)) {
                         } else {
                             break;
                         }
@@ -1036,7 +944,7 @@ vec3 shade(SurfacePoint p_1, Material m_1, uint pixelHash_1, uint reflection_1, 
                             if ((((_e49 >> _e54) & 1u) == 0u)) {
                                 vec3 _e60 = sum_2;
                                 uint _e61 = k_5;
-                                vec3 _e62 = toSample(group_6, _e61);
+                                vec3 _e62 = toSample(group_7, _e61);
                                 vec3 _e63 = sampleLight(p_1, m_1, _e16, _e62);
                                 sum_2 = (_e60 + _e63);
                             }
@@ -1058,7 +966,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     float weight = 1.0;
     vec3 radiance = vec3(0.0);
     uint reflection_2 = 0u;
-    bool local_16 = false;
+    bool local = false;
     ray_8 = first_1;
     bool loop_init_15 = true;
     while(true) {
@@ -1106,11 +1014,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
             vec3 normal_3 = (seenFromBack ? -(_e55) : _e55);
             if (seenFromBack) {
                 bool _e67 = isFlat(_e15.shape);
-                local_16 = !(_e67);
+                local = !(_e67);
             } else {
-                local_16 = false;
+                local = false;
             }
-            bool _e70 = local_16;
+            bool _e70 = local;
             Start _e71 = onSurface(position, _e15.shape, _e70);
             Material _e73 = fetchMaterial(_e15.shape);
             vec3 _e75 = ray_8.direction;

@@ -271,7 +271,7 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   let far = along + half;
   let t = select(far, near, near > tMin);
   // From the surface itself the far side cannot be missed, whatever rounding says.
-  return select(select(miss, t, discriminant >= 0.0 && t > tMin), max(far, 0.0), startsInside);
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
 }
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
@@ -312,7 +312,7 @@ fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, sta
   let s = boxSlabs(origin, direction, halfSize);
   let t = select(s.far, s.near, s.near > tMin);
   // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
-  return select(select(miss, t, s.near <= s.far && t > tMin), max(s.far, 0.0), startsInside);
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
 }
 
 // v turned by the unit quaternion q, and back.
@@ -366,8 +366,8 @@ fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: ve
   let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
   let p = t * direction - toCenter;
   let reach = 0.5 + quadOverlap;
-  let within = abs(dot(p, reciprocalU)) <= reach && abs(dot(p, reciprocalV)) <= reach;
-  return select(miss, t, t > tMin && t < miss && within);
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
 }
 
 // Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
@@ -381,7 +381,7 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
-  return select(miss, t, t > tMin && abs(speed) > parallel);
+  return select(miss, t, (t > tMin) & (abs(speed) > parallel));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
@@ -437,7 +437,7 @@ fn isPlane(i: u32) -> bool {
 // to be near, so that thin boxes have two sides. One axis only, on edges too.
 fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
   let s = boxSlabs(origin, direction, halfSize);
-  let entering = s.near > tMin && !startsInside;
+  let entering = (s.near > tMin) & !startsInside;
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
@@ -492,39 +492,21 @@ struct SampleGroup {
 // Bit k set: sample k of the group is hidden.
 fn hiddenSamples(group: SampleGroup) -> u32 {
   let all = everySample(group);
-  let ends = frame.shapeEnds;
   let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
   var hidden = 0u;
-  for (var i = 0u; i < ends.x && hidden != all; i++) {
-    let bounds = fetchBounds(i);
-    let place = placeBall(cone, bounds.center);
-    if (skipped(group.start, i, coneMissesBall(cone, place, bounds.radius))) {
-      continue;
-    }
-    if (ballHidesLight(cone, place, bounds.radius)) {
-      hidden = all;
-    } else {
-      hidden |= behindSphere(group, i, bounds);
-    }
-  }
-  for (var i = ends.x; i < ends.y && hidden != all; i++) {
-    let bounds = fetchBounds(i);
-    let place = placeBall(cone, bounds.center);
-    if (skipped(group.start, i, coneMissesBall(cone, place, bounds.radius))) {
-      continue;
-    }
-    hidden |= behindBox(group, i, bounds, cone, place.along + bounds.radius);
-  }
-  for (var i = ends.y; i < frame.occluderEnd && hidden != all; i++) {
-    let bounds = fetchBounds(i);
-    var missed = false;
-    if (isPlane(i)) {
-      missed = !coneMeetsPlane(cone, bounds.center, bounds.radius);
-    } else {
-      missed = coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius);
-    }
-    if (!skipped(group.start, i, missed)) {
-      hidden |= behindFlat(group, i, bounds);
+  for (var base = 0u; base < frame.occluderEnd; base += 32u) {
+    var rest = candidates(group, cone, base);
+    while (rest != 0u) {
+      let i = base + lowestBit(rest);
+      let bounds = fetchBounds(i);
+      if (isSphere(i)) {
+        hidden |= behindSphere(group, i, bounds, cone);
+      } else if (isFlat(i)) {
+        hidden |= behindFlat(group, i, bounds);
+      } else {
+        hidden |= behindBox(group, i, bounds, cone);
+      }
+      rest = select(rest & (rest - 1u), 0u, hidden == all);
     }
   }
   return hidden;
@@ -587,24 +569,43 @@ fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone
   return ShadowCone(apex, toLight / distance, distance - reach, distance + reach, sine, cosine, select(sine / cosine, everywhere, cosine < 1e-3));
 }
 
-fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
-  let toBall = center - cone.apex;
-  let along = dot(toBall, cone.axis);
-  // Not by Pythagoras: the difference of two large squares hides small balls that are far away.
-  return BallPlace(along, length(toBall - along * cone.axis));
+// Bit i − base set: the cone may meet occluder i, of the 32 from `base` on. No branches: a machine that draws in software takes
+// next to nothing for this loop.
+fn candidates(group: SampleGroup, cone: ShadowCone, base: u32) -> u32 {
+  let end = min(frame.occluderEnd, base + 32u);
+  let ballEnd = min(frame.shapeEnds.z, end);
+  var found = 0u;
+  for (var i = base; i < ballEnd; i++) {
+    let bounds = fetchBounds(i);
+    found |= select(1u, 0u, coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius)) << (i - base);
+  }
+  for (var i = max(base, ballEnd); i < end; i++) {
+    let bounds = fetchBounds(i);
+    found |= select(0u, 1u, coneMeetsPlane(cone, bounds.center, bounds.radius)) << (i - base);
+  }
+  // The solid that the rays start inside of counts always, whatever rounding says; what they leave, never.
+  let inside = group.start.inside - base;
+  let leaves = group.start.leaves - base;
+  found |= select(0u, 1u << (inside & 31u), inside < 32u);
+  return found & ~select(0u, 1u << (leaves & 31u), leaves < 32u);
 }
 
-// What the cone misses; never the solid that the rays start inside of, where rounding might say so.
-fn skipped(start: Start, i: u32, missed: bool) -> bool {
-  return i == start.leaves || (missed && i != start.inside);
+// Index of the lowest set bit: the exponent of that power of two as a float. (WebGL2 has no instruction for it.)
+fn lowestBit(bits: u32) -> u32 {
+  return (bitcast<u32>(f32(bits & (~bits + 1u))) >> 23u) - 127u;
 }
 
-// True only when no ray of the cone meets the ball. The distance from the cone's mantle is across · cos − along · sin. Maxima in place
-// of conditions: software rasterisers and compilers both take them faster.
-fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
-  let beside = ball.across * cone.cosine - ball.along * cone.sine;
-  let outside = max(max(beside, -ball.along), ball.along - cone.end);
-  return outside > select(radius, everywhere, cone.tangent == everywhere);
+// Bit k set: sample k of the group is behind the sphere, box or flat shape i, which the cone may meet.
+fn behindSphere(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone) -> u32 {
+  let hides = ballHidesLight(cone, placeBall(cone, bounds.center), bounds.radius) & (i != group.start.inside);
+  var bits = select(0u, everySample(group), hides);
+  let count = select(group.count, 0u, hides);
+  for (var k = 0u; k < count; k++) {
+    let d = toSample(group, k);
+    let inverse = inverseSqrt(dot(d, d));
+    bits |= select(0u, 1u, hitSphere(i, bounds, Ray(group.start, d * inverse)) * inverse < 1.0) << k;
+  }
+  return bits;
 }
 
 // True only when every ray of the cone goes through the ball on its way to the light. The margin covers rounding.
@@ -613,23 +614,12 @@ fn ballHidesLight(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
   return min(min(covers, ball.along - radius), cone.start - ball.along - radius) > 0.0;
 }
 
-// Bit k set: sample k of the group is behind the sphere, box or flat shape i, whose ball the cone meets.
-fn behindSphere(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
-  var bits = 0u;
-  for (var k = 0u; k < group.count; k++) {
-    let d = toSample(group, k);
-    let inverse = inverseSqrt(dot(d, d));
-    bits |= select(0u, 1u << k, hitSphere(i, bounds, Ray(group.start, d * inverse)) * inverse < 1.0);
-  }
-  return bits;
+fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
+  let toBall = center - cone.apex;
+  let along = dot(toBall, cone.axis);
+  // Not by Pythagoras: the difference of two large squares hides small balls that are far away.
+  return BallPlace(along, length(toBall - along * cone.axis));
 }
-
-// Where a ball lies to the cone.
-struct BallPlace {
-  along: f32,
-  across: f32,
-}
-
 
 struct ShadowCone {
   apex: vec3f,
@@ -643,14 +633,37 @@ struct ShadowCone {
 }
 
 
-// Farther than any scene. For a point among the sample points themselves, where there is no cone.
-const everywhere = 1e30;
+// Where a ball lies to the cone.
+struct BallPlace {
+  along: f32,
+  across: f32,
+}
 
-fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone, end: f32) -> u32 {
+
+fn behindFlat(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
+  let plane = isPlane(i);
+  var bits = 0u;
+  for (var k = 0u; k < group.count; k++) {
+    let d = toSample(group, k);
+    let inverse = inverseSqrt(dot(d, d));
+    let ray = Ray(group.start, d * inverse);
+    var t = miss;
+    if (plane) {
+      t = hitPlane(i, bounds, ray);
+    } else {
+      t = hitQuad(i, bounds, ray);
+    }
+    bits |= select(0u, 1u << k, t * inverse < 1.0);
+  }
+  return bits;
+}
+
+fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone) -> u32 {
   let extent = fetchExtent(i);
   let turned = isTurned(extent.a);
   var origin = group.start.point - bounds.center;
   var axis = cone.axis;
+  let end = bounds.radius - dot(origin, axis);
   if (turned) {
     origin = rotate(extent.a, origin);
     axis = rotate(extent.a, axis);
@@ -667,7 +680,7 @@ fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone, end: 
       direction = rotate(extent.a, direction);
     }
     let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, startsInside);
-    bits |= select(0u, 1u << k, t * inverse < 1.0);
+    bits |= select(0u, 1u, t * inverse < 1.0) << k;
   }
   return bits;
 }
@@ -687,8 +700,8 @@ fn placeBox(cone: ShadowCone, apex: vec3f, axis: vec3f, halfSize: vec3f, end: f3
   let near = max3(low + margin);
   let through = min(min(min3(high - margin) - near, near), cone.start - near) > 0.0;
   let apexOutside = max3(abs(apex) - halfSize) > 0.0;
-  let hides = through && apexOutside && min3(halfSize) > radius;
-  return select(boxMissed, select(boxMet, boxHidesLight, hides), met || cone.tangent == everywhere);
+  let hides = through & apexOutside & (min3(halfSize) > radius);
+  return select(boxMissed, select(boxMet, boxHidesLight, hides), met | (cone.tangent == everywhere));
 }
 
 const boxMet = 1u;
@@ -707,29 +720,22 @@ fn min3(v: vec3f) -> f32 {
 // box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
 const boxMissed = 0u;
 
+// Farther than any scene. For a point among the sample points themselves, where there is no cone.
+const everywhere = 1e30;
+
+// True only when no ray of the cone meets the ball. The distance from the cone's mantle is across · cos − along · sin. Maxima in place
+// of conditions: software rasterisers and compilers both take them faster.
+fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
+  let beside = ball.across * cone.cosine - ball.along * cone.sine;
+  let outside = max(max(beside, -ball.along), ball.along - cone.end);
+  return outside > select(radius, everywhere, cone.tangent == everywhere);
+}
+
 // Whether a plane lies between the apex and some sample point.
 fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
   let here = dot(normal, cone.apex) - offset;
   let there = here + dot(normal, cone.axis) * 0.5 * (cone.start + cone.end);
-  return here * there <= 0.0 || abs(there) <= 0.5 * (cone.end - cone.start);
-}
-
-fn behindFlat(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
-  let plane = isPlane(i);
-  var bits = 0u;
-  for (var k = 0u; k < group.count; k++) {
-    let d = toSample(group, k);
-    let inverse = inverseSqrt(dot(d, d));
-    let ray = Ray(group.start, d * inverse);
-    var t = miss;
-    if (plane) {
-      t = hitPlane(i, bounds, ray);
-    } else {
-      t = hitQuad(i, bounds, ray);
-    }
-    bits |= select(0u, 1u << k, t * inverse < 1.0);
-  }
-  return bits;
+  return min(here * there, abs(there) - 0.5 * (cone.end - cone.start)) <= 0.0;
 }
 
 // How far the points reach from the light's centre, in radii.

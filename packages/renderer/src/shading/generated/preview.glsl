@@ -103,7 +103,6 @@ Hit nearer(Hit hit, float t, uint shape) {
 }
 
 float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
-    bool local_1 = false;
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction_1);
     vec3 across = (toCenter - (along * direction_1));
@@ -112,13 +111,7 @@ float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, 
     float near = (along - half_);
     float far = (along + half_);
     float t_2 = ((near > tMin) ? near : far);
-    if ((discriminant >= 0.0)) {
-        local_1 = (t_2 > tMin);
-    } else {
-        local_1 = false;
-    }
-    bool _e26 = local_1;
-    return (startsInside ? max(far, 0.0) : (_e26 ? t_2 : 1e30));
+    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_2 > tMin)) ? t_2 : 1e30));
 }
 
 float hitSphere(uint i_1, Bounds bounds, Ray ray_1) {
@@ -161,16 +154,9 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_2, vec3 halfSize) {
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    bool local_2 = false;
     Slabs _e5 = boxSlabs(origin_3, direction_3, halfSize_1);
     float t_4 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    if ((_e5.near <= _e5.far)) {
-        local_2 = (t_4 > tMin_1);
-    } else {
-        local_2 = false;
-    }
-    bool _e18 = local_2;
-    return (startsInside_1 ? max(_e5.far, 0.0) : (_e18 ? t_4 : 1e30));
+    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_4 > tMin_1)) ? t_4 : 1e30));
 }
 
 float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
@@ -195,33 +181,13 @@ float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    bool local_3 = false;
-    bool local_4 = false;
-    bool local_5 = false;
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_5, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_5 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p = ((t_5 * direction_5) - toCenter_1);
-    if ((abs(dot(p, reciprocalU)) <= 0.500001)) {
-        local_3 = (abs(dot(p, reciprocalV)) <= 0.500001);
-    } else {
-        local_3 = false;
-    }
-    bool within = local_3;
-    if ((t_5 > tMin_2)) {
-        local_4 = (t_5 < 1e30);
-    } else {
-        local_4 = false;
-    }
-    bool _e34 = local_4;
-    if (_e34) {
-        local_5 = within;
-    } else {
-        local_5 = false;
-    }
-    bool _e38 = local_5;
-    return (_e38 ? t_5 : 1e30);
+    bool within = (max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= 0.500001);
+    return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within) ? t_5 : 1e30);
 }
 
 float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
@@ -231,16 +197,9 @@ float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
-    bool local_6 = false;
     float speed_1 = dot(direction_6, normal_1);
     float t_6 = ((offset - dot(origin_6, normal_1)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    if ((t_6 > tMin_3)) {
-        local_6 = (abs(speed_1) > 1e-12);
-    } else {
-        local_6 = false;
-    }
-    bool _e20 = local_6;
-    return (_e20 ? t_6 : 1e30);
+    return (((t_6 > tMin_3) && (abs(speed_1) > 1e-12)) ? t_6 : 1e30);
 }
 
 float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {
@@ -370,14 +329,8 @@ bool isFlat(uint i_13) {
 }
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    bool local_7 = false;
     Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
-    if ((_e5.near > tMin_4)) {
-        local_7 = !(startsInside_2);
-    } else {
-        local_7 = false;
-    }
-    bool entering = local_7;
+    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_7 = (entering ? _e5.near : _e5.far);
     vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
