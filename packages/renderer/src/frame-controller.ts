@@ -6,8 +6,11 @@
  * canvas costs something whatever the film's size, and a smaller film cannot buy that back.
  */
 
-/** Longest stretch of device work in one submit, milliseconds: far below any watchdog, and short enough for a page to be used meanwhile. */
-const LONGEST_SUBMIT_MS = 100;
+/**
+ * Longest stretch of device work in one submit, milliseconds: short enough for a page to be used meanwhile while it shows moving
+ * pictures, and where a single picture is waited for, still far below any watchdog (browsers give up after seconds).
+ */
+const LONGEST_SUBMIT_MS = { watched: 100, awaited: 300 };
 /** Share of the frame's time that the device may take; the rest is the browser's. */
 const SHARE = 0.8;
 /** Film pixels to try before anything is known. */
@@ -25,6 +28,8 @@ const TRY_LARGER = 24;
 const LARGER = 1.3;
 
 export class FrameController {
+  /** Whether frame follows frame on the screen, or one picture is waited for. */
+  watched = true;
   // Decayed sums over frames of 1, pixels, milliseconds, pixels², pixels · milliseconds.
   #n = 0;
   #x = 0;
@@ -92,9 +97,8 @@ export class FrameController {
   /** Rows of this width that one submit may have. */
   rowsPerSubmit(width: number): number {
     const cost = this.cost;
-    const pixels = cost
-      ? (LONGEST_SUBMIT_MS - Math.min(cost.fixed, LONGEST_SUBMIT_MS / 2)) / cost.perPixel
-      : FIRST_PIXELS;
+    const longest = LONGEST_SUBMIT_MS[this.watched ? 'watched' : 'awaited'];
+    const pixels = cost ? (longest - Math.min(cost.fixed, longest / 2)) / cost.perPixel : FIRST_PIXELS;
     return Math.max(Math.floor(pixels / width), 1);
   }
 }

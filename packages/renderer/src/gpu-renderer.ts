@@ -131,6 +131,7 @@ export class GpuRenderer implements Renderer {
 
   start(): void {
     if (this.running || this.#gone !== null) return;
+    this.#controller.watched = true;
     this.#lastTick = null;
     this.#frameRequest = requestAnimationFrame(this.#tick);
   }
@@ -192,6 +193,7 @@ export class GpuRenderer implements Renderer {
 
   /** Resolves to false when the device was lost on the way. */
   async #renderWith(painter: Painter): Promise<boolean> {
+    this.#controller.watched = this.running;
     if (!this.running) await painter.stages.ready();
     if (!painter.free) painter.refresh();
     while (!painter.free && painter === this.#painter) await pause(4);
