@@ -12,6 +12,8 @@ export default defineConfig({
   // One at a time: SwiftShader uses every core already, and two pages at once would only time out.
   workers: 1,
   timeout: 90_000,
+  // A busy machine may drop a frame or a click; what fails twice is broken. Such a test is reported as flaky, not hidden.
+  retries: process.env.CI ? 1 : 0,
   expect: { timeout: 20_000 },
   forbidOnly: Boolean(process.env.CI),
   reporter: 'list',

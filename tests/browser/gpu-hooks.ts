@@ -10,6 +10,8 @@ export interface GpuHooks {
   /** Draw calls so far, and the most pixels of one, into anything but the canvas. */
   draws: number;
   largestDraw: number;
+  /** Pixels of the first draw since this was set to 0. */
+  firstDraw: number;
   /** How often a canvas was drawn. */
   presented: number;
   /** Frames that the page waits for now, and the most that it ever waited for at once. */
@@ -35,8 +37,8 @@ export async function hookGpu(page: Page): Promise<void> {
 
 export const hooks = (page: Page) =>
   page.evaluate(() => {
-    const { compiled, buffers, textures, draws, largestDraw, waiting, mostWaiting } = window.gpuHooks;
-    return { compiled, buffers, textures, draws, largestDraw, waiting, mostWaiting };
+    const { compiled, buffers, textures, draws, largestDraw, firstDraw, waiting, mostWaiting } = window.gpuHooks;
+    return { compiled, buffers, textures, draws, largestDraw, firstDraw, waiting, mostWaiting };
   });
 
 /** Runs in the page, before its own scripts, and so holds all that it needs. */
@@ -69,6 +71,7 @@ function installGpuHooks(): void {
     textures: 0,
     draws: 0,
     largestDraw: 0,
+    firstDraw: 0,
     presented: 0,
     waiting: 0,
     mostWaiting: 0,
@@ -109,6 +112,7 @@ function installGpuHooks(): void {
   };
   const drawn = (pixels: number) => {
     hooks.draws++;
+    hooks.firstDraw ||= pixels;
     hooks.largestDraw = Math.max(hooks.largestDraw, pixels);
   };
 

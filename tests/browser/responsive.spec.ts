@@ -31,7 +31,7 @@ for (const backend of backends)
         const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
         const renderer = window.mirrorball.renderer!;
         await renderer.render();
-        Object.assign(window.gpuHooks, { largestDraw: 0, mostWaiting: 0 });
+        Object.assign(window.gpuHooks, { largestDraw: 0, firstDraw: 0, mostWaiting: 0 });
         renderer.set({ maxReflections: 64, lightSamples: 256 });
         let most = 0;
         for (let i = 0, before = performance.now(); i < 40; i++) {
@@ -43,11 +43,12 @@ for (const backend of backends)
         return most;
       });
       const milliseconds = Math.round(await longest);
-      const { largestDraw, mostWaiting } = await hooks(page);
+      const { largestDraw, firstDraw, mostWaiting } = await hooks(page);
       console.log(
-        `  ${backend}: at most ${largestDraw} pixels a submit, ${milliseconds} ms between frames of the page`,
+        `  ${backend}: first ${firstDraw}, at most ${largestDraw} pixels a submit, ${milliseconds} ms between frames of the page`,
       );
-      expect(largestDraw, 'the picture is drawn in parts').toBeLessThan((160 * 160) / 4);
+      // Once the cost is measured the parts may grow as far as the machine is fast.
+      expect(firstDraw, 'the picture is begun with a small part').toBeLessThan((160 * 160) / 4);
       // Two of a sample, and the first of the next.
       expect(mostWaiting).toBeLessThanOrEqual(3);
       await page.evaluate(() => window.mirrorball.renderer!.set({ maxReflections: 1, lightSamples: 1 }));
