@@ -41,7 +41,7 @@ test('sums wrap at 2³² (seed 2)', () => {
     ];
     const h = pcgBig(BigInt(i) + pcgBig(BigInt(j) + pcgBig(BigInt(s) + pcgBig(BigInt(seed)))));
     expect(hashOfSample(i, j, s, seed)).toBe(Number(h));
-    const first = pcgBig(h + 64n * 3n + 7n);
+    const first = pcgBig(h + 128n * 3n + 7n);
     const units = [first, pcgBig(first)].map((bits) => Number(bits >> 8n) / 2 ** 24);
     expect(lightRandoms(Number(h), 3, 7)).toEqual(units);
   }

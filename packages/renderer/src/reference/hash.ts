@@ -16,6 +16,6 @@ const toUnit = (bits: number): number => (bits >>> 8) * 2 ** -24;
 
 /** ξ₁ and ξ₂ for the points on one light seen from one point of the path. */
 export function lightRandoms(h: number, light: number, reflection: number): [number, number] {
-  const first = pcg(h + 64 * light + reflection);
+  const first = pcg(h + 128 * light + reflection);
   return [toUnit(first), toUnit(pcg(first))];
 }

@@ -6,7 +6,8 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
   var ray = first;
   var weight = 1.0;
   var radiance = vec3f(0.0);
-  for (var reflection = 0u; reflection <= maxReflections; reflection++) {
+  var reflection = 0u;
+  loop {
     let hit = closestHit(ray);
     let seen = closestBall(ray, hit.t);
     radiance += weight * halo(ray, seen.t);
@@ -27,10 +28,11 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
     let point = SurfacePoint(start, normal, -ray.direction);
     radiance += weight * (1.0 - material.reflectivity) * shade(point, material, hash, reflection, lightSamples);
     weight *= material.reflectivity;
-    if (weight < leastWeight) {
+    ray = Ray(start, reflect(ray.direction, normal));
+    reflection++;
+    if ((reflection > maxReflections) | (weight < leastWeight)) {
       break;
     }
-    ray = Ray(start, reflect(ray.direction, normal));
   }
   return radiance;
 }
@@ -68,20 +70,46 @@ struct Start {
 }
 
 
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn closestHit(ray: Ray) -> Hit {
   var hit = Hit(miss, noShape);
   let ends = frame.shapeEnds;
-  for (var i = 0u; i < ends.x; i++) {
-    hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+  var i = 0u;
+  if (i < ends.x) {
+    loop {
+      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
   }
-  for (var i = ends.x; i < ends.y; i++) {
-    hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+  if (i < ends.y) {
+    loop {
+      hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
   }
-  for (var i = ends.y; i < ends.z; i++) {
-    hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+  if (i < ends.z) {
+    loop {
+      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
   }
-  for (var i = ends.z; i < ends.w; i++) {
-    hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+  if (i < ends.w) {
+    loop {
+      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
   }
   return hit;
 }
@@ -89,14 +117,19 @@ fn closestHit(ray: Ray) -> Hit {
 // The nearest visible ball in front of distance t.
 fn closestBall(ray: Ray, t: f32) -> SeenLight {
   var seen = SeenLight(t, vec3f(0.0));
-  for (var i = 0u; i < frame.seenLightEnd; i++) {
+  if (frame.seenLightEnd == 0u) {
+    return seen;
+  }
+  var i = 0u;
+  loop {
     let light = fetchLight(i);
-    if (light.visible < 0.0) {
-      continue;
-    }
     let distance = intersectSphere(ray.start.point, ray.direction, light.center, light.radius, ray.start.tMin, false);
-    if (distance < seen.t) {
+    if ((light.visible >= 0.0) & (distance < seen.t)) {
       seen = SeenLight(distance, light.visible * light.diffuse);
+    }
+    i++;
+    if (i >= frame.seenLightEnd) {
+      break;
     }
   }
   return seen;
@@ -105,16 +138,21 @@ fn closestBall(ray: Ray, t: f32) -> SeenLight {
 // Light that haze along the first t metres of the ray sends back: the falloff 1 / d^2, integrated.
 fn halo(ray: Ray, t: f32) -> vec3f {
   var sum = vec3f(0.0);
-  for (var i = 0u; i < frame.seenLightEnd; i++) {
+  if (frame.seenLightEnd == 0u) {
+    return sum;
+  }
+  var i = 0u;
+  loop {
     let light = fetchLight(i);
-    if (light.halo <= 0.0) {
-      continue;
-    }
     let toLight = light.center - ray.start.point;
     let along = dot(toLight, ray.direction);
     let across = toLight - along * ray.direction;
     let b = max(length(across), light.radius);
-    sum += light.halo * light.diffuse * ((atan((min(t, haloEnd) - along) / b) + atan(along / b)) / b);
+    sum += max(light.halo, 0.0) * light.diffuse * ((atan((min(t, haloEnd) - along) / b) + atan(along / b)) / b);
+    i++;
+    if (i >= frame.seenLightEnd) {
+      break;
+    }
   }
   return sum;
 }
@@ -168,26 +206,21 @@ struct SurfacePoint {
 
 fn shade(p: SurfacePoint, m: Material, pixelHash: u32, reflection: u32, sampleCount: u32) -> vec3f {
   var color = vec3f(0.0);
-  for (var i = 0u; i < frame.lightCount; i++) {
+  if (frame.lightCount == 0u) {
+    return color;
+  }
+  var i = 0u;
+  loop {
     let light = fetchLight(i);
     color += light.ambient * m.baseColor;
-    // Wholly behind the surface.
-    if (dot(p.normal, light.center - p.start.point) <= -light.radius) {
-      continue;
+    // Not wholly behind the surface.
+    if (dot(p.normal, light.center - p.start.point) > -light.radius) {
+      color += sampled(p, m, light, lightSampler(sampleCount, pixelHash, i, reflection));
     }
-    let samples = lightSampler(sampleCount, pixelHash, i, reflection);
-    var sum = vec3f(0.0);
-    for (var first = 0u; first < sampleCount; first += 32u) {
-      let count = min(sampleCount - first, 32u);
-      let group = SampleGroup(p.start, light.center, light.radius, samples, first, count);
-      let hidden = hiddenSamples(group);
-      for (var k = 0u; k < count; k++) {
-        if (((hidden >> k) & 1u) == 0u) {
-          sum += sampleLight(p, m, light, toSample(group, k));
-        }
-      }
+    i++;
+    if (i >= frame.lightCount) {
+      break;
     }
-    color += sum / f32(sampleCount);
   }
   return color;
 }
@@ -473,10 +506,44 @@ struct Material {
 }
 
 
+// Diffuse and highlight, the mean of all sample points.
+fn sampled(p: SurfacePoint, m: Material, light: Light, samples: LightSampler) -> vec3f {
+  var sum = vec3f(0.0);
+  var first = 0u;
+  loop {
+    let group = SampleGroup(p.start, light.center, light.radius, samples, first, min(samples.count - first, 32u), firstTurn(samples, first));
+    let hidden = hiddenSamples(group);
+    var turn = group.turn;
+    var k = 0u;
+    loop {
+      if (((hidden >> k) & 1u) == 0u) {
+        sum += sampleLight(p, m, light, toSample(group, k, turn));
+      }
+      turn = nextTurn(turn);
+      k++;
+      if (k >= group.count) {
+        break;
+      }
+    }
+    first += 32u;
+    if (first >= samples.count) {
+      break;
+    }
+  }
+  return sum / f32(samples.count);
+}
+
 fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> LightSampler {
-  let h = pcg(pixelHash + 64u * light + reflection);
+  let h = pcg(pixelHash + 128u * light + reflection);
   return LightSampler(count, vec2f(unitFloat(h), unitFloat(pcg(h))));
 }
+
+struct LightSampler {
+  count: u32,
+  // Turns the Fibonacci lattice, different for each pixel, film sample, reflection and light.
+  shift: vec2f,
+}
+
 
 // The samples first … first + count − 1 of a light seen from one point, at most 32.
 struct SampleGroup {
@@ -486,30 +553,58 @@ struct SampleGroup {
   points: LightSampler,
   first: u32,
   count: u32,
+  // The turn of the first: see samplePoint.
+  turn: vec2f,
 }
 
 
+// Point k + 1 of the lattice lies one golden angle further round than point k: a rotation in place of a cosine and a sine, which cost
+// more than all else here, and without branches both kinds of points are computed.
+fn firstTurn(s: LightSampler, k: u32) -> vec2f {
+  let phi = 6.283185307 * fract(f32(k) * 0.61803398875 + s.shift.y);
+  return vec2f(cos(phi), sin(phi));
+}
+
 // Bit k set: sample k of the group is hidden.
 fn hiddenSamples(group: SampleGroup) -> u32 {
+  var hidden = 0u;
+  if (frame.occluderEnd == 0u) {
+    return hidden;
+  }
   let all = everySample(group);
   let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
-  var hidden = 0u;
-  for (var base = 0u; base < frame.occluderEnd; base += 32u) {
+  var base = 0u;
+  loop {
     var rest = candidates(group, cone, base);
-    while (rest != 0u) {
-      let i = base + lowestBit(rest);
-      let bounds = fetchBounds(i);
-      if (isSphere(i)) {
-        hidden |= behindSphere(group, i, bounds, cone);
-      } else if (isFlat(i)) {
-        hidden |= behindFlat(group, i, bounds);
-      } else {
-        hidden |= behindBox(group, i, bounds, cone);
+    if (rest != 0u) {
+      loop {
+        let i = base + lowestBit(rest);
+        if (isSphere(i)) {
+          hidden |= behindSphere(group, i, cone);
+        } else if (isFlat(i)) {
+          hidden |= behindFlat(group, i);
+        } else {
+          hidden |= behindBox(group, i, cone);
+        }
+        rest &= rest - 1u;
+        if ((rest == 0u) | (hidden == all)) {
+          break;
+        }
       }
-      rest = select(rest & (rest - 1u), 0u, hidden == all);
+    }
+    base += 32u;
+    if ((base >= frame.occluderEnd) | (hidden == all)) {
+      break;
     }
   }
   return hidden;
+}
+
+fn nextTurn(turn: vec2f) -> vec2f {
+  // Cosine and sine of 2 pi * 0.61803398875.
+  let c = -0.7373688781;
+  let s = -0.6754902942;
+  return vec2f(turn.x * c - turn.y * s, turn.x * s + turn.y * c);
 }
 
 // Light of one unoccluded sample point, w included.
@@ -527,32 +622,20 @@ fn sampleLight(p: SurfacePoint, m: Material, light: Light, toLight: vec3f) -> ve
   return c * (light.power / distance2);
 }
 
-fn toSample(group: SampleGroup, k: u32) -> vec3f {
-  return group.center + group.radius * samplePoint(group.points, group.first + k) - group.start.point;
+// From the surface to sample k of the group, `turn` being its turn of the lattice.
+fn toSample(group: SampleGroup, k: u32, turn: vec2f) -> vec3f {
+  return group.center + group.radius * samplePoint(group.points, group.first + k, turn) - group.start.point;
 }
 
 // Point k relative to the centre, in radii.
-fn samplePoint(s: LightSampler, k: u32) -> vec3f {
-  if (s.count == 1u) {
-    return vec3f(0.0);
-  }
+fn samplePoint(s: LightSampler, k: u32, turn: vec2f) -> vec3f {
   let i = f32(k);
-  if (s.count == 9u) {
-    let row = floor((i + 0.5) * 0.33333334);
-    return vec3f(0.5 * (i - 3.0 * row) - 0.5, 0.0, 0.5 * row - 0.5);
-  }
+  let row = floor((i + 0.5) * 0.33333334);
+  let fixed9 = vec3f(0.5 * (i - 3.0 * row) - 0.5, 0.0, 0.5 * row - 0.5);
   let z = 1.0 - 2.0 * (i + s.shift.x) / f32(s.count);
-  let phi = 6.283185307 * fract(i * 0.61803398875 + s.shift.y);
-  let r = sqrt(max(1.0 - z * z, 0.0));
-  return vec3f(r * cos(phi), r * sin(phi), z);
+  let lattice = vec3f(sqrt(max(1.0 - z * z, 0.0)) * turn, z);
+  return select(select(lattice, fixed9, s.count == 9u), vec3f(0.0), s.count == 1u);
 }
-
-struct LightSampler {
-  count: u32,
-  // Turns the Fibonacci lattice, different for each pixel, film sample, reflection and light.
-  shift: vec2f,
-}
-
 
 // All bits of the group.
 fn everySample(group: SampleGroup) -> u32 {
@@ -569,19 +652,20 @@ fn shadowCone(apex: vec3f, center: vec3f, radius: f32, count: u32) -> ShadowCone
   return ShadowCone(apex, toLight / distance, distance - reach, distance + reach, sine, cosine, select(sine / cosine, everywhere, cosine < 1e-3));
 }
 
-// Bit i − base set: the cone may meet occluder i, of the 32 from `base` on. No branches: a machine that draws in software takes
-// next to nothing for this loop.
+// Bit i − base set: the cone may meet occluder i, of the 32 from `base` on. No branches, so that it takes next to nothing.
 fn candidates(group: SampleGroup, cone: ShadowCone, base: u32) -> u32 {
   let end = min(frame.occluderEnd, base + 32u);
-  let ballEnd = min(frame.shapeEnds.z, end);
   var found = 0u;
-  for (var i = base; i < ballEnd; i++) {
+  var i = base;
+  loop {
     let bounds = fetchBounds(i);
-    found |= select(1u, 0u, coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius)) << (i - base);
-  }
-  for (var i = max(base, ballEnd); i < end; i++) {
-    let bounds = fetchBounds(i);
-    found |= select(0u, 1u, coneMeetsPlane(cone, bounds.center, bounds.radius)) << (i - base);
+    let meetsPlane = coneMeetsPlane(cone, bounds.center, bounds.radius);
+    let meetsBall = !coneMissesBall(cone, placeBall(cone, bounds.center), bounds.radius);
+    found |= select(0u, 1u, select(meetsBall, meetsPlane, isPlane(i))) << (i - base);
+    i++;
+    if (i >= end) {
+      break;
+    }
   }
   // The solid that the rays start inside of counts always, whatever rounding says; what they leave, never.
   let inside = group.start.inside - base;
@@ -596,14 +680,24 @@ fn lowestBit(bits: u32) -> u32 {
 }
 
 // Bit k set: sample k of the group is behind the sphere, box or flat shape i, which the cone may meet.
-fn behindSphere(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone) -> u32 {
+fn behindSphere(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
+  let bounds = fetchBounds(i);
   let hides = ballHidesLight(cone, placeBall(cone, bounds.center), bounds.radius) & (i != group.start.inside);
-  var bits = select(0u, everySample(group), hides);
-  let count = select(group.count, 0u, hides);
-  for (var k = 0u; k < count; k++) {
-    let d = toSample(group, k);
+  if (hides) {
+    return everySample(group);
+  }
+  var bits = 0u;
+  var turn = group.turn;
+  var k = 0u;
+  loop {
+    let d = toSample(group, k, turn);
+    turn = nextTurn(turn);
     let inverse = inverseSqrt(dot(d, d));
     bits |= select(0u, 1u, hitSphere(i, bounds, Ray(group.start, d * inverse)) * inverse < 1.0) << k;
+    k++;
+    if (k >= group.count) {
+      break;
+    }
   }
   return bits;
 }
@@ -640,11 +734,15 @@ struct BallPlace {
 }
 
 
-fn behindFlat(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
+fn behindFlat(group: SampleGroup, i: u32) -> u32 {
+  let bounds = fetchBounds(i);
   let plane = isPlane(i);
   var bits = 0u;
-  for (var k = 0u; k < group.count; k++) {
-    let d = toSample(group, k);
+  var turn = group.turn;
+  var k = 0u;
+  loop {
+    let d = toSample(group, k, turn);
+    turn = nextTurn(turn);
     let inverse = inverseSqrt(dot(d, d));
     let ray = Ray(group.start, d * inverse);
     var t = miss;
@@ -654,11 +752,16 @@ fn behindFlat(group: SampleGroup, i: u32, bounds: Bounds) -> u32 {
       t = hitQuad(i, bounds, ray);
     }
     bits |= select(0u, 1u << k, t * inverse < 1.0);
+    k++;
+    if (k >= group.count) {
+      break;
+    }
   }
   return bits;
 }
 
-fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone) -> u32 {
+fn behindBox(group: SampleGroup, i: u32, cone: ShadowCone) -> u32 {
+  let bounds = fetchBounds(i);
   let extent = fetchExtent(i);
   let turned = isTurned(extent.a);
   var origin = group.start.point - bounds.center;
@@ -670,10 +773,15 @@ fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone) -> u3
   }
   let startsInside = i == group.start.inside;
   let meets = select(placeBox(cone, origin, axis, extent.b.xyz, end), boxMet, startsInside);
-  var bits = select(0u, everySample(group), meets == boxHidesLight);
-  let count = select(0u, group.count, meets == boxMet);
-  for (var k = 0u; k < count; k++) {
-    let d = toSample(group, k);
+  if (meets != boxMet) {
+    return select(0u, everySample(group), meets == boxHidesLight);
+  }
+  var bits = 0u;
+  var turn = group.turn;
+  var k = 0u;
+  loop {
+    let d = toSample(group, k, turn);
+    turn = nextTurn(turn);
     let inverse = inverseSqrt(dot(d, d));
     var direction = d * inverse;
     if (turned) {
@@ -681,6 +789,10 @@ fn behindBox(group: SampleGroup, i: u32, bounds: Bounds, cone: ShadowCone) -> u3
     }
     let t = intersectBox(origin, direction, extent.b.xyz, group.start.tMin, startsInside);
     bits |= select(0u, 1u, t * inverse < 1.0) << k;
+    k++;
+    if (k >= group.count) {
+      break;
+    }
   }
   return bits;
 }
@@ -723,19 +835,19 @@ const boxMissed = 0u;
 // Farther than any scene. For a point among the sample points themselves, where there is no cone.
 const everywhere = 1e30;
 
+// Whether a plane lies between the apex and some sample point.
+fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
+  let here = dot(normal, cone.apex) - offset;
+  let there = here + dot(normal, cone.axis) * 0.5 * (cone.start + cone.end);
+  return min(here * there, abs(there) - 0.5 * (cone.end - cone.start)) <= 0.0;
+}
+
 // True only when no ray of the cone meets the ball. The distance from the cone's mantle is across · cos − along · sin. Maxima in place
 // of conditions: software rasterisers and compilers both take them faster.
 fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
   let beside = ball.across * cone.cosine - ball.along * cone.sine;
   let outside = max(max(beside, -ball.along), ball.along - cone.end);
   return outside > select(radius, everywhere, cone.tangent == everywhere);
-}
-
-// Whether a plane lies between the apex and some sample point.
-fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
-  let here = dot(normal, cone.apex) - offset;
-  let there = here + dot(normal, cone.axis) * 0.5 * (cone.start + cone.end);
-  return min(here * there, abs(there) - 0.5 * (cone.end - cone.start)) <= 0.0;
 }
 
 // How far the points reach from the light's centre, in radii.

@@ -210,23 +210,10 @@ float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {
 Hit closestHit(Ray ray_5) {
     Hit hit_1 = Hit(1e30, 4294967295u);
     uint i_7 = 0u;
-    uint i_8 = 0u;
-    uint i_9 = 0u;
-    uint i_10 = 0u;
     uvec4 ends = frame.shapeEnds;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            uint _e21 = i_7;
-            i_7 = (_e21 + 1u);
-        }
-        loop_init = false;
-        uint _e10 = i_7;
-        if ((_e10 < ends.x)) {
-        } else {
-            break;
-        }
-        {
+    uint _e10 = i_7;
+    if ((_e10 < ends.x)) {
+        while(true) {
             Hit _e13 = hit_1;
             uint _e14 = i_7;
             uint _e15 = i_7;
@@ -235,97 +222,88 @@ Hit closestHit(Ray ray_5) {
             uint _e18 = i_7;
             Hit _e19 = nearer(_e13, _e17, _e18);
             hit_1 = _e19;
+            uint _e21 = i_7;
+            i_7 = (_e21 + 1u);
+            uint _e23 = i_7;
+            if ((_e23 >= ends.x)) {
+                break;
+            }
         }
     }
-    i_8 = ends.x;
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            uint _e36 = i_8;
-            i_8 = (_e36 + 1u);
-        }
-        loop_init_1 = false;
-        uint _e25 = i_8;
-        if ((_e25 < ends.y)) {
-        } else {
-            break;
-        }
-        {
-            Hit _e28 = hit_1;
-            uint _e29 = i_8;
-            uint _e30 = i_8;
-            Bounds _e31 = fetchBounds(_e30);
-            float _e32 = hitBox(_e29, _e31, ray_5);
-            uint _e33 = i_8;
-            Hit _e34 = nearer(_e28, _e32, _e33);
-            hit_1 = _e34;
+    uint _e26 = i_7;
+    if ((_e26 < ends.y)) {
+        while(true) {
+            Hit _e29 = hit_1;
+            uint _e30 = i_7;
+            uint _e31 = i_7;
+            Bounds _e32 = fetchBounds(_e31);
+            float _e33 = hitBox(_e30, _e32, ray_5);
+            uint _e34 = i_7;
+            Hit _e35 = nearer(_e29, _e33, _e34);
+            hit_1 = _e35;
+            uint _e37 = i_7;
+            i_7 = (_e37 + 1u);
+            uint _e39 = i_7;
+            if ((_e39 >= ends.y)) {
+                break;
+            }
         }
     }
-    i_9 = ends.y;
-    bool loop_init_2 = true;
-    while(true) {
-        if (!loop_init_2) {
-            uint _e51 = i_9;
-            i_9 = (_e51 + 1u);
-        }
-        loop_init_2 = false;
-        uint _e40 = i_9;
-        if ((_e40 < ends.z)) {
-        } else {
-            break;
-        }
-        {
-            Hit _e43 = hit_1;
-            uint _e44 = i_9;
-            uint _e45 = i_9;
-            Bounds _e46 = fetchBounds(_e45);
-            float _e47 = hitQuad(_e44, _e46, ray_5);
-            uint _e48 = i_9;
-            Hit _e49 = nearer(_e43, _e47, _e48);
-            hit_1 = _e49;
+    uint _e42 = i_7;
+    if ((_e42 < ends.z)) {
+        while(true) {
+            Hit _e45 = hit_1;
+            uint _e46 = i_7;
+            uint _e47 = i_7;
+            Bounds _e48 = fetchBounds(_e47);
+            float _e49 = hitQuad(_e46, _e48, ray_5);
+            uint _e50 = i_7;
+            Hit _e51 = nearer(_e45, _e49, _e50);
+            hit_1 = _e51;
+            uint _e53 = i_7;
+            i_7 = (_e53 + 1u);
+            uint _e55 = i_7;
+            if ((_e55 >= ends.z)) {
+                break;
+            }
         }
     }
-    i_10 = ends.z;
-    bool loop_init_3 = true;
-    while(true) {
-        if (!loop_init_3) {
-            uint _e66 = i_10;
-            i_10 = (_e66 + 1u);
-        }
-        loop_init_3 = false;
-        uint _e55 = i_10;
-        if ((_e55 < ends.w)) {
-        } else {
-            break;
-        }
-        {
-            Hit _e58 = hit_1;
-            uint _e59 = i_10;
-            uint _e60 = i_10;
-            Bounds _e61 = fetchBounds(_e60);
-            float _e62 = hitPlane(_e59, _e61, ray_5);
-            uint _e63 = i_10;
-            Hit _e64 = nearer(_e58, _e62, _e63);
-            hit_1 = _e64;
+    uint _e58 = i_7;
+    if ((_e58 < ends.w)) {
+        while(true) {
+            Hit _e61 = hit_1;
+            uint _e62 = i_7;
+            uint _e63 = i_7;
+            Bounds _e64 = fetchBounds(_e63);
+            float _e65 = hitPlane(_e62, _e64, ray_5);
+            uint _e66 = i_7;
+            Hit _e67 = nearer(_e61, _e65, _e66);
+            hit_1 = _e67;
+            uint _e69 = i_7;
+            i_7 = (_e69 + 1u);
+            uint _e71 = i_7;
+            if ((_e71 >= ends.w)) {
+                break;
+            }
         }
     }
-    Hit _e68 = hit_1;
-    return _e68;
+    Hit _e74 = hit_1;
+    return _e74;
 }
 
-bool isSphere(uint i_11) {
+bool isSphere(uint i_8) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_11 < _e4);
+    return (i_8 < _e4);
 }
 
-bool isPlane(uint i_12) {
+bool isPlane(uint i_9) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_12 >= _e4);
+    return (i_9 >= _e4);
 }
 
-bool isFlat(uint i_13) {
+bool isFlat(uint i_10) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_13 >= _e4);
+    return (i_10 >= _e4);
 }
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
@@ -348,23 +326,23 @@ vec3 rotateBack(vec4 q_2, vec3 v_1) {
     return _e6;
 }
 
-vec3 outwardNormal(uint i_14, Ray ray_6, float t_1) {
-    Bounds _e3 = fetchBounds(i_14);
+vec3 outwardNormal(uint i_11, Ray ray_6, float t_1) {
+    Bounds _e3 = fetchBounds(i_11);
     vec3 origin_8 = (ray_6.start.point - _e3.center);
-    bool _e8 = isSphere(i_14);
+    bool _e8 = isSphere(i_11);
     if (_e8) {
         return normalize((origin_8 + (t_1 * ray_6.direction)));
     }
-    bool _e13 = isPlane(i_14);
+    bool _e13 = isPlane(i_11);
     if (_e13) {
         return _e3.center;
     }
-    Extent _e15 = fetchExtent(i_14);
-    bool _e16 = isFlat(i_14);
+    Extent _e15 = fetchExtent(i_11);
+    bool _e16 = isFlat(i_11);
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside = (i_14 == ray_6.start.inside);
+    bool inside = (i_11 == ray_6.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_8);
     vec3 _e30 = rotate(_e15.a, ray_6.direction);
     vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
@@ -376,17 +354,17 @@ Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
     return Start(point, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point)));
 }
 
-Material fetchMaterial(uint i_15) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_15)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_15)), 0);
+Material fetchMaterial(uint i_12) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_12)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_12)), 0);
     return Material(t0_2.xyz, t0_2.w, t1_1.x, t1_1.y, t1_1.z, t1_1.w);
 }
 
-Light fetchLight(uint i_16) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_16)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_16)), 0);
+Light fetchLight(uint i_13) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(5u, i_13)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(6u, i_13)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_13)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_13)), 0);
     return Light(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w);
 }
 
@@ -406,13 +384,13 @@ void main() {
     vec3 _e7 = ray.direction;
     vec3 _e8 = sky(_e7);
     radiance = _e8;
-    bool loop_init_4 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_4) {
+        if (!loop_init) {
             uint _e111 = i;
             i = (_e111 + 1u);
         }
-        loop_init_4 = false;
+        loop_init = false;
         uint _e23 = i;
         uint _e26 = frame.lightCount;
         if ((_e23 <= _e26)) {

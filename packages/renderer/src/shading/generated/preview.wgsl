@@ -58,20 +58,46 @@ fn sky(direction: vec3f) -> vec3f {
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn closestHit(ray: Ray) -> Hit {
   var hit = Hit(miss, noShape);
   let ends = frame.shapeEnds;
-  for (var i = 0u; i < ends.x; i++) {
-    hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+  var i = 0u;
+  if (i < ends.x) {
+    loop {
+      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
   }
-  for (var i = ends.x; i < ends.y; i++) {
-    hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+  if (i < ends.y) {
+    loop {
+      hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
   }
-  for (var i = ends.y; i < ends.z; i++) {
-    hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+  if (i < ends.z) {
+    loop {
+      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
   }
-  for (var i = ends.z; i < ends.w; i++) {
-    hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+  if (i < ends.w) {
+    loop {
+      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
   }
   return hit;
 }
