@@ -84,9 +84,18 @@ function distanceToPlane(point: Vec3, normal: Vec3, ray: Ray): number {
   return t > ray.tMin ? t : Infinity;
 }
 
+/**
+ * A plane lets nothing through, so all of a path lies on the eye's side of it. A start beyond it is rounding, in a corner
+ * of a room: going on away from the eye's side, the ray meets the plane at once.
+ */
 export function intersectPlane(plane: PreparedPlane, ray: Ray): number {
   if (ray.leaving === plane) return Infinity;
-  return distanceToPlane(plane.point, plane.normal, ray);
+  const side = Math.sign(dot(subtract(ray.eye, plane.point), plane.normal));
+  if (side === 0) return distanceToPlane(plane.point, plane.normal, ray);
+  const towards = -side * dot(ray.direction, plane.normal);
+  if (!(towards > 0)) return Infinity;
+  const height = side * dot(subtract(ray.origin, plane.point), plane.normal);
+  return Math.max(height / towards, 0);
 }
 
 export function intersectQuad(quad: PreparedQuad, ray: Ray): number {

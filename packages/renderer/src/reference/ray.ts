@@ -9,6 +9,8 @@ export interface Ray {
   readonly direction: Vec3;
   /** Hits of other shapes count from t > tMin. */
   readonly tMin: number;
+  /** Where the path began: it never gets to the other side of a plane. */
+  readonly eye: Vec3;
   /** The shape whose surface the ray leaves; null for a camera ray. */
   readonly leaving: PreparedShape | null;
   /** Whether the ray goes into `leaving`: away from its outward normal. */
@@ -22,6 +24,7 @@ export const cameraRay = (eye: Vec3, direction: Vec3): Ray => ({
   origin: eye,
   direction,
   tMin: 0,
+  eye,
   leaving: null,
   inward: false,
 });
@@ -32,6 +35,7 @@ export function rayLeaving(shape: PreparedShape, origin: Vec3, outwardNormal: Ve
     origin,
     direction,
     tMin: T_MIN_SCALE * length(subtract(origin, eye)),
+    eye,
     leaving: shape,
     inward: !(dot(direction, outwardNormal) > 0),
   };

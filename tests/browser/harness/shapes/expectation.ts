@@ -62,6 +62,7 @@ function rayOf({ origin, direction, rule }: RayCase, shape: PreparedShape, eye: 
     tMin: rule === START.fromEye ? 0 : 1e-5 * length(origin),
     leaving: own ? shape : null,
     inward: rule === START.inside,
+    eye,
   };
 }
 
@@ -152,6 +153,7 @@ function expectFlat(shape: Flat, rayCase: RayCase, eye: Vec3, base: number): Exp
   const t = height / cosine;
   const delta = base + TURN * Math.abs(t);
   const slack = delta * (1 + 1 / Math.abs(cosine));
+  if (shape.type === 'plane') return expectPlane(shape, ray, t, { delta, slack });
   const beyond = Math.max(outside(shape, addScaled(ray.origin, ray.direction, t)), ray.tMin - t);
   if (beyond > slack) return { ...MISS, delta };
   const open = beyond > -slack;
@@ -160,13 +162,27 @@ function expectFlat(shape: Flat, rayCase: RayCase, eye: Vec3, base: number): Exp
   return { delta, hit, mayMiss: open, normals: [shape.normal], normalTolerance: 1e-5, decided: !open };
 }
 
+/** Met by all that goes away from the eye's side, at once by what starts beyond. */
+function expectPlane(
+  plane: Extract<Flat, { type: 'plane' }>,
+  ray: Ray,
+  t: number,
+  { delta, slack }: { delta: number; slack: number },
+): Expectation {
+  const eyeHeight = dot(subtract(ray.eye, plane.point), plane.normal);
+  if (eyeHeight * dot(ray.direction, plane.normal) > 0) return { ...MISS, delta };
+  const at = Math.max(t, 0);
+  const hit = { from: at - slack, to: at + slack };
+  return { delta, hit, mayMiss: false, normals: [plane.normal], normalTolerance: 1e-5, decided: true };
+}
+
 type Grazing = { height: number; cosine: number; base: number; eye: Vec3 };
 
 /** A ray that is all but parallel to a flat shape: it misses, or meets it far away; exactly along an axis it misses. */
 function expectGrazing(shape: Flat, ray: RayCase, { height, cosine, base, eye }: Grazing): Expectation {
   const exact = shape.normal.filter((x) => x === 0).length === 2;
   if (exact && cosine === 0) return { ...MISS, delta: base };
-  const from = (Math.abs(height) - base) / (Math.abs(cosine) + TURN);
+  const from = shape.type === 'plane' ? 0 : (Math.abs(height) - base) / (Math.abs(cosine) + TURN);
   const to = ENDLESS * scaleOf(shape, ray, eye);
   return {
     delta: base,

@@ -218,7 +218,9 @@ float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
     float t_9 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    return (((t_9 > tMin_3) && (abs(speed_1) > 1e-12)) ? t_9 : 1e30);
+    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
+    bool eitherWay = ((t_9 > tMin_3) && (abs(speed_1) > 1e-12));
+    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_9, 0.0) : 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {

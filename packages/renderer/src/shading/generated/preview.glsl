@@ -199,7 +199,9 @@ float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
 float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
     float speed_1 = dot(direction_6, normal_1);
     float t_6 = ((offset - dot(origin_6, normal_1)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    return (((t_6 > tMin_3) && (abs(speed_1) > 1e-12)) ? t_6 : 1e30);
+    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
+    bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
+    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
 }
 
 float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {

@@ -371,7 +371,9 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
-  return select(miss, t, (t > tMin) & (abs(speed) > parallel));
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
