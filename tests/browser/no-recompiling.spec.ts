@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import type { SphereLight } from '../../packages/renderer/src/scene/scene.ts';
 import { backends, expect, test } from './fixtures.ts';
 import { hookGpu, hooks } from './gpu-hooks.ts';
 import { choose, quick, scenes, settled, unfold } from './studio.ts';
@@ -61,7 +62,7 @@ async function everySetting(): Promise<void> {
 async function editedScenes(): Promise<void> {
   const renderer = window.mirrorball.renderer!;
   const scene = renderer.scene!;
-  const [name, light] = Object.entries(scene.lights)[0]!;
+  const [name, light] = Object.entries(scene.lights as Record<string, SphereLight>)[0]!;
   await renderer.setScene({ ...scene, lights: { ...scene.lights, [name]: { ...light, radius: light.radius * 2 } } });
   const ball = (i: number) => ({ type: 'sphere', center: [i / 50, i / 40, 0], radius: 0.1 });
   const material = Object.keys(scene.materials)[0]!;

@@ -56,7 +56,7 @@ export const textShare = computed(() => (isPhone.value || panelOpen.value ? visi
 export const dividers = computed<Dividers>(() => chosenDividers.value ?? evenDividers(visibleShare.value));
 
 /** What the renderer is to be set to. */
-export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples'>>(() => ({
+export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples' | 'integrator' | 'maxDepth'>>(() => ({
   maxReflections: reflections.value,
   lightSamples: lightSamples.value,
   exposure: exposure.value,

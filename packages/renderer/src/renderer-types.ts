@@ -1,4 +1,4 @@
-import type { Camera, Scene } from './scene/scene.ts';
+import type { Camera, Integrator, Scene } from './scene/scene.ts';
 
 /** What draws: a GPU interface, or the double-precision tracer in a worker that makes one still picture. */
 export type Backend = 'webgpu' | 'webgl2' | 'cpu';
@@ -18,6 +18,9 @@ export interface Comparison {
 
 /** Everything that may change from frame to frame without touching the scene. Changing any of it compiles nothing. */
 export interface RendererSettings {
+  integrator: Integrator;
+  /** `path`: segments of a path from the camera on, 1 … 4096; −1 = no limit. */
+  maxDepth: number;
   maxReflections: number;
   lightSamples: number;
   /** Stops. */

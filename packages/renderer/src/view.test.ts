@@ -79,9 +79,16 @@ describe('settings', () => {
   });
 
   test('a scene brings its own', () => {
-    const render = { integrator: 'classic', maxReflections: 7, lightSamples: 3, exposure: -1 } as const;
+    const render = { integrator: 'classic', maxReflections: 7, lightSamples: 3, maxDepth: 8, exposure: -1 } as const;
     const view = viewOf({ ...still, render }, { seed: 5, maxReflections: 1 });
-    expect(view.settings).toEqual({ ...DEFAULT_SETTINGS, maxReflections: 7, lightSamples: 3, exposure: -1, seed: 5 });
+    expect(view.settings).toEqual({
+      ...DEFAULT_SETTINGS,
+      maxReflections: 7,
+      lightSamples: 3,
+      maxDepth: 8,
+      exposure: -1,
+      seed: 5,
+    });
   });
 });
 

@@ -10,6 +10,8 @@ import { cameraFault } from './scene/well-formed.ts';
 import { requireScene } from './scene-file/require-scene.ts';
 
 export const DEFAULT_SETTINGS: RendererSettings = {
+  integrator: 'classic',
+  maxDepth: -1,
   maxReflections: 5,
   lightSamples: 9,
   exposure: 0,
@@ -32,6 +34,11 @@ const isSamples = wholeIn(1, SCENE_LIMITS.lightSamples);
 
 /** For each setting: whether a value is allowed, and what is, in words. */
 const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) => boolean, string] } = {
+  integrator: [(name) => name === 'classic' || name === 'path', '"classic" or "path"'],
+  maxDepth: [
+    (n) => n !== 0 && wholeIn(-1, SCENE_LIMITS.maxDepth)(n),
+    `-1, or a whole number from 1 to ${SCENE_LIMITS.maxDepth}`,
+  ],
   maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
   lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
   exposure: [(n) => Math.abs(n) <= 32, 'stops from -32 to 32'],
@@ -111,8 +118,8 @@ export class View {
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
-    const { maxReflections, lightSamples, exposure } = scene.render;
-    this.#settings = { ...this.#settings, maxReflections, lightSamples, exposure };
+    const { integrator, maxDepth, maxReflections, lightSamples, exposure } = scene.render;
+    this.#settings = { ...this.#settings, integrator, maxDepth, maxReflections, lightSamples, exposure };
     this.#changedByHand();
   }
 

@@ -1,5 +1,5 @@
 /** Scenes that look for speckles, dotted faces and light leaks. Each says what it is after. */
-import type { Camera, Scene, Shape, Vec3 } from '../../../packages/renderer/src/scene/scene.ts';
+import type { Camera, Scene, Shape, SphereLight, Vec3 } from '../../../packages/renderer/src/scene/scene.ts';
 import { testLight, testMaterial, testScene } from '../../fixtures/scenes.ts';
 
 const material = 'white';
@@ -108,7 +108,7 @@ export function moved(original: Scene, scale: number, by: number): Scene {
     ...original,
     camera: { ...camera, eye: place(camera.eye), target: place(camera.target) },
     shapes: map(original.shapes, shape),
-    lights: map(original.lights, (l) => ({
+    lights: map(original.lights as Record<string, SphereLight>, (l) => ({
       ...l,
       center: place(l.center),
       radius: l.radius * scale,

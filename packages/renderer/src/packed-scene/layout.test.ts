@@ -39,7 +39,7 @@ describe.each(names)('%s', (name) => {
 });
 
 test('the structs of the scene table stand side by side, and no field crosses a texel', () => {
-  const table = ['Bounds', 'Extent', 'Material', 'Light'] as const;
+  const table = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
   let column = 0;
   for (const name of table) {
     expect(tableColumn(name)).toBe(column);

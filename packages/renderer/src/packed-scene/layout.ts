@@ -48,6 +48,50 @@ export const STRUCTS = {
     specular: field('vec3f', 'colour of the highlight'),
     visible: field('f32', 'radiance of the ball that is seen; negative: not seen'),
   },
+  Surface: {
+    baseColor: field(
+      'vec3f',
+      'Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k',
+    ),
+    code: field(
+      'f32',
+      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp',
+    ),
+    emission: field('vec3f', 'radiance sent out'),
+    reflectivity: field('f32', 'share of the perfect mirror layer over the base'),
+    eta: field('vec3f', 'conductor: index of refraction per channel; dielectric: the index in all three'),
+    alpha: field('f32', 'GGX width, roughness^2; 0: smooth'),
+    k: field('vec3f', 'conductor: extinction coefficient per channel'),
+    metallic: field('f32', 'metallicRoughness: share of metal'),
+    absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
+    emitter: field('f32', 'index of the emitter that this shape is; -1: none'),
+  },
+  Emitter: {
+    position: field(
+      'vec3f',
+      'eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light',
+    ),
+    kind: field('f32', '0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky'),
+    u: field(
+      'vec3f',
+      'edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box',
+    ),
+    radius: field(
+      'f32',
+      'of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light',
+    ),
+    v: field('vec3f', 'other edge of a quad'),
+    cosInner: field('f32', 'cosine of the inner angle of a spot'),
+    radiance: field(
+      'vec3f',
+      'radiance; of a point or spot: intensity; of directional light without angular size: irradiance',
+    ),
+    area: field('f32', 'of the surface that shines, m^2'),
+    shape: field('f32', 'row of the shape that rays meet; -1: none, only light sampling finds it'),
+    oneSided: field('f32', '1: a quad that shines to the side of u x v only'),
+    power: field('f32', 'estimate of the flux, for choosing among emitters'),
+    spare0: field('f32', 'unused'),
+  },
   Frame: {
     right: field('vec3f', 'camera r times tan(fov / 2) times aspect'),
     width: field('f32', 'film pixels'),
@@ -64,8 +108,8 @@ export const STRUCTS = {
     shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
     occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
     seenLightEnd: field('u32', 'index past the last light that camera and mirrors see'),
-    spare0: field('u32', 'unused'),
-    spare1: field('u32', 'unused'),
+    emitterCount: field('u32', 'emitters of the path integrator'),
+    maxDepth: field('u32', 'path segments from the camera on; 0xffffffff: no limit'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
   },
   Display: {
@@ -114,7 +158,7 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
 }
 
 /** Which structs share a row of the scene table, in this order from the left. */
-const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light'] as const;
+const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
 export type TableStruct = (typeof TABLE_STRUCTS)[number];
 
 /** Texels (of 16 bytes) left of the struct in its row. */

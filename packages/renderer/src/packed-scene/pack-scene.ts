@@ -2,7 +2,8 @@
  * Scene → the scene table's bytes. Shapes are sorted by kind (spheres, boxes, quads, planes) and keep the file's order inside a
  * kind, except that planes which cast no shadow come last. Positions become relative to `eye` here, in double precision.
  */
-import type { Box, Light, Material, Plane, Quad, Scene, Shape, Sphere, Vec3 } from '../scene/scene.ts';
+import { sphereLights } from '../scene/lights.ts';
+import type { Box, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
@@ -37,7 +38,7 @@ const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedScene {
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
-  const lights = Object.values(scene.lights);
+  const lights = sphereLights(scene);
   const rows = Math.max(named.length, lights.length, 1);
   const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
@@ -75,7 +76,7 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
  * or by mirrors, lies on that side too, since the plane itself would be hit on the way to the other; and a line between two
  * points of one side does not cross. This spares a closed room the tests of its six walls.
  */
-function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly Light[]): boolean {
+function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly SphereLight[]): boolean {
   const length = Math.hypot(...normal);
   const height = (p: Vec3) => dot(normal, subtract(p, point)) / length;
   const side = Math.sign(height(eye));
@@ -153,7 +154,7 @@ function materialValues(m: Material): StructValues<'Material'> {
   };
 }
 
-function lightValues(light: Light, eye: Vec3): StructValues<'Light'> {
+function lightValues(light: SphereLight, eye: Vec3): StructValues<'Light'> {
   const power = light.radiance * light.radius ** 2;
   return {
     center: subtract(light.center, eye),

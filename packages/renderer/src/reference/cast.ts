@@ -1,5 +1,5 @@
 /** The two questions that are asked of a scene: what does a ray meet first, and does anything stand in its way. */
-import type { Light, Vec3 } from '../scene/scene.ts';
+import type { SphereLight, Vec3 } from '../scene/scene.ts';
 import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNormal } from './intersect.ts';
 import type { PreparedScene, PreparedShape } from './prepare.ts';
 import type { Ray } from './ray.ts';
@@ -19,14 +19,14 @@ export interface Closest {
   readonly t: number;
   /** At most one of these two is set. */
   readonly shape: PreparedShape | null;
-  readonly light: Light | null;
+  readonly light: SphereLight | null;
 }
 
 /** Closest hit of shapes and visible light balls. Of two at the same distance the one tested first wins. */
 export function closestHit(scene: PreparedScene, ray: Ray): Closest {
   let closest = Infinity;
   let shape: PreparedShape | null = null;
-  let light: Light | null = null;
+  let light: SphereLight | null = null;
   const consider = (t: number, candidate: PreparedShape) => {
     if (t < closest) {
       closest = t;

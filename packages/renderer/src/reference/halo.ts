@@ -1,5 +1,5 @@
 /** The glow of a light in haze: its falloff integrated along a ray. */
-import type { Color, Light } from '../scene/scene.ts';
+import type { Color, SphereLight } from '../scene/scene.ts';
 import { BLACK, type PreparedScene } from './prepare.ts';
 import type { Ray } from './ray.ts';
 import { add, addScaled, dot, length, scale, subtract } from './vec3.ts';
@@ -8,7 +8,7 @@ import { add, addScaled, dot, length, scale, subtract } from './vec3.ts';
 const HAZE_DEPTH = 1e5;
 
 /** ∫₀ᵗ ds' / (b² + (s' − s)²), with b the ray's distance from the light (not below its radius) at the ray parameter s. */
-export function falloffIntegral(light: Light, ray: Ray, t: number): number {
+export function falloffIntegral(light: SphereLight, ray: Ray, t: number): number {
   const toCenter = subtract(light.center, ray.origin);
   const s = dot(toCenter, ray.direction);
   const b = Math.max(length(addScaled(toCenter, ray.direction, -s)), light.radius);

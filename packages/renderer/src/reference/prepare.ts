@@ -1,5 +1,18 @@
 /** What can be worked out once for a scene instead of once for each ray. */
-import type { Box, Camera, Color, Light, Material, Plane, Quad, Scene, Sky, Sphere, Vec3 } from '../scene/scene.ts';
+import { sphereLights } from '../scene/lights.ts';
+import type {
+  Box,
+  Camera,
+  Color,
+  Material,
+  Plane,
+  Quad,
+  Scene,
+  Sky,
+  Sphere,
+  SphereLight,
+  Vec3,
+} from '../scene/scene.ts';
 import { cross, dot, normalize, rotate, scale } from './vec3.ts';
 
 export interface PreparedMaterial extends Material {
@@ -48,8 +61,8 @@ export interface PreparedScene {
   readonly boxes: readonly PreparedBox[];
   readonly planes: readonly PreparedPlane[];
   readonly quads: readonly PreparedQuad[];
-  readonly lights: readonly Light[];
-  readonly visibleLights: readonly Light[];
+  readonly lights: readonly SphereLight[];
+  readonly visibleLights: readonly SphereLight[];
   readonly sky: Sky;
   readonly camera: Camera;
 }
@@ -112,7 +125,7 @@ export function prepareScene(scene: Scene): PreparedScene {
     else if (shape.type === 'plane') planes.push(preparePlane(shape, material));
     else quads.push(prepareQuad(shape, material));
   }
-  const lights = Object.values(scene.lights);
+  const lights = sphereLights(scene);
   const visibleLights = lights.filter((light) => light.visible);
   return { spheres, boxes, planes, quads, lights, visibleLights, sky: scene.sky, camera: scene.camera };
 }

@@ -1,5 +1,5 @@
 /** shade(point) of docs/classic.md: what a surface sends back of the lights, before its reflectivity is counted. */
-import type { Color, Light, Vec3 } from '../scene/scene.ts';
+import type { Color, SphereLight, Vec3 } from '../scene/scene.ts';
 import { occluded, type SurfaceHit } from './cast.ts';
 import { lightRandoms } from './hash.ts';
 import type { PreparedMaterial, PreparedScene } from './prepare.ts';
@@ -21,7 +21,7 @@ export interface ShadeContext {
 const multiply = (a: Color, b: Color): Color => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
 /** The square bracket: diffuse and specular for light from direction `l`, with `v` back along the ray. */
-function reflected(material: PreparedMaterial, light: Light, n: Vec3, l: Vec3, v: Vec3): Color {
+function reflected(material: PreparedMaterial, light: SphereLight, n: Vec3, l: Vec3, v: Vec3): Color {
   const diffuse = scale(multiply(material.baseColor, light.diffuse), dot(n, l));
   if (material.specular === 0) return diffuse;
   const h = normalize(add(l, v));
@@ -30,7 +30,7 @@ function reflected(material: PreparedMaterial, light: Light, n: Vec3, l: Vec3, v
 }
 
 /** One term of the sum over k: the light from the sample point pₖ, or black where the point cannot be seen. */
-function fromSamplePoint(context: ShadeContext, hit: SurfaceHit, v: Vec3, light: Light, pK: Vec3): Color | null {
+function fromSamplePoint(context: ShadeContext, hit: SurfaceHit, v: Vec3, light: SphereLight, pK: Vec3): Color | null {
   const toPoint = subtract(pK, hit.point);
   const distance = length(toPoint);
   const l = scale(toPoint, 1 / distance);

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
-import type { Camera, Light, Scene, Shape, Vec3 } from '../scene/scene.ts';
+import type { Camera, Scene, Shape, SphereLight, Vec3 } from '../scene/scene.ts';
 import { type ClassicSettings, traceClassic } from './classic.ts';
 import { rotate, scale, subtract } from './vec3.ts';
 
@@ -72,7 +72,7 @@ function moveShape(shape: Shape, { point, vector, factor, rotation }: Similarity
       return { ...shape, corner: point(shape.corner), u: vector(shape.u), v: vector(shape.v) };
   }
 }
-const moveLight = (light: Light, { point, factor }: Similarity): Light => ({
+const moveLight = (light: SphereLight, { point, factor }: Similarity): SphereLight => ({
   ...light,
   center: point(light.center),
   radius: light.radius * factor,
@@ -91,7 +91,7 @@ const move = (scene: Scene, by: Similarity): Scene => ({
   ...scene,
   camera: moveCamera(scene.camera, by),
   shapes: mapValues(scene.shapes, (shape) => moveShape(shape, by)),
-  lights: mapValues(scene.lights, (light) => moveLight(light, by)),
+  lights: mapValues(scene.lights as Record<string, SphereLight>, (light) => moveLight(light, by)),
 });
 
 const settings: ClassicSettings = { width: 40, height: 32, maxReflections: 5, lightSamples: 16, seed: 3 };

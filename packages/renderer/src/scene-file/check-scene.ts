@@ -33,7 +33,8 @@ function checkCamera(camera: Camera, problems: ProblemList): void {
 }
 
 function checkNotEmpty({ shapes, lights }: Sections, problems: ProblemList): void {
-  if (Object.keys(shapes).length > 0 || Object.values(lights).some((light) => light.visible)) return;
+  if (Object.keys(shapes).length > 0 || Object.values(lights).some((light) => 'visible' in light && light.visible))
+    return;
   const message = 'There is nothing to see: a scene needs at least one shape or a visible light.';
   problems.add(['shapes'], 'no shape, and no visible light', 'at least one shape or a visible light', message);
 }

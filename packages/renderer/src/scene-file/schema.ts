@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { Color } from '../scene/scene.ts';
+import { METALS } from '../scene/metals.ts';
+import type { Color, MaterialType } from '../scene/scene.ts';
 import { choice, color, direction, integer, kind, number, object, point, share, text, triple } from './values.ts';
 
 /** The structure of a scene file, with its defaults: the one source for reading, writing and the editors' JSON Schema. */
@@ -46,12 +47,42 @@ const sky = v.pipe(
 );
 const isColor = (value: unknown): value is Color => Array.isArray(value);
 
-const material = object('a material: an object', {
+const eta = color('the index of refraction', 100);
+const metals = Object.keys(METALS) as (keyof typeof METALS)[];
+const conductorRule = `the metal: ${metals.map((m) => `"${m}"`).join(', ')}, or an object with "eta" and "k"`;
+const conductor = v.pipe(
+  v.union(
+    [v.picklist(metals), object(conductorRule, { eta, k: color('the extinction coefficient', 100) })],
+    conductorRule,
+  ),
+  v.description(conductorRule),
+  v.transform((value) => (typeof value === 'string' ? METALS[value] : value)),
+);
+const flag = (what: string) => v.pipe(v.boolean(`${what}: true or false`), v.description(`${what}: true or false`));
+
+const MATERIAL_TYPES = ['diffuse', 'metallicRoughness', 'conductor', 'dielectric'] as const;
+const materialFields = object('a material: an object', {
+  type: v.optional(choice('what the material is', MATERIAL_TYPES), 'diffuse'),
   baseColor: v.optional(color('the share of light that comes back', 1), [0.8, 0.8, 0.8]),
-  roughness: v.optional(share('the width of the highlight'), 0.5),
+  roughness: v.optional(share('how rough the surface is')),
   specular: v.optional(share('the strength of the highlight'), 0),
   reflectivity: v.optional(share('the weight of the mirror ray'), 0),
+  metallic: v.optional(share('how much of a metal it is'), 0),
+  ior: v.optional(number('the index of refraction', 1, 4), 1.5),
+  conductor: v.optional(conductor, { eta: [0, 0, 0], k: [0, 0, 0] }),
+  attenuationColor: v.optional(color('what is left of white light', 1), [1, 1, 1]),
+  attenuationDistance: v.optional(number('after how many metres inside, 0 = clear', 0, LARGEST), 0),
+  thin: v.optional(flag('whether it is a pane without an inside'), false),
+  emission: v.optional(color('the radiance that the surface sends out', BRIGHTEST), [0, 0, 0]),
+  energyCompensation: v.optional(flag('whether light lost by single scattering is given back'), false),
 });
+/** What a material has when its file says nothing. */
+export const naturalRoughness = (type: MaterialType): number =>
+  type === 'conductor' || type === 'dielectric' ? 0 : 0.5;
+const material = v.pipe(
+  materialFields,
+  v.transform((m) => ({ ...m, roughness: m.roughness ?? naturalRoughness(m.type) })),
+);
 
 const materialName = text('the name of a material of this scene', SCENE_LIMITS.nameLength);
 const shapeTypes = '"sphere", "box", "plane" or "quad"';
@@ -88,7 +119,8 @@ const shape = v.variant(
   (issue) => (issue.expected === 'Object' ? `a shape: an object whose "type" is ${shapeTypes}` : shapeTypes),
 );
 
-const light = object('a light: an object', {
+const seen = (what: string) => v.optional(flag(what), true);
+const sphereLight = object('a light: an object', {
   type: kind('sphere'),
   center: point('the centre'),
   radius: number('the radius in metres', SMALLEST, 1e6),
@@ -97,14 +129,49 @@ const light = object('a light: an object', {
   diffuse: v.optional(color('the colour of the light', LIGHT_COLOR), [1, 1, 1]),
   specular: v.optional(color('the colour of the highlights', LIGHT_COLOR), [0, 0, 0]),
   halo: v.optional(number('the density of haze around the light, per metre', 0, LIGHT_COLOR), 0),
-  visible: v.optional(
-    v.pipe(
-      v.boolean('true or false'),
-      v.description('whether camera and mirrors see the ball and its halo: true or false'),
-    ),
-    true,
-  ),
+  visible: seen('whether camera and mirrors see the ball and its halo'),
 });
+const lightColor = v.optional(color('the colour of the light', LIGHT_COLOR), [1, 1, 1]);
+const angle = (what: string, max: number) => number(`${what}, degrees`, 0, max);
+const lightTypes = '"sphere", "quad", "point", "spot" or "directional"';
+const light = v.variant(
+  'type',
+  [
+    sphereLight,
+    object('a quad light: an object', {
+      type: kind('quad'),
+      corner: point('one corner'),
+      u: point('the way from the corner along one side'),
+      v: point('the way from the corner along the other side'),
+      radiance: number('what the quad sends out', 0, BRIGHTEST),
+      color: lightColor,
+      visible: seen('whether camera and mirrors see the quad'),
+    }),
+    object('a point light: an object', {
+      type: kind('point'),
+      position: point('where the light is'),
+      intensity: number('the intensity, W / sr', 0, BRIGHTEST),
+      color: lightColor,
+    }),
+    object('a spot light: an object', {
+      type: kind('spot'),
+      position: point('where the light is'),
+      direction: direction('where it shines to'),
+      intensity: number('the intensity, W / sr', 0, BRIGHTEST),
+      color: lightColor,
+      innerAngle: v.optional(angle('full light up to this angle from the axis', 90), 0),
+      outerAngle: v.optional(angle('no light from this angle on', 90), 45),
+    }),
+    object('a directional light: an object', {
+      type: kind('directional'),
+      direction: direction('the way that the light travels'),
+      irradiance: number('the irradiance of a surface that faces it, W / m²', 0, BRIGHTEST),
+      color: lightColor,
+      angle: v.optional(angle('the angular diameter', 90), 0),
+    }),
+  ],
+  (issue) => (issue.expected === 'Object' ? `a light: an object whose "type" is ${lightTypes}` : lightTypes),
+);
 
 const keyValueRule = 'the value at that time: a number or a list of three numbers';
 const key = object('a key: an object with "time" and "value"', {
@@ -126,9 +193,10 @@ export const trackSchema = object('a track: an object with "target" and "keys"',
 
 const renderRule = 'the render settings: an object';
 const render = object(renderRule, {
-  integrator: v.optional(choice('the way to trace light', ['classic']), 'classic'),
+  integrator: v.optional(choice('the way to trace light', ['classic', 'path']), 'classic'),
   maxReflections: v.optional(integer('mirror rays that may follow a ray', 0, SCENE_LIMITS.maxReflections), 5),
   lightSamples: v.optional(integer('sample points on each light', 1, SCENE_LIMITS.lightSamples), 9),
+  maxDepth: v.optional(integer('segments of a path, -1 = no limit', -1, SCENE_LIMITS.maxDepth), -1),
   exposure: v.optional(number('the exposure in stops', -32, 32), 0),
 });
 

@@ -1,5 +1,5 @@
 import type { Scene } from '../scene/scene.ts';
-import { sceneSchema } from './schema.ts';
+import { naturalRoughness, sceneSchema } from './schema.ts';
 import { entryOf, optionOfType, type SchemaTree, treeOf, unwrap } from './schema-tree.ts';
 
 /**
@@ -9,7 +9,16 @@ import { entryOf, optionOfType, type SchemaTree, treeOf, unwrap } from './schema
 export function writeScene(scene: Scene, schema?: string): string {
   const { horizon, zenith } = scene.sky;
   const sky = equal(horizon, zenith) ? horizon : scene.sky;
-  const file = { ...(schema === undefined ? {} : { $schema: schema }), ...scene, sky };
+  const materials = Object.entries(scene.materials).map(([name, { roughness, ...rest }]) => {
+    const natural = roughness === naturalRoughness(rest.type);
+    return [name, natural ? rest : { ...rest, roughness }] as const;
+  });
+  const file = {
+    ...(schema === undefined ? {} : { $schema: schema }),
+    ...scene,
+    sky,
+    materials: Object.fromEntries(materials),
+  };
   return `${format(withoutDefaults(treeOf(sceneSchema), file), '', 0)}\n`;
 }
 

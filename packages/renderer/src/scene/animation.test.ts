@@ -37,7 +37,7 @@ describe('sceneAt', () => {
     expect(moved.shapes.ball).toEqual({ type: 'sphere', center: [2, 1, 0], radius: 1.5, material: 'clay' });
     expect(moved.camera.eye).toEqual([0, 2, 5]);
     expect(moved.sky.zenith).toEqual([0.5, 0.5, 0.5]);
-    expect(moved.lights.lamp?.radiance).toBe(5);
+    expect(moved.lights.lamp).toMatchObject({ radiance: 5 });
     expect(moved.materials.clay?.roughness).toBe(0.5);
   });
 

@@ -14,6 +14,7 @@ export const SCENE_LIMITS = {
   nameLength: 200,
   maxReflections: 64,
   lightSamples: 256,
+  maxDepth: 4096,
   /** Characters of a scene file, and values (numbers, texts, objects, lists) in it: what reading one may cost. */
   fileCharacters: 32 * 1024 * 1024,
   fileValues: 1_000_000,

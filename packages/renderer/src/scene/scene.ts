@@ -24,16 +24,44 @@ export interface Sky {
   readonly zenith: Color;
 }
 
+/**
+ * What a surface is made of. The classic integrator sees `baseColor`, `roughness`, `specular` and `reflectivity` only, whatever
+ * the type; the path integrator sees everything but `specular`. docs/materials.md has the formulas.
+ */
 export interface Material {
+  /**
+   * `diffuse`: Lambert. `metallicRoughness`: glTF 2.0. `conductor`: metal by its measured constants. `dielectric`: glass,
+   * water: a solid body that light goes through.
+   */
+  readonly type: MaterialType;
   /** Share of light that comes back, per channel (linear). */
   readonly baseColor: Color;
-  /** Width of the highlight, 0 (a point) … 1 (spread out). The Blinn–Phong exponent is 2 / roughness⁴ − 2. */
+  /**
+   * 0 (smooth) … 1 (rough). GGX's alpha is roughness²; the classic integrator's Blinn–Phong exponent is 2 / roughness⁴ − 2.
+   * When a file says nothing it is 0 for `conductor` and `dielectric`, else 0.5.
+   */
   readonly roughness: number;
   /** Strength of the highlight, 0 … 1. */
   readonly specular: number;
   /** Weight of the mirror ray, 0 … 1; the rest, 1 − reflectivity, is the surface's own colour. */
   readonly reflectivity: number;
+  /** `metallicRoughness`: 0 = plastic, 1 = metal. */
+  readonly metallic: number;
+  /** `dielectric`: index of refraction, 1 … 4. */
+  readonly ior: number;
+  /** `conductor`: complex index of refraction eta + i·k per channel; both black: `baseColor` comes back at every angle. */
+  readonly conductor: { readonly eta: Color; readonly k: Color };
+  /** `dielectric`: what is left of white light after `attenuationDistance` metres inside. Distance 0: clear. */
+  readonly attenuationColor: Color;
+  readonly attenuationDistance: number;
+  /** `dielectric`: a pane without inside, such as a window or a soap bubble: light goes straight through. */
+  readonly thin: boolean;
+  /** Radiance that every side sends out, as a lamp. */
+  readonly emission: Color;
+  /** Rough metals and `metallicRoughness`: give back the light that single scattering loses (Turquin 2019). */
+  readonly energyCompensation: boolean;
 }
+export type MaterialType = 'diffuse' | 'metallicRoughness' | 'conductor' | 'dielectric';
 
 interface ShapeBase {
   /** Name of a material of the same scene. */
@@ -67,10 +95,10 @@ export interface Quad extends ShapeBase {
 export type Shape = Sphere | Box | Plane | Quad;
 
 /**
- * A spherical light of the classic model. A sample point at distance d lights a surface with
+ * A spherical light; the one kind that the classic integrator knows. A sample point at distance d lights a surface with
  * w = radiance · radius² / d², which is also exactly what a glowing ball of that radiance gives.
  */
-export interface Light {
+export interface SphereLight {
   readonly type: 'sphere';
   readonly center: Vec3;
   readonly radius: number;
@@ -85,6 +113,48 @@ export interface Light {
   /** Whether camera and mirrors see the ball and its halo. */
   readonly visible: boolean;
 }
+
+/** A rectangle or parallelogram corner + s·u + t·v that shines to the side of u × v. Only the path integrator knows this and the following. */
+export interface QuadLight {
+  readonly type: 'quad';
+  readonly corner: Vec3;
+  readonly u: Vec3;
+  readonly v: Vec3;
+  /** Multiplies `color`: radiance, W / (m² sr). */
+  readonly radiance: number;
+  readonly color: Color;
+  /** Whether camera and mirrors see it. */
+  readonly visible: boolean;
+}
+export interface PointLight {
+  readonly type: 'point';
+  readonly position: Vec3;
+  /** Multiplies `color`: W / sr. Irradiance is intensity · cos / distance². */
+  readonly intensity: number;
+  readonly color: Color;
+}
+export interface SpotLight {
+  readonly type: 'spot';
+  readonly position: Vec3;
+  /** Where it shines to; need not have length 1. */
+  readonly direction: Vec3;
+  readonly intensity: number;
+  readonly color: Color;
+  /** From the axis, degrees: full light up to the first, none from the second on (glTF's KHR_lights_punctual). */
+  readonly innerAngle: number;
+  readonly outerAngle: number;
+}
+export interface DirectionalLight {
+  readonly type: 'directional';
+  /** The way that the light travels; need not have length 1. */
+  readonly direction: Vec3;
+  /** Multiplies `color`: W / m² on a surface that faces it. */
+  readonly irradiance: number;
+  readonly color: Color;
+  /** Angular diameter, degrees; 0 = a point at infinity, 0.53 = the sun. Not seen by camera and mirrors when 0. */
+  readonly angle: number;
+}
+export type Light = SphereLight | QuadLight | PointLight | SpotLight | DirectionalLight;
 
 export type Interpolation = 'step' | 'linear' | 'smooth';
 export type Repeat = 'once' | 'loop' | 'ping-pong';
@@ -104,14 +174,19 @@ export interface Track {
 }
 
 export interface RenderSettings {
-  readonly integrator: 'classic';
+  /** `classic`: Whitted's ray tracing with spherical lights, docs/classic.md. `path`: unbiased path tracing, docs/path.md. */
+  readonly integrator: Integrator;
   /** Mirror rays that may follow the camera ray, 0 … 64. */
   readonly maxReflections: number;
   /** Points on each light: 1 = its centre, 9 = the course project's fixed grid, any other n ≤ 256 = stratified. */
   readonly lightSamples: number;
+  /** `path`: segments of a path from the camera on: 1 = lamps seen directly, 2 = direct light too; −1 = no limit. */
+  readonly maxDepth: number;
   /** Stops: the picture is multiplied by 2^exposure. */
   readonly exposure: number;
 }
+
+export type Integrator = 'classic' | 'path';
 
 export interface Scene {
   readonly version: 1;

@@ -33,8 +33,8 @@ struct Frame {
     uvec4 shapeEnds;
     uint occluderEnd;
     uint seenLightEnd;
-    uint spare0_;
-    uint spare1_;
+    uint emitterCount;
+    uint maxDepth;
     uvec4 panels[3];
 };
 struct Extent {

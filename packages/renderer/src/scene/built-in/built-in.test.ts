@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { sceneAt } from '../index.ts';
-import type { Box, Plane, Scene, Shape, Sphere, Vec3 } from '../scene.ts';
+import type { Box, Plane, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene.ts';
 import { builtInScenes } from './index.ts';
 
 type Matrix = readonly [Vec3, Vec3, Vec3];
@@ -58,7 +58,9 @@ const heightOver = (plane: Plane, point: Vec3) => dot(subtract(point, plane.poin
 
 /** The smallest gap between any two things of the scene, with their names. Lamps are solids here. */
 function tightest(scene: Scene): [number, string] {
-  const lamps = Object.entries(scene.lights).map(([name, light]) => [name, { ...light, material: '' }] as const);
+  const lamps = Object.entries(scene.lights).map(
+    ([name, light]) => [name, { ...(light as SphereLight), material: '' }] as const,
+  );
   const solids = [...Object.entries(scene.shapes), ...lamps].filter((entry): entry is [string, Sphere | Box] =>
     isSolid(entry[1]),
   );

@@ -410,10 +410,10 @@ struct Frame {
   occluderEnd: u32,
   // index past the last light that camera and mirrors see
   seenLightEnd: u32,
-  // unused
-  spare0: u32,
-  // unused
-  spare1: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
   // per panel: max reflections, light samples, unused, unused
   panels: array<vec4u, 3>,
 }
