@@ -40,7 +40,8 @@ class FakeDevice implements Device {
   }
   createFilm(width: number, height: number): FilmTexture {
     this.counts.textures++;
-    return { width, height, renderable: true, destroy: () => this.counts.textures-- };
+    const destroy = () => this.counts.textures--;
+    return { width, height, layers: [{ width, height, destroy }], destroy };
   }
   draw(pass: Pass, _target: unknown, _resources: unknown, region?: Region): void {
     if (this.destroyed) throw new Error('drawn with a destroyed device');

@@ -135,7 +135,7 @@ export class Stages {
     const { scene, camera, settings } = this.#shot!;
     packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.samples);
     this.#frame.write(this.#frameBlock.bytes);
-    return { frame: this.#frame, sceneTable: this.#table!, previousFilm: this.film.current };
+    return { frame: this.#frame, sceneTable: this.#table!, previousFilm: this.film.current.layers[0]! };
   }
 
   #complete(submitted: () => void): void {
@@ -167,7 +167,7 @@ export class Stages {
   /** Puts the newest whole picture on the canvas; false when there is none. `exposure` in stops. */
   show(exposure: number): boolean {
     const { picture } = this.film;
-    if (picture) this.#display.show(picture.texture, picture.width, picture.height, exposure);
+    if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, exposure);
     return picture !== null;
   }
 }

@@ -1,13 +1,13 @@
 /**
- * The film: float32 sums of radiance and, in alpha, of samples, for each pixel. Two textures take turns, since a pass cannot
- * read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
+ * The film: for each pixel, float32 sums of radiance and, in alpha, of samples; in a second layer, if asked for, the sums of the
+ * samples' squares, from which the standard error follows. Two films take turns, since a pass cannot read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
  * of resolution allocates nothing.
  */
 import type { Device, FilmTexture } from '../gpu/device.ts';
 
-/** A whole picture: the first width × height pixels of the texture. */
+/** A whole picture: the first width × height pixels of the film. */
 export interface Picture {
-  readonly texture: FilmTexture;
+  readonly film: FilmTexture;
   readonly width: number;
   readonly height: number;
 }
@@ -48,12 +48,13 @@ export class Film {
     return this.#picture;
   }
 
-  /** Makes room for pictures of up to this size. With another size than before the film starts over. */
-  reserve(width: number, height: number): void {
+  /** Makes room for pictures of up to this size. With another size or number of layers than before the film starts over. */
+  reserve(width: number, height: number, layers = 1): void {
     const now = this.#textures?.[0];
-    if (now && now.width === width && now.height === height) return;
-    for (const texture of this.#textures ?? []) if (texture !== this.#picture?.texture) texture.destroy();
-    this.#textures = [this.#device.createFilm(width, height), this.#device.createFilm(width, height)];
+    if (now && now.width === width && now.height === height && now.layers.length === layers) return;
+    for (const texture of this.#textures ?? []) if (texture !== this.#picture?.film) texture.destroy();
+    const create = () => this.#device.createFilm(width, height, layers);
+    this.#textures = [create(), create()];
     this.#samples = 0;
   }
 
@@ -66,17 +67,22 @@ export class Film {
 
   /** The sample in `next` is complete. */
   swap(): void {
-    const before = this.#picture?.texture;
+    const before = this.#picture?.film;
     const textures = this.#textures!;
     textures.reverse();
     this.#samples++;
-    this.#picture = { texture: textures[0], width: this.#width, height: this.#height };
+    this.#picture = { film: textures[0], width: this.#width, height: this.#height };
     if (before && !textures.includes(before)) before.destroy();
+  }
+
+  /** The plain sums of a layer, row 0 first: RGB and the number of samples, or RGB of the squares. */
+  readSums(layer: number): Promise<Float32Array<ArrayBuffer>> {
+    return this.#device.read(this.current.layers[layer]!, this.#width, this.#height);
   }
 
   /** Mean radiance, linear RGB + samples, row 0 first. */
   async read(): Promise<Float32Array<ArrayBuffer>> {
-    const pixels = await this.#device.read(this.current, this.#width, this.#height);
+    const pixels = await this.readSums(0);
     for (let i = 0; i < pixels.length; i += 4) {
       const n = Math.max(pixels[i + 3]!, 1);
       for (let c = 0; c < 3; c++) pixels[i + c]! /= n;
@@ -86,7 +92,7 @@ export class Film {
 
   destroy(): void {
     const textures = new Set<FilmTexture>(this.#textures ?? []);
-    if (this.#picture) textures.add(this.#picture.texture);
+    if (this.#picture) textures.add(this.#picture.film);
     for (const texture of textures) texture.destroy();
     this.#textures = null;
     this.#picture = null;

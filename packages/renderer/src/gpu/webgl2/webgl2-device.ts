@@ -4,6 +4,7 @@ import {
   type DeviceCounts,
   DeviceError,
   type FilmTexture,
+  type FloatTexture,
   type Pass,
   type PassSource,
   type Region,
@@ -24,7 +25,7 @@ interface GlPass extends Pass {
 interface GlTexture {
   readonly texture: WebGLTexture;
 }
-interface GlFilm extends FilmTexture, GlTexture {
+interface GlFilm extends FilmTexture {
   readonly framebuffer: WebGLFramebuffer;
 }
 interface GlUniforms extends UniformBuffer {
@@ -180,18 +181,28 @@ class WebGl2Device implements Device {
     return { ...base, write, destroy } as TableTexture;
   }
 
-  createFilm(width: number, height: number): FilmTexture {
+  createFilm(width: number, height: number, count = 1): FilmTexture {
     const gl = this.#gl;
-    const base = this.#texture(width, height, this.#filmFormat);
-    const framebuffer = gl.createFramebuffer()!;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, base.texture, 0);
+    const layers = Array.from({ length: count }, () => this.#texture(width, height, this.#filmFormat));
+    const framebuffer = this.#framebuffer(layers);
     const destroy = () => {
-      this.counts.textures--;
+      this.counts.textures -= count;
       gl.deleteFramebuffer(framebuffer);
-      gl.deleteTexture(base.texture);
+      for (const { texture } of layers) gl.deleteTexture(texture);
     };
-    return { ...base, framebuffer, renderable: true, destroy } as GlFilm;
+    return { width, height, layers, framebuffer, destroy } as unknown as GlFilm;
+  }
+
+  #framebuffer(layers: readonly { texture: WebGLTexture }[]): WebGLFramebuffer {
+    const gl = this.#gl;
+    const framebuffer = gl.createFramebuffer()!;
+    const attachments = layers.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    layers.forEach(({ texture }, i) => {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[i]!, gl.TEXTURE_2D, texture, 0);
+    });
+    gl.drawBuffers(attachments);
+    return framebuffer;
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
@@ -226,11 +237,12 @@ class WebGl2Device implements Device {
     gl.deleteSync(sync);
   }
 
-  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
+  async read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
     const gl = this.#gl;
     const pixels = new Float32Array(width * height * 4);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, (film as GlFilm).framebuffer);
+    const framebuffer = this.#framebuffer([layer as unknown as GlTexture]);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    gl.deleteFramebuffer(framebuffer);
     return pixels;
   }
 

@@ -4,6 +4,7 @@ import {
   type DeviceCounts,
   DeviceError,
   type FilmTexture,
+  type FloatTexture,
   type Pass,
   type PassSource,
   type Region,
@@ -90,7 +91,9 @@ class WebGpuDevice implements Device {
       fragment: {
         module: this.#module(source.wgsl.fragment),
         entryPoint: source.entries.fragment,
-        targets: [{ format: source.target === 'film' ? FILM_FORMAT : this.#format }],
+        targets: Array.from({ length: source.layers ?? 1 }, () => ({
+          format: source.target === 'film' ? FILM_FORMAT : this.#format,
+        })),
       },
     };
     try {
@@ -147,19 +150,26 @@ class WebGpuDevice implements Device {
     return { ...base, write } as TableTexture;
   }
 
-  createFilm(width: number, height: number): FilmTexture {
+  createFilm(width: number, height: number, count = 1): FilmTexture {
     const { RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC } = GPUTextureUsage;
-    const base = this.#texture(width, height, RENDER_ATTACHMENT | TEXTURE_BINDING | COPY_SRC);
-    return { ...base, renderable: true } as FilmTexture;
+    const usage = RENDER_ATTACHMENT | TEXTURE_BINDING | COPY_SRC;
+    const layers = Array.from({ length: count }, () => this.#texture(width, height, usage));
+    const destroy = () => {
+      for (const layer of layers) layer.destroy();
+    };
+    return { width, height, layers, destroy };
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
     const { pipeline, layout } = pass as WebGpuPass;
-    const view = target === 'canvas' ? this.#canvasView() : (target as unknown as { binding: GPUTextureView }).binding;
+    const views =
+      target === 'canvas'
+        ? [this.#canvasView()]
+        : target.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const clear = region === undefined || region.firstRow === 0;
     const renderPass = encoder.beginRenderPass({
-      colorAttachments: [{ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' }],
+      colorAttachments: views.map((view) => ({ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' })),
     });
     renderPass.setPipeline(pipeline);
     const entries = resources.map((r, binding) => ({ binding, resource: (r as unknown as GpuResource).binding }));
@@ -182,8 +192,8 @@ class WebGpuDevice implements Device {
     return this.#device.queue.onSubmittedWorkDone();
   }
 
-  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
-    const { texture } = film as FilmTexture & { texture: GPUTexture };
+  async read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
+    const { texture } = layer as FloatTexture & { texture: GPUTexture };
     const bytesPerRow = Math.ceil((width * 16) / 256) * 256;
     const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
     const buffer = this.#device.createBuffer({ size: bytesPerRow * height, usage });
