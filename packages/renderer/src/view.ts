@@ -23,6 +23,8 @@ export const DEFAULT_SETTINGS: RendererSettings = {
   comparison: null,
 };
 
+/** Segments that paths without limit are taken to have. */
+const USUAL_DEPTH = 8;
 /** Longest step of the animation in one frame, seconds: a tab that slept goes on where it was. */
 const LONGEST_STEP = 0.25;
 /** Settings that only the display uses, or only the loop: the film stays valid. */
@@ -195,6 +197,8 @@ export class View {
   /** Rays that one film pixel may need at most: camera and mirror rays, and a shadow ray for each light sample of each. */
   raysPerPixel(): number {
     const lights = Object.keys(this.#scene?.lights ?? {}).length;
+    const { integrator, maxDepth } = this.#settings;
+    if (integrator === 'path') return 2 * (maxDepth < 0 ? USUAL_DEPTH : Math.min(maxDepth, USUAL_DEPTH));
     const panels = this.#settings.comparison?.panels ?? [this.#settings];
     const rays = panels.map((p) => (1 + p.maxReflections) * (1 + lights * p.lightSamples));
     return rays.reduce((sum, n) => sum + n, 0) / rays.length;

@@ -38,7 +38,8 @@ const PREVIEW: PassSource = {
 export interface ClassicInputs {
   readonly frame: UniformBuffer;
   readonly sceneTable: TableTexture;
-  readonly previousFilm: FloatTexture;
+  /** The layers of the film so far. */
+  readonly previous: readonly FloatTexture[];
 }
 
 export const createClassicPass = (device: Device): Promise<Pass> => device.createPass(CLASSIC);
@@ -51,5 +52,5 @@ export function drawClassic(
   inputs: ClassicInputs,
   region: Region,
 ): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, inputs.previousFilm], region);
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
 }
