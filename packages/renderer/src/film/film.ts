@@ -3,7 +3,7 @@
  * read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
  * of resolution allocates nothing.
  */
-import type { Device, FilmTexture } from '../gpu/device.ts';
+import type { Device, FilmArea, FilmTexture } from '../gpu/device.ts';
 
 /** A whole picture: the first width × height pixels of the texture. */
 export interface Picture {
@@ -19,6 +19,7 @@ export class Film {
   #width = 0;
   #height = 0;
   #samples = 0;
+  #firstSample = 0;
 
   constructor(device: Device) {
     this.#device = device;
@@ -33,6 +34,10 @@ export class Film {
   /** Samples that every pixel holds. */
   get samples(): number {
     return this.#samples;
+  }
+  /** Index of the sample that comes next: what its random numbers are made of. */
+  get nextSample(): number {
+    return this.#firstSample + this.#samples;
   }
   /** The finished sums. */
   get current(): FilmTexture {
@@ -62,6 +67,20 @@ export class Film {
     this.#width = width;
     this.#height = height;
     this.#samples = 0;
+    this.#firstSample = 0;
+  }
+
+  /** Goes on at sample `next`: from sums that were read before, of `samples` samples in this area, or from none. */
+  resume(next: number, samples: number, sums: Float32Array<ArrayBuffer> | null, area: FilmArea): void {
+    this.#samples = samples;
+    this.#firstSample = next - samples;
+    if (sums) this.#device.write(this.current, sums, area);
+    else this.#device.clear(this.current);
+  }
+
+  /** The sums as they are, RGB + samples, of an area, row 0 first. */
+  readSums({ x, y, width, height }: FilmArea): Promise<Float32Array<ArrayBuffer>> {
+    return this.#device.read(this.current, width, height, x, y);
   }
 
   /** The sample in `next` is complete. */
