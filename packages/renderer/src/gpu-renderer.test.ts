@@ -49,6 +49,8 @@ class FakeDevice implements Device {
   }
   finished = () => pause(this.submitMs + this.rowMs * (this.drawn.findLast(({ rows }) => rows > 0)?.rows ?? 0));
   read = async (_film: unknown, width: number, height: number) => new Float32Array(width * height * 4).fill(1);
+  write(): void {}
+  clear(): void {}
   async reopen(): Promise<Device> {
     if (!this.next) throw new DeviceError('There is none.');
     return this.next;

@@ -5,7 +5,7 @@
 import { Display } from './display/display.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
-import type { Device, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
+import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { createPathPass, drawPath, PATH_LAYERS } from './integrator/path/path.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
@@ -23,6 +23,8 @@ export interface Shot {
   readonly settings: Readonly<RendererSettings>;
   /** At most. */
   readonly raysPerPixel: number;
+  /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
+  readonly area?: FilmArea;
 }
 
 /** Rays that the first submits may ask for, while the device's speed is unknown: even a slow GPU does these in a blink. */
@@ -124,29 +126,32 @@ export class Stages {
   async addSample(controller: FrameController, submitted: () => void, unwanted: () => boolean): Promise<boolean> {
     const { film, device } = this;
     const { width, height } = film;
+    const { x, y, ...area } = this.#shot!.area ?? { x: 0, y: 0, width, height };
     const pass = this.#pass;
     this.#writeFrame();
-    let row = 0;
+    const columns = { firstColumn: x, columnCount: area.width };
+    const end = y + area.height;
+    let row = y;
     this.#pending = true;
     try {
       for (;;) {
-        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass), height - row);
+        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, area.width), end - row);
         const begun = performance.now();
-        this.#draw(pass, { width, height, firstRow: row, rowCount });
+        this.#draw(pass, { width, height, firstRow: row, rowCount, ...columns });
         row += rowCount;
-        if (row === height) this.#complete(submitted);
-        const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount, begun));
+        if (row === end) this.#complete(submitted);
+        const done = device.finished().then(() => this.#measure(controller, pass, area.width * rowCount, begun));
         done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
         // Two submits at once, so that the device has the next one when it has finished one.
         const before = this.#before;
         this.#before = done;
-        await (row === height ? done : before);
-        if (row === height) return true;
+        await (row === end ? done : before);
+        if (row === end) return true;
         if (unwanted()) return false;
       }
     } finally {
       // Once all is submitted, `pending` may be the next sample's.
-      if (row < height) this.#pending = false;
+      if (row < end) this.#pending = false;
     }
   }
 
@@ -159,7 +164,7 @@ export class Stages {
 
   #writeFrame(): void {
     const { scene, camera, settings } = this.#shot!;
-    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.samples);
+    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.nextSample);
     this.#frame.write(this.#frameBlock.bytes);
   }
 
@@ -170,8 +175,7 @@ export class Stages {
   }
 
   /** Before the first measurement nobody knows how fast the device is, only how many rays a pixel may ask for. */
-  #rowsPerSubmit(controller: FrameController, pass: Pass): number {
-    const { width } = this.film;
+  #rowsPerSubmit(controller: FrameController, pass: Pass, width: number): number {
     if (pass === this.#preview) return Math.max(Math.floor(PREVIEW_PIXELS / width), 1);
     const rows = controller.rowsPerSubmit(width);
     if (controller.cost) return rows;

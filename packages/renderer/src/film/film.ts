@@ -3,7 +3,7 @@
  * samples' squares, from which the standard error follows. Two films take turns, since a pass cannot read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
  * of resolution allocates nothing.
  */
-import type { Device, FilmTexture } from '../gpu/device.ts';
+import type { Device, FilmArea, FilmTexture } from '../gpu/device.ts';
 
 /** A whole picture: the first width × height pixels of the film. */
 export interface Picture {
@@ -19,6 +19,7 @@ export class Film {
   #width = 0;
   #height = 0;
   #samples = 0;
+  #firstSample = 0;
 
   constructor(device: Device) {
     this.#device = device;
@@ -33,6 +34,10 @@ export class Film {
   /** Samples that every pixel holds. */
   get samples(): number {
     return this.#samples;
+  }
+  /** Index of the sample that comes next: what its random numbers are made of. */
+  get nextSample(): number {
+    return this.#firstSample + this.#samples;
   }
   /** The finished sums. */
   get current(): FilmTexture {
@@ -63,6 +68,30 @@ export class Film {
     this.#width = width;
     this.#height = height;
     this.#samples = 0;
+    this.#firstSample = 0;
+  }
+
+  /** Goes on at sample `next`: from sums that were read before, of `samples` samples in this area, or from none. */
+  resume(next: number, samples: number, sums: Float32Array<ArrayBuffer> | null, area: FilmArea): void {
+    this.#samples = samples;
+    this.#firstSample = next - samples;
+    if (!sums) {
+      this.#device.clear(this.current);
+      return;
+    }
+    const texels = 4 * area.width * area.height;
+    this.current.layers.forEach((layer, i) => {
+      this.#device.write(layer, sums.subarray(i * texels, (i + 1) * texels), area);
+    });
+  }
+
+  /** The sums of an area as they are, layer after layer, row 0 first: RGB + samples, then RGB of the squares and 0. */
+  async readSums({ x, y, width, height }: FilmArea): Promise<Float32Array<ArrayBuffer>> {
+    const texels = 4 * width * height;
+    const { layers } = this.current;
+    const sums = new Float32Array(texels * layers.length);
+    for (const [i, layer] of layers.entries()) sums.set(await this.#device.read(layer, width, height, x, y), i * texels);
+    return sums;
   }
 
   /** The sample in `next` is complete. */
@@ -75,14 +104,9 @@ export class Film {
     if (before && !textures.includes(before)) before.destroy();
   }
 
-  /** The plain sums of a layer, row 0 first: RGB and the number of samples, or RGB of the squares. */
-  readSums(layer: number): Promise<Float32Array<ArrayBuffer>> {
-    return this.#device.read(this.current.layers[layer]!, this.#width, this.#height);
-  }
-
   /** Mean radiance, linear RGB + samples, row 0 first. */
   async read(): Promise<Float32Array<ArrayBuffer>> {
-    const pixels = await this.readSums(0);
+    const pixels = await this.#device.read(this.current.layers[0]!, this.#width, this.#height);
     for (let i = 0; i < pixels.length; i += 4) {
       const n = Math.max(pixels[i + 3]!, 1);
       for (let c = 0; c < 3; c++) pixels[i + c]! /= n;

@@ -65,6 +65,16 @@ export interface Region {
   readonly height: number;
   readonly firstRow: number;
   readonly rowCount: number;
+  /** Which columns; all when left out. */
+  readonly firstColumn?: number;
+  readonly columnCount?: number;
+}
+/** A rectangle of film pixels, (x, y) its top left corner. */
+export interface FilmArea {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
 }
 
 /** What exists on the device now, for leak tests, and how many programs were ever made. */
@@ -94,8 +104,12 @@ export interface Device {
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
   /** Resolves when all that was drawn so far is done. */
   finished(): Promise<void>;
-  /** RGBA float32 of the first columns and rows of a layer, row 0 first. */
-  read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;
+  /** RGBA float32 of the first columns and rows of a layer, or of those from (x, y) on, row 0 first. */
+  read(layer: FloatTexture, width: number, height: number, x?: number, y?: number): Promise<Float32Array<ArrayBuffer>>;
+  /** The other way: puts RGBA float32 texels into a layer of a film. */
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, area: FilmArea): void;
+  /** Makes all layers of a film zero. */
+  clear(film: FilmTexture): void;
   /** Resolves with the reason when the device is lost, not when it is destroyed on purpose. */
   readonly lost: Promise<string>;
   /** After a loss: a new device on the same canvas. Rejects with `DeviceError` when there is none. */

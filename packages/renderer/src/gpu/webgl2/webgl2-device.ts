@@ -3,6 +3,7 @@ import {
   type Device,
   type DeviceCounts,
   DeviceError,
+  type FilmArea,
   type FilmTexture,
   type FloatTexture,
   type Pass,
@@ -221,7 +222,7 @@ class WebGl2Device implements Device {
     });
     if (region) {
       gl.enable(gl.SCISSOR_TEST);
-      gl.scissor(0, region.firstRow, width, region.rowCount);
+      gl.scissor(region.firstColumn ?? 0, region.firstRow, region.columnCount ?? width, region.rowCount);
     }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     if (region) gl.disable(gl.SCISSOR_TEST);
@@ -237,13 +238,27 @@ class WebGl2Device implements Device {
     gl.deleteSync(sync);
   }
 
-  async read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
+  async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
     const gl = this.#gl;
     const pixels = new Float32Array(width * height * 4);
     const framebuffer = this.#framebuffer([layer as unknown as GlTexture]);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.FLOAT, pixels);
     gl.deleteFramebuffer(framebuffer);
     return pixels;
+  }
+
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, { x, y, width, height }: FilmArea): void {
+    const gl = this.#gl;
+    gl.bindTexture(gl.TEXTURE_2D, (layer as unknown as GlTexture).texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RGBA, gl.FLOAT, texels);
+  }
+
+  clear(film: FilmTexture): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, (film as GlFilm).framebuffer);
+    film.layers.forEach((_, i) => {
+      gl.clearBufferfv(gl.COLOR, i, [0, 0, 0, 0]);
+    });
   }
 
   /** Browsers keep few contexts alive, and free one only when its canvas is garbage: so the context is let go here. */
