@@ -45,6 +45,12 @@ const PROGRAMS: readonly Program[] = [
     entries: [{ entry: 'shapeProbe', stage: 'fragment' }],
     output: TESTS_OUTPUT,
   },
+  {
+    name: 'emitter_probe',
+    root: 'tests/emitter-probe',
+    entries: [{ entry: 'emitterProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
 ];
 
 /** The modules below a folder, by their path from it with `prefix` in front. */

@@ -86,11 +86,14 @@ export const STRUCTS = {
       'vec3f',
       'radiance; of a point or spot: intensity; of directional light without angular size: irradiance',
     ),
-    area: field('f32', 'of the surface that shines, m^2'),
+    area: field(
+      'f32',
+      'of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size',
+    ),
     shape: field('f32', 'row of the shape that rays meet; -1: none, only light sampling finds it'),
     oneSided: field('f32', '1: a quad that shines to the side of u x v only'),
-    power: field('f32', 'estimate of the flux, for choosing among emitters'),
-    spare0: field('f32', 'unused'),
+    power: field('f32', 'for choosing among emitters: power / distance^2 estimates the irradiance in front of it'),
+    reach: field('f32', 'radius of the bounding sphere; of directional light: sine of half the angular diameter'),
   },
   Frame: {
     right: field('vec3f', 'camera r times tan(fov / 2) times aspect'),
