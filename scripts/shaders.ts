@@ -30,6 +30,7 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/classic/preview',
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
+  { name: 'path', root: 'integrator/path/path', entries: [{ entry: 'path', stage: 'fragment' }] },
   { name: 'full_screen', root: 'shading/full_screen', entries: [{ entry: 'fullScreen', stage: 'vertex' }] },
   {
     name: 'display',
