@@ -211,7 +211,8 @@ export class GpuRenderer implements Renderer {
   async readFilm() {
     const painter = await this.#waitForPainter();
     // The film of a picture that was never asked for, or only of the preview, is not the integrator's.
-    if (painter.filmRevision >= 0 && !painter.filmComplete) await painter.stages.ready(this.settings.integrator).then(() => this.render());
+    if (painter.filmRevision >= 0 && !painter.filmComplete)
+      await painter.stages.ready(this.settings.integrator).then(() => this.render());
     while (painter === this.#painter && painter.stages.pending && painter.stages.film.samples === 0) await pause(4);
     const { film } = (await this.#waitForPainter()).stages;
     if (film.samples === 0) throw new Error('Nothing has been rendered yet.');

@@ -147,7 +147,11 @@ export class Painter {
     const { targetFps, resolutionScale } = view.settings;
     const largest = Math.min(resolutionScale, this.stages.device.maxTextureSize / Math.max(width, height));
     const pixels = (side: number, scale: number) => Math.max(Math.round(side * scale), 1);
-    this.stages.film.reserve(pixels(width, largest), pixels(height, largest), this.stages.layersFor(view.settings.integrator));
+    this.stages.film.reserve(
+      pixels(width, largest),
+      pixels(height, largest),
+      this.stages.layersFor(view.settings.integrator),
+    );
     const scale = reduced ? controller.movingScale(width * height, targetFps, largest) : largest;
     return { width: pixels(width, scale), height: pixels(height, scale) };
   }

@@ -90,7 +90,8 @@ export class Film {
     const texels = 4 * width * height;
     const { layers } = this.current;
     const sums = new Float32Array(texels * layers.length);
-    for (const [i, layer] of layers.entries()) sums.set(await this.#device.read(layer, width, height, x, y), i * texels);
+    for (const [i, layer] of layers.entries())
+      sums.set(await this.#device.read(layer, width, height, x, y), i * texels);
     return sums;
   }
 

@@ -6,6 +6,7 @@ precision highp int;
 struct EmitterChoice {
     uint index;
     float probability;
+    float total;
 };
 struct Frame {
     vec3 right;
@@ -31,12 +32,6 @@ struct Frame {
     float spare0_;
     float spare1_;
     float spare2_;
-};
-struct Survey {
-    float total;
-    uint chosen;
-    float chosenWeight;
-    float wantedWeight;
 };
 struct Emitter {
     vec3 position;
@@ -166,89 +161,86 @@ Emitter fetchEmitter(uint i) {
     return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w);
 }
 
-Survey surveyEmitters(vec3 point_1, vec3 normal_2, float u, uint wanted) {
-    Survey s = Survey(0.0, 0u, 0.0, 0.0);
+EmitterChoice chooseEmitter(vec3 point_1, vec3 normal_2, float u) {
+    float total = 0.0;
+    uint chosen = 0u;
+    float chosenWeight = 0.0;
     float rest = 0.0;
     uint i_1 = 0u;
-    rest = u;
-    while(true) {
-        uint _e13 = i_1;
-        Emitter _e14 = fetchEmitter(_e13);
-        float _e15 = estimatedIrradiance(_e14, point_1, normal_2);
-        float _e17 = s.total;
-        s.total = (_e17 + _e15);
-        float _e20 = s.total;
-        float share_2 = (_e15 / max(_e20, 1e-37));
-        float _e24 = rest;
-        bool take = (_e24 < share_2);
-        uint _e28 = s.chosen;
-        uint _e29 = i_1;
-        s.chosen = (take ? _e29 : _e28);
-        float _e33 = s.chosenWeight;
-        s.chosenWeight = (take ? _e15 : _e33);
-        float _e37 = s.wantedWeight;
-        uint _e38 = i_1;
-        s.wantedWeight = ((_e38 == wanted) ? _e15 : _e37);
-        float _e41 = rest;
-        float _e48 = rest;
-        rest = (take ? (_e48 / max(share_2, 1e-37)) : ((_e41 - share_2) / max((1.0 - share_2), 1e-7)));
-        uint _e54 = i_1;
-        i_1 = (_e54 + 1u);
-        uint _e56 = i_1;
-        uint _e59 = frame.emitterCount;
-        if ((_e56 >= _e59)) {
-            break;
-        }
-    }
-    Survey _e61 = s;
-    return _e61;
-}
-
-EmitterChoice chooseEmitter(vec3 point_2, vec3 normal_3, float u_1) {
     uint _e5 = frame.emitterCount;
     if ((_e5 <= 1u)) {
         uint _e11 = frame.emitterCount;
-        return EmitterChoice(0u, float(_e11));
+        return EmitterChoice(0u, float(_e11), 1.0);
     }
-    Survey _e15 = surveyEmitters(point_2, normal_3, u_1, 0u);
-    return EmitterChoice(_e15.chosen, (_e15.chosenWeight / max(_e15.total, 1e-37)));
+    rest = u;
+    while(true) {
+        uint _e24 = i_1;
+        Emitter _e25 = fetchEmitter(_e24);
+        float _e26 = estimatedIrradiance(_e25, point_1, normal_2);
+        float _e27 = total;
+        total = (_e27 + _e26);
+        float _e29 = total;
+        float share_2 = (_e26 / max(_e29, 1e-37));
+        float _e33 = rest;
+        bool take = (_e33 < share_2);
+        uint _e35 = chosen;
+        uint _e36 = i_1;
+        chosen = (take ? _e36 : _e35);
+        float _e38 = chosenWeight;
+        chosenWeight = (take ? _e26 : _e38);
+        float _e40 = rest;
+        float _e47 = rest;
+        rest = (take ? (_e47 / max(share_2, 1e-37)) : ((_e40 - share_2) / max((1.0 - share_2), 1e-7)));
+        uint _e53 = i_1;
+        i_1 = (_e53 + 1u);
+        uint _e55 = i_1;
+        uint _e58 = frame.emitterCount;
+        if ((_e55 >= _e58)) {
+            break;
+        }
+    }
+    uint _e60 = chosen;
+    float _e61 = chosenWeight;
+    float _e62 = total;
+    float _e66 = total;
+    return EmitterChoice(_e60, (_e61 / max(_e62, 1e-37)), _e66);
 }
 
-float choiceProbability(uint index, vec3 point_3, vec3 normal_4) {
-    uint _e5 = frame.emitterCount;
-    if ((_e5 <= 1u)) {
-        uint _e10 = frame.emitterCount;
-        return float(_e10);
+float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
+    uint _e6 = frame.emitterCount;
+    if ((_e6 <= 1u)) {
+        uint _e11 = frame.emitterCount;
+        return float(_e11);
     }
-    Survey _e13 = surveyEmitters(point_3, normal_4, 0.0, index);
-    return (_e13.wantedWeight / max(_e13.total, 1e-37));
+    float _e13 = estimatedIrradiance(e_2, point_2, normal_3);
+    return (_e13 / max(total_1, 1e-37));
 }
 
-SphereView viewSphere(Emitter e_2, vec3 point_4) {
-    vec3 toCenter = (e_2.position - point_4);
+SphereView viewSphere(Emitter e_3, vec3 point_3) {
+    vec3 toCenter = (e_3.position - point_3);
     float d_1 = length(toCenter);
-    float power = abs(((d_1 - e_2.radius) * (d_1 + e_2.radius)));
-    bool inside = (d_1 <= e_2.radius);
-    float sine = min((e_2.radius / max(d_1, 1e-30)), 1.0);
+    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
+    bool inside = (d_1 <= e_3.radius);
+    float sine = min((e_3.radius / max(d_1, 1e-30)), 1.0);
     float cosine_1 = (sqrt(power) / max(d_1, 1e-30));
     return SphereView(toCenter, d_1, power, inside, (inside ? 2.0 : ((sine * sine) / (1.0 + cosine_1))));
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
-    float s_2 = ((axis.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (s_2 + axis.z));
+    float s_1 = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (s_1 + axis.z));
     float b = ((axis.x * axis.y) * a);
-    vec3 x_2 = vec3((1.0 + (((s_2 * axis.x) * axis.x) * a)), (s_2 * b), (-(s_2) * axis.x));
-    vec3 y_1 = vec3(b, (s_2 + ((axis.y * axis.y) * a)), -(axis.y));
+    vec3 x_2 = vec3((1.0 + (((s_1 * axis.x) * axis.x) * a)), (s_1 * b), (-(s_1) * axis.x));
+    vec3 y_1 = vec3(b, (s_1 + ((axis.y * axis.y) * a)), -(axis.y));
     return (((v.x * x_2) + (v.y * y_1)) + (v.z * axis));
 }
 
-ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
-    float oneMinusCosine = (u_2.x * width);
+ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_1) {
+    float oneMinusCosine = (u_1.x * width);
     float cosine_2 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_1 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_2.y);
+    float phi = (6.2831855 * u_1.y);
     vec3 _e21 = turnTo(axis_1, vec3((sine_1 * cos(phi)), (sine_1 * sin(phi)), cosine_2));
     return ConeDirection(_e21, cosine_2, sine2_);
 }
@@ -257,17 +249,17 @@ float conePdf(float width_1) {
     return (1.0 / (6.2831855 * max(width_1, 1e-31)));
 }
 
-LightSample sampleSphere(Emitter e_3, vec3 point_5, vec2 u_3) {
-    SphereView _e3 = viewSphere(e_3, point_5);
+LightSample sampleSphere(Emitter e_4, vec3 point_4, vec2 u_2) {
+    SphereView _e3 = viewSphere(e_4, point_4);
     vec3 axis_2 = ((_e3.distance_ < 1e-30) ? vec3(0.0, 0.0, 1.0) : (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_3);
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_2);
     float along = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_3.radius * e_3.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_4.radius * e_4.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along) + halfChord);
     bool takeLarger = (_e3.inside && (along > 0.0));
     float distance_6 = (takeLarger ? larger : (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_3.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_6, e_4.radiance, _e49, false);
 }
 
 float arctangent(float x) {
@@ -288,16 +280,16 @@ float stretch(float x_1, vec2 y, float h) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_4, vec3 point_6) {
-    vec3 corner = (e_4.position - point_6);
-    vec2 lengths = vec2(length(e_4.u), length(e_4.v));
-    vec3 axisX = (e_4.u / vec3(lengths.x));
-    vec3 axisY = (e_4.v / vec3(lengths.y));
-    vec3 normal_8 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_8);
+QuadView viewQuad(Emitter e_5, vec3 point_5) {
+    vec3 corner = (e_5.position - point_5);
+    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
+    vec3 axisX = (e_5.u / vec3(lengths.x));
+    vec3 axisY = (e_5.v / vec3(lengths.y));
+    vec3 normal_7 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_7);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
-    bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
+    bool lit = ((abs(signedHeight) > least) && ((e_5.oneSided == 0.0) || (signedHeight < 0.0)));
     vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high = (low + lengths);
     vec2 y_2 = vec2(low.y, high.y);
@@ -305,23 +297,23 @@ QuadView viewQuad(Emitter e_4, vec3 point_6) {
     float _e46 = stretch(high.x, y_2, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_8 * ((signedHeight > 0.0) ? 1.0 : -1.0));
+    vec3 axisZ = (normal_7 * ((signedHeight > 0.0) ? 1.0 : -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
 }
 
-vec3 sphericalRectangle(QuadView q, vec2 u_4) {
+vec3 sphericalRectangle(QuadView q, vec2 u_3) {
     float h_1 = q.height;
     vec2 y_3 = vec2(q.low.y, q.high.y);
-    vec2 s_3 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_1 * h_1)))));
-    float halfT = (0.5 * (q.start + (u_4.x * q.solidAngle)));
+    vec2 s_2 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_1 * h_1)))));
+    float halfT = (0.5 * (q.start + (u_3.x * q.solidAngle)));
     float p = cos(halfT);
     float sine_2 = sin(halfT);
-    vec2 across = vec2(((s_3.y - s_3.x) * p), ((s_3.y + s_3.x) * sine_2));
+    vec2 across = vec2(((s_2.y - s_2.x) * p), ((s_2.y + s_2.x) * sine_2));
     float w = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
     float x_3 = clamp(((h_1 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
     float d2_ = ((x_3 * x_3) + (h_1 * h_1));
     vec2 ends = (y_3 * inversesqrt((vec2(d2_) + (y_3 * y_3))));
-    float v_3 = mix(ends.x, ends.y, u_4.y);
+    float v_3 = mix(ends.x, ends.y, u_3.y);
     float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_3.x, y_3.y);
     return (((x_3 * q.axisX) + (atY * q.axisY)) + (h_1 * q.axisZ));
 }
@@ -337,14 +329,14 @@ float pdfOfView(QuadView q_1, float area_1, float distance_1) {
     return (q_1.lit ? pdf_1 : 0.0);
 }
 
-LightSample sampleQuad(Emitter e_5, vec3 point_7, vec2 u_5) {
-    QuadView _e3 = viewQuad(e_5, point_7);
-    vec3 onArea = ((_e3.corner + (u_5.x * e_5.u)) + (u_5.y * e_5.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_5);
+LightSample sampleQuad(Emitter e_6, vec3 point_6, vec2 u_4) {
+    QuadView _e3 = viewQuad(e_6, point_6);
+    vec3 onArea = ((_e3.corner + (u_4.x * e_6.u)) + (u_4.y * e_6.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_4);
     vec3 toLight_2 = (_e3.bySolidAngle ? _e13 : onArea);
     float distance_7 = max(length(toLight_2), _e3.height);
-    float _e23 = pdfOfView(_e3, e_5.area, distance_7);
-    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_5.radiance, _e23, false);
+    float _e23 = pdfOfView(_e3, e_6.area, distance_7);
+    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_6.radiance, _e23, false);
 }
 
 Extent fetchExtent(uint i_2) {
@@ -358,13 +350,13 @@ vec3 rotate(vec4 q_2, vec3 v_1) {
     return ((v_1 + (q_2.w * t_2)) + cross(q_2.xyz, t_2));
 }
 
-BoxView viewBox(Emitter e_6, vec3 point_8) {
-    Extent _e4 = fetchExtent(uint(e_6.shape));
+BoxView viewBox(Emitter e_7, vec3 point_7) {
+    Extent _e4 = fetchExtent(uint(e_7.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_8 - e_6.position));
-    bvec3 beyond = greaterThan(abs(_e8), e_6.u);
+    vec3 _e8 = rotate(rotation, (point_7 - e_7.position));
+    bvec3 beyond = greaterThan(abs(_e8), e_7.u);
     bool inside_1 = !(any(beyond));
-    vec3 areas = ((4.0 * e_6.u.yzx) * e_6.u.zxy);
+    vec3 areas = ((4.0 * e_7.u.yzx) * e_7.u.zxy);
     vec3 faces = mix(vec3(0.0), areas, bvec3(beyond.x || bvec3(inside_1).x, beyond.y || bvec3(inside_1).y, beyond.z || bvec3(inside_1).z));
     float area_2 = (((faces.x + faces.y) + faces.z) * (inside_1 ? 2.0 : 1.0));
     return BoxView(rotation, _e8, faces, inside_1, area_2);
@@ -375,53 +367,53 @@ vec3 rotateBack(vec4 q_3, vec3 v_2) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_7, vec3 point_9, vec2 u_6) {
-    BoxView _e3 = viewBox(e_7, point_9);
+LightSample sampleBox(Emitter e_8, vec3 point_8, vec2 u_5) {
+    BoxView _e3 = viewBox(e_8, point_8);
     float both = (_e3.faces.x + _e3.faces.y);
-    float at = (u_6.x * (both + _e3.faces.z));
+    float at = (u_5.x * (both + _e3.faces.z));
     bool onX = (at < _e3.faces.x);
     bool onY = (!(onX) && (at < both));
     float face = (onX ? _e3.faces.x : (onY ? _e3.faces.y : _e3.faces.z));
     float within = clamp(((at - (onX ? 0.0 : (onY ? _e3.faces.x : both))) / face), 0.0, 0.99999994);
-    float s_4 = (_e3.inside ? fract((2.0 * within)) : within);
+    float s_3 = (_e3.inside ? fract((2.0 * within)) : within);
     vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
     float side_1 = (_e3.inside ? (within - 0.5) : dot(axis_3, _e3.point));
-    vec3 p_1 = vec3(((side_1 >= 0.0) ? 1.0 : -1.0), ((2.0 * s_4) - 1.0), ((2.0 * u_6.y) - 1.0));
-    vec3 onFace = ((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_7.u);
+    vec3 p_1 = vec3(((side_1 >= 0.0) ? 1.0 : -1.0), ((2.0 * s_3) - 1.0), ((2.0 * u_5.y) - 1.0));
+    vec3 onFace = ((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_8.u);
     vec3 toLight_3 = (onFace - _e3.point);
     float height_3 = abs(dot(axis_3, toLight_3));
     float distance_8 = max(length(toLight_3), 1e-30);
     float _e90 = areaPdf(_e3.area, height_3, distance_8);
     float pdf_2 = ((height_3 > 0.0) ? _e90 : 0.0);
     vec3 _e98 = rotateBack(_e3.rotation, (toLight_3 / vec3(distance_8)));
-    return LightSample(_e98, distance_8, e_7.radiance, pdf_2, false);
+    return LightSample(_e98, distance_8, e_8.radiance, pdf_2, false);
 }
 
-LightSample samplePoint(Emitter e_8, vec3 point_10) {
-    vec3 toLight_4 = (e_8.position - point_10);
+LightSample samplePoint(Emitter e_9, vec3 point_9) {
+    vec3 toLight_4 = (e_9.position - point_9);
     float distance_9 = length(toLight_4);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_8.radiance / vec3((safe * safe))), ((distance_9 > 1e-15) ? 1.0 : 0.0), true);
+    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_9.radiance / vec3((safe * safe))), ((distance_9 > 1e-15) ? 1.0 : 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_9, vec3 point_11) {
-    LightSample s_1 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_9, point_11);
-    s_1 = _e2;
-    vec3 _e5 = s_1.direction;
-    float _e6 = spotFalloff(e_9, _e5);
-    vec3 _e8 = s_1.radiance;
-    s_1.radiance = (_e8 * _e6);
-    float _e12 = s_1.pdf;
-    s_1.pdf = ((_e6 > 0.0) ? _e12 : 0.0);
-    LightSample _e17 = s_1;
+LightSample sampleSpot(Emitter e_10, vec3 point_10) {
+    LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_10, point_10);
+    s = _e2;
+    vec3 _e5 = s.direction;
+    float _e6 = spotFalloff(e_10, _e5);
+    vec3 _e8 = s.radiance;
+    s.radiance = (_e8 * _e6);
+    float _e12 = s.pdf;
+    s.pdf = ((_e6 > 0.0) ? _e12 : 0.0);
+    LightSample _e17 = s;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_10, vec2 u_7) {
-    bool delta = (e_10.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_10.u), (e_10.area / 6.2831855), u_7);
-    return LightSample(_e10.direction, 1e30, e_10.radiance, (delta ? 1.0 : (1.0 / max(e_10.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_11, vec2 u_6) {
+    bool delta = (e_11.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_11.u), (e_11.area / 6.2831855), u_6);
+    return LightSample(_e10.direction, 1e30, e_11.radiance, (delta ? 1.0 : (1.0 / max(e_11.area, 1e-31))), delta);
 }
 
 vec3 sky(vec3 direction) {
@@ -434,45 +426,45 @@ float skyPdf(vec3 direction_1) {
     return 0.07957747;
 }
 
-LightSample sampleSky(vec2 u_8) {
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_8);
+LightSample sampleSky(vec2 u_7) {
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
     vec3 direction_15 = _e6.direction;
     vec3 _e8 = sky(direction_15);
     float _e9 = skyPdf(direction_15);
     return LightSample(direction_15, 1e30, _e8, _e9, false);
 }
 
-LightSample sampleEmitter(Emitter e_11, vec3 point_12, vec2 u_9) {
-    if ((e_11.kind == 0.0)) {
-        LightSample _e6 = sampleSphere(e_11, point_12, u_9);
+LightSample sampleEmitter(Emitter e_12, vec3 point_11, vec2 u_8) {
+    if ((e_12.kind == 0.0)) {
+        LightSample _e6 = sampleSphere(e_12, point_11, u_8);
         return _e6;
     }
-    if ((e_11.kind == 1.0)) {
-        LightSample _e10 = sampleQuad(e_11, point_12, u_9);
+    if ((e_12.kind == 1.0)) {
+        LightSample _e10 = sampleQuad(e_12, point_11, u_8);
         return _e10;
     }
-    if ((e_11.kind == 2.0)) {
-        LightSample _e14 = sampleBox(e_11, point_12, u_9);
+    if ((e_12.kind == 2.0)) {
+        LightSample _e14 = sampleBox(e_12, point_11, u_8);
         return _e14;
     }
-    if ((e_11.kind == 3.0)) {
-        LightSample _e18 = samplePoint(e_11, point_12);
+    if ((e_12.kind == 3.0)) {
+        LightSample _e18 = samplePoint(e_12, point_11);
         return _e18;
     }
-    if ((e_11.kind == 4.0)) {
-        LightSample _e22 = sampleSpot(e_11, point_12);
+    if ((e_12.kind == 4.0)) {
+        LightSample _e22 = sampleSpot(e_12, point_11);
         return _e22;
     }
-    if ((e_11.kind == 5.0)) {
-        LightSample _e26 = sampleDirectional(e_11, u_9);
+    if ((e_12.kind == 5.0)) {
+        LightSample _e26 = sampleDirectional(e_12, u_8);
         return _e26;
     }
-    LightSample _e27 = sampleSky(u_9);
+    LightSample _e27 = sampleSky(u_8);
     return _e27;
 }
 
-Start onSurface(vec3 point_13, uint shape, bool seenFromInside) {
-    return Start(point_13, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_13)));
+Start onSurface(vec3 point_12, uint shape, bool seenFromInside) {
+    return Start(point_12, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_12)));
 }
 
 bool isSphere(uint i_3) {
@@ -554,10 +546,10 @@ bool isQuad0_(uint i_7) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_6, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_9 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_6, normal_9);
+    vec3 normal_8 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_6, normal_8);
     vec3 toCenter_2 = (center_1 - origin_5);
-    float t_5 = (dot(toCenter_2, normal_9) / ((speed == 0.0) ? 1e-30 : speed));
+    float t_5 = (dot(toCenter_2, normal_8) / ((speed == 0.0) ? 1e-30 : speed));
     vec3 p_2 = ((t_5 * direction_6) - toCenter_2);
     bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
     return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within_1) ? t_5 : 1e30);
@@ -569,9 +561,9 @@ float hitQuad(uint i_8, Bounds bounds_2, Ray ray_2) {
     return ((i_8 == ray_2.start.leaves) ? 1e30 : _e14);
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_7, vec3 normal_5, float offset, float tMin_3) {
-    float speed_1 = dot(direction_7, normal_5);
-    float t_6 = ((offset - dot(origin_6, normal_5)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
+float intersectPlane(vec3 origin_6, vec3 direction_7, vec3 normal_4, float offset, float tMin_3) {
+    float speed_1 = dot(direction_7, normal_4);
+    float t_6 = ((offset - dot(origin_6, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
     bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
     return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
@@ -656,67 +648,67 @@ vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
     return _e37;
 }
 
-float spherePdf(Emitter e_12, vec3 point_14, vec3 direction_9) {
-    SphereView _e3 = viewSphere(e_12, point_14);
+float spherePdf(Emitter e_13, vec3 point_13, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_13, point_13);
     bool reached = (_e3.inside || (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return (reached ? _e11 : 0.0);
 }
 
-float quadPdf(Emitter e_13, vec3 point_15, float distance_2) {
-    QuadView _e3 = viewQuad(e_13, point_15);
-    float _e5 = pdfOfView(_e3, e_13.area, distance_2);
+float quadPdf(Emitter e_14, vec3 point_14, float distance_2) {
+    QuadView _e3 = viewQuad(e_14, point_14);
+    float _e5 = pdfOfView(_e3, e_14.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_14, vec3 point_16, vec3 direction_10, float distance_3, vec3 normal_6) {
-    BoxView _e5 = viewBox(e_14, point_16);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_6))), distance_3);
+float boxPdf(Emitter e_15, vec3 point_15, vec3 direction_10, float distance_3, vec3 normal_5) {
+    BoxView _e5 = viewBox(e_15, point_15);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_5))), distance_3);
     return _e10;
 }
 
-bool isOnDisc(Emitter e_15, vec3 direction_11) {
-    vec3 chord = (direction_11 + e_15.u);
-    return ((3.1415927 * dot(chord, chord)) < e_15.area);
+bool isOnDisc(Emitter e_16, vec3 direction_11) {
+    vec3 chord = (direction_11 + e_16.u);
+    return ((3.1415927 * dot(chord, chord)) < e_16.area);
 }
 
-float directionalPdf(Emitter e_16, vec3 direction_12) {
-    bool _e7 = isOnDisc(e_16, direction_12);
-    return (_e7 ? (1.0 / max(e_16.area, 1e-31)) : 0.0);
+float directionalPdf(Emitter e_17, vec3 direction_12) {
+    bool _e7 = isOnDisc(e_17, direction_12);
+    return (_e7 ? (1.0 / max(e_17.area, 1e-31)) : 0.0);
 }
 
-float emitterPdf(Emitter e_17, vec3 point_17, vec3 direction_13, float distance_4, vec3 normal_7) {
-    if ((e_17.kind == 0.0)) {
-        float _e8 = spherePdf(e_17, point_17, direction_13);
+float emitterPdf(Emitter e_18, vec3 point_16, vec3 direction_13, float distance_4, vec3 normal_6) {
+    if ((e_18.kind == 0.0)) {
+        float _e8 = spherePdf(e_18, point_16, direction_13);
         return _e8;
     }
-    if ((e_17.kind == 1.0)) {
-        float _e12 = quadPdf(e_17, point_17, distance_4);
+    if ((e_18.kind == 1.0)) {
+        float _e12 = quadPdf(e_18, point_16, distance_4);
         return _e12;
     }
-    if ((e_17.kind == 2.0)) {
-        float _e16 = boxPdf(e_17, point_17, direction_13, distance_4, normal_7);
+    if ((e_18.kind == 2.0)) {
+        float _e16 = boxPdf(e_18, point_16, direction_13, distance_4, normal_6);
         return _e16;
     }
-    if ((e_17.kind == 5.0)) {
-        float _e20 = directionalPdf(e_17, direction_13);
+    if ((e_18.kind == 5.0)) {
+        float _e20 = directionalPdf(e_18, direction_13);
         return _e20;
     }
-    if ((e_17.kind == 6.0)) {
+    if ((e_18.kind == 6.0)) {
         float _e24 = skyPdf(direction_13);
         return _e24;
     }
     return 0.0;
 }
 
-vec3 radianceFromInfinity(Emitter e_18, vec3 direction_14) {
-    if ((e_18.kind == 6.0)) {
+vec3 radianceFromInfinity(Emitter e_19, vec3 direction_14) {
+    if ((e_19.kind == 6.0)) {
         vec3 _e5 = sky(direction_14);
         return _e5;
     }
-    bool _e9 = isOnDisc(e_18, direction_14);
-    bool disc = ((e_18.kind == 5.0) && _e9);
-    return (disc ? e_18.radiance : vec3(0.0));
+    bool _e9 = isOnDisc(e_19, direction_14);
+    bool disc = ((e_19.kind == 5.0) && _e9);
+    return (disc ? e_19.radiance : vec3(0.0));
 }
 
 void main() {
@@ -728,47 +720,49 @@ void main() {
     vec4 b_1 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
     vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
     uint question = uint(b_1.w);
-    uint index_1 = uint(a_2.w);
+    uint index = uint(a_2.w);
     if ((question == choice)) {
         EmitterChoice _e40 = chooseEmitter(a_2.xyz, c.xyz, b_1.x);
-        float _e47 = choiceProbability(_e40.index, a_2.xyz, c.xyz);
-        float _e50 = choiceProbability(index_1, a_2.xyz, c.xyz);
-        _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e47, _e50);
+        Emitter _e42 = fetchEmitter(_e40.index);
+        float _e46 = probabilityOf(_e42, a_2.xyz, c.xyz, _e40.total);
+        Emitter _e50 = fetchEmitter(index);
+        float _e54 = probabilityOf(_e50, a_2.xyz, c.xyz, _e40.total);
+        _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
-    Emitter _e52 = fetchEmitter(index_1);
-    LightSample _e55 = sampleEmitter(_e52, a_2.xyz, b_1.xy);
+    Emitter _e56 = fetchEmitter(index);
+    LightSample _e59 = sampleEmitter(_e56, a_2.xyz, b_1.xy);
     if ((question == directionAndPdf)) {
-        _fs2p_location0 = vec4(_e55.direction, _e55.pdf);
+        _fs2p_location0 = vec4(_e59.direction, _e59.pdf);
         return;
     }
     if ((question == radianceAndDistance)) {
-        _fs2p_location0 = vec4(_e55.radiance, _e55.distance_);
+        _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_16 = ((question == pdfOfSample) ? _e55.direction : c.xyz);
-    if ((_e52.shape >= 0.0)) {
-        uint shape_1 = uint(_e52.shape);
-        Start _e84 = onSurface(a_2.xyz, noShape, false);
-        Ray ray_6 = Ray(_e84, direction_16);
-        Bounds _e86 = fetchBounds(shape_1);
-        float _e87 = hitShape(shape_1, _e86, ray_6);
-        t = _e87;
-        float _e88 = t;
-        vec3 _e91 = outwardNormal(shape_1, ray_6, min(_e88, 1e30));
-        normal = _e91;
+    vec3 direction_16 = ((question == pdfOfSample) ? _e59.direction : c.xyz);
+    if ((_e56.shape >= 0.0)) {
+        uint shape_1 = uint(_e56.shape);
+        Start _e88 = onSurface(a_2.xyz, noShape, false);
+        Ray ray_6 = Ray(_e88, direction_16);
+        Bounds _e90 = fetchBounds(shape_1);
+        float _e91 = hitShape(shape_1, _e90, ray_6);
+        t = _e91;
         float _e92 = t;
-        if ((_e92 >= 1e30)) {
-            _fs2p_location0 = vec4(0.0, 1e30, _e55.pdf, float(_e55.delta));
+        vec3 _e95 = outwardNormal(shape_1, ray_6, min(_e92, 1e30));
+        normal = _e95;
+        float _e96 = t;
+        if ((_e96 >= 1e30)) {
+            _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
             return;
         }
     }
-    float _e102 = t;
-    vec3 _e103 = normal;
-    float _e104 = emitterPdf(_e52, a_2.xyz, direction_16, _e102, _e103);
-    float _e105 = t;
-    vec3 _e106 = radianceFromInfinity(_e52, direction_16);
-    _fs2p_location0 = vec4(_e104, _e105, length(_e106), float(_e55.delta));
+    float _e106 = t;
+    vec3 _e107 = normal;
+    float _e108 = emitterPdf(_e56, a_2.xyz, direction_16, _e106, _e107);
+    float _e109 = t;
+    vec3 _e110 = radianceFromInfinity(_e56, direction_16);
+    _fs2p_location0 = vec4(_e108, _e109, length(_e110), float(_e59.delta));
     return;
 }
 

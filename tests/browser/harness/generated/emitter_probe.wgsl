@@ -21,7 +21,8 @@ const choice = 4u;
   let index = u32(a.w);
   if (question == choice) {
     let chosen = chooseEmitter(a.xyz, c.xyz, b.x);
-    return vec4f(f32(chosen.index), chosen.probability, choiceProbability(chosen.index, a.xyz, c.xyz), choiceProbability(index, a.xyz, c.xyz));
+    let own = probabilityOf(fetchEmitter(chosen.index), a.xyz, c.xyz, chosen.total);
+    return vec4f(f32(chosen.index), chosen.probability, own, probabilityOf(fetchEmitter(index), a.xyz, c.xyz, chosen.total));
   }
   let e = fetchEmitter(index);
   let s = sampleEmitter(e, a.xyz, b.xy);
@@ -102,52 +103,126 @@ fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
   return select(vec3f(0.0), e.radiance, disc);
 }
 
-// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both.
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
   if (frame.emitterCount <= 1u) {
-    return EmitterChoice(0u, f32(frame.emitterCount));
+    return EmitterChoice(0u, f32(frame.emitterCount), 1.0);
   }
-  let s = surveyEmitters(point, normal, u, 0u);
-  return EmitterChoice(s.chosen, s.chosenWeight / max(s.total, 1e-37));
-}
-
-fn choiceProbability(index: u32, point: vec3f, normal: vec3f) -> f32 {
-  if (frame.emitterCount <= 1u) {
-    return f32(frame.emitterCount);
-  }
-  let s = surveyEmitters(point, normal, 0.0, index);
-  return s.wantedWeight / max(s.total, 1e-37);
-}
-
-@group(0) @binding(0) var<uniform> frame: Frame;
-
-// One loop for choosing and for asking, so that both see the same numbers. Weighted reservoir sampling (Chao 1982) with one random
-// number: whatever of u decided is stretched to [0, 1) again.
-fn surveyEmitters(point: vec3f, normal: vec3f, u: f32, wanted: u32) -> Survey {
-  var s = Survey(0.0, 0u, 0.0, 0.0);
+  var total = 0.0;
+  var chosen = 0u;
+  var chosenWeight = 0.0;
   var rest = u;
   var i = 0u;
   loop {
     let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-    s.total += weight;
-    let share = weight / max(s.total, 1e-37);
+    total += weight;
+    let share = weight / max(total, 1e-37);
     let take = rest < share;
-    s.chosen = select(s.chosen, i, take);
-    s.chosenWeight = select(s.chosenWeight, weight, take);
-    s.wantedWeight = select(s.wantedWeight, weight, i == wanted);
+    chosen = select(chosen, i, take);
+    chosenWeight = select(chosenWeight, weight, take);
     rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
     i++;
     if (i >= frame.emitterCount) {
       break;
     }
   }
-  return s;
+  return EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
 }
+
+// With which chooseEmitter would have chosen this one there.
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
+  if (frame.emitterCount <= 1u) {
+    return f32(frame.emitterCount);
+  }
+  return estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
 
 struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
   probability: f32,
+  // The sum of all estimates at the point, for `probabilityOf`.
+  total: f32,
+}
+
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  if (e.kind == skyKind) {
+    return e.power;
+  }
+  let isQuad = e.kind == quadKind;
+  let isFar = e.kind == directionalKind;
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
+}
+
+const skyKind = 6.0;
+
+const quadKind = 1.0;
+
+const directionalKind = 5.0;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const pi = 3.14159265359;
+
+struct Emitter {
+  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  radius: f32,
+  // other edge of a quad
+  v: vec3f,
+  // cosine of the inner angle of a spot
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
 }
 
 
@@ -198,91 +273,6 @@ struct Frame {
   spare1: f32,
   // unused
   spare2: f32,
-}
-
-
-struct Survey {
-  total: f32,
-  chosen: u32,
-  chosenWeight: f32,
-  wantedWeight: f32,
-}
-
-
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  if (e.kind == skyKind) {
-    return e.power;
-  }
-  let isQuad = e.kind == quadKind;
-  let isFar = e.kind == directionalKind;
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
-}
-
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
-}
-
-const skyKind = 6.0;
-
-const quadKind = 1.0;
-
-const directionalKind = 5.0;
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
-const pi = 3.14159265359;
-
-struct Emitter {
-  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
-  position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
-  kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
-  u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
-  radius: f32,
-  // other edge of a quad
-  v: vec3f,
-  // cosine of the inner angle of a spot
-  cosInner: f32,
-  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
-  radiance: vec3f,
-  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
-  area: f32,
-  // row of the shape that rays meet; -1: none, only light sampling finds it
-  shape: f32,
-  // 1: a quad that shines to the side of u x v only
-  oneSided: f32,
-  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
-  power: f32,
-  // radius of the bounding sphere; of directional light: sine of half the angular diameter
-  reach: f32,
 }
 
 

@@ -238,7 +238,9 @@ class WebGpuDevice implements Device {
 
   clear(film: FilmTexture): void {
     const encoder = this.#device.createCommandEncoder({ label: 'clear' });
-    encoder.beginRenderPass({ colorAttachments: viewsOf(film).map((view) => ({ view, loadOp: 'clear', storeOp: 'store' })) }).end();
+    encoder
+      .beginRenderPass({ colorAttachments: viewsOf(film).map((view) => ({ view, loadOp: 'clear', storeOp: 'store' })) })
+      .end();
     this.#device.queue.submit([encoder.finish()]);
   }
 

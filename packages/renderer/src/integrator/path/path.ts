@@ -1,5 +1,14 @@
 /** The path integrator as a stage: one call adds one film sample to every pixel, to the sums and to the sums of squares. */
-import type { Device, FilmTexture, FloatTexture, Pass, PassSource, Region, TableTexture, UniformBuffer } from '../../gpu/device.ts';
+import type {
+  Device,
+  FilmTexture,
+  FloatTexture,
+  Pass,
+  PassSource,
+  Region,
+  TableTexture,
+  UniformBuffer,
+} from '../../gpu/device.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
@@ -13,7 +22,12 @@ const PATH: PassSource = {
   wgsl: { vertex: fullScreenWgsl, fragment: pathWgsl },
   entries: { vertex: 'fullScreen', fragment: 'path' },
   glsl: { vertex: fullScreenGlsl, fragment: pathGlsl },
-  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'previousFilm' }, { texture: 'previousSquares' }],
+  bindings: [
+    { block: 'Frame' },
+    { texture: 'sceneTable' },
+    { texture: 'previousFilm' },
+    { texture: 'previousSquares' },
+  ],
   target: 'film',
   layers: PATH_LAYERS,
 };

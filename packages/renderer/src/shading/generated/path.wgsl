@@ -22,6 +22,8 @@ struct Origin {
   normal: vec3f,
   // Of its direction by the BSDF, per steradian; 0: only the BSDF could find it.
   pdf: f32,
+  // The sum of all emitters' estimates there.
+  total: f32,
 }
 
 
@@ -53,55 +55,42 @@ fn misWeight(own: f32, other: f32) -> f32 {
   return 1.0 / (1.0 + ratio * ratio);
 }
 
-// Weight of light of emitter `index` that the present ray found by its BSDF.
-fn foundWeight(origin: Origin, index: u32, ray: Ray, t: f32, normal: vec3f) -> f32 {
-  if (origin.pdf <= 0.0) {
-    return 1.0;
-  }
-  let pdf = choiceProbability(index, origin.point, origin.normal) * emitterPdf(fetchEmitter(index), origin.point, ray.direction, t, normal);
-  return misWeight(origin.pdf, pdf);
-}
-
-// Light of the surface itself.
-fn emitted(v: Vertex, origin: Origin, ray: Ray, t: f32) -> vec3f {
+// Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
+fn foundLight(v: Vertex, origin: Origin, ray: Ray, hit: Hit) -> vec3f {
+  let escaped = hit.shape == noShape;
   let hidden = ((u32(v.surface.code) & 16u) != 0u) & (dot(v.outward, ray.direction) > 0.0);
-  if (hidden | all(v.surface.emission == vec3f(0.0))) {
-    return vec3f(0.0);
+  let emission = select(v.surface.emission, vec3f(0.0), hidden);
+  // A lamp beyond the number of emitters that light sampling knows.
+  if ((v.surface.emitter < 0.0) & !escaped) {
+    return emission;
   }
-  if (v.surface.emitter < 0.0) {
-    return v.surface.emission;
-  }
-  return v.surface.emission * foundWeight(origin, u32(v.surface.emitter), ray, t, v.outward);
-}
-
-// Light of what is infinitely far: sky, sun.
-fn escaped(origin: Origin, ray: Ray) -> vec3f {
   var sum = vec3f(0.0);
   if (frame.emitterCount == 0u) {
     return sum;
   }
-  var i = 0u;
+  var i = select(u32(max(v.surface.emitter, 0.0)), 0u, escaped);
+  let end = select(i + 1u, frame.emitterCount, escaped);
   loop {
-    let radiance = radianceFromInfinity(fetchEmitter(i), ray.direction);
-    if (any(radiance > vec3f(0.0))) {
-      sum += radiance * foundWeight(origin, i, ray, miss, vec3f(0.0));
-    }
+    let e = fetchEmitter(i);
+    let radiance = select(emission, radianceFromInfinity(e, ray.direction), escaped);
+    let density = emitterPdf(e, origin.point, ray.direction, hit.t, v.outward);
+    let pdf = density * probabilityOf(e, origin.point, origin.normal, origin.total);
+    sum += radiance * select(misWeight(origin.pdf, pdf), 1.0, origin.pdf <= 0.0);
     i++;
-    if (i >= frame.emitterCount) {
+    if (i >= end) {
       break;
     }
   }
   return sum;
 }
 
-// Light of one point of one emitter, chosen by the three random numbers.
-fn sampledLight(v: Vertex, u: vec3f) -> vec3f {
-  let choice = chooseEmitter(v.point, litSide(v), u.x);
+// Light of one point of the chosen emitter.
+fn sampledLight(v: Vertex, choice: EmitterChoice, u: vec2f) -> vec3f {
   if (choice.probability <= 0.0) {
     return vec3f(0.0);
   }
   let e = fetchEmitter(choice.index);
-  let light = sampleEmitter(e, v.point, u.yz);
+  let light = sampleEmitter(e, v.point, u);
   if (light.pdf <= 0.0) {
     return vec3f(0.0);
   }
@@ -125,31 +114,30 @@ fn max3(v: vec3f) -> f32 {
 
 fn trace(first: Ray, s: ptr<function, Sampler>) -> vec3f {
   var ray = first;
-  var origin = Origin(vec3f(0.0), vec3f(0.0), 0.0);
+  var origin = Origin(vec3f(0.0), vec3f(0.0), 0.0, 1.0);
   var throughput = vec3f(1.0);
   var radiance = vec3f(0.0);
   var depth = 1u;
   loop {
     let hit = closestHit(ray);
-    if (hit.shape == noShape) {
-      radiance += throughput * escaped(origin, ray);
-      break;
-    }
-    let v = vertexAt(ray, hit);
+    let escaped = hit.shape == noShape;
+    let v = vertexAt(ray, Hit(hit.t, select(hit.shape, 0u, escaped)));
     let inside = isDielectric(v.surface) & !isThin(v.surface) & (v.wo.z < 0.0);
-    throughput *= exp(-select(vec3f(0.0), v.surface.absorption, inside) * hit.t);
-    radiance += throughput * emitted(v, origin, ray, hit.t);
-    if (depth == frame.maxDepth) {
+    let passed = throughput * exp(-v.surface.absorption * select(0.0, hit.t, inside));
+    throughput = select(throughput, passed, inside & !escaped);
+    radiance += throughput * foundLight(v, origin, ray, hit);
+    if (escaped | (depth == frame.maxDepth)) {
       break;
     }
-    let lightNumbers = vec3f(next1d(s), next2d(s));
+    let choice = chooseEmitter(v.point, litSide(v), next1d(s));
+    let lightPoint = next2d(s);
     if (!isDelta(v.surface)) {
-      radiance += throughput * sampledLight(v, lightNumbers);
+      radiance += throughput * sampledLight(v, choice, lightPoint);
     }
     let bsdf = sampleBsdf(v.surface, v.wo, next3d(s));
     throughput *= bsdf.weight;
     let direction = toWorld(v.basis, bsdf.direction);
-    origin = Origin(v.point, litSide(v), select(bsdf.pdf, 0.0, bsdf.delta));
+    origin = Origin(v.point, litSide(v), select(bsdf.pdf, 0.0, bsdf.delta), choice.total);
     ray = rayFrom(v, direction);
     let survival = select(min(max3(throughput), 0.95), 1.0, depth < rouletteDepth);
     let roulette = next1d(s);
@@ -439,12 +427,22 @@ const noShape = 0xffffffffu;
 // Float rounding of a point grows with its distance from the eye, where all positions are relative to.
 const relativeTMin = 1e-5;
 
-fn choiceProbability(index: u32, point: vec3f, normal: vec3f) -> f32 {
-  if (frame.emitterCount <= 1u) {
-    return f32(frame.emitterCount);
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
+// What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
+fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
+  if (e.kind == skyKind) {
+    return sky(direction);
   }
-  let s = surveyEmitters(point, normal, 0.0, index);
-  return s.wantedWeight / max(s.total, 1e-37);
+  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
+  return select(vec3f(0.0), e.radiance, disc);
 }
 
 // The density with which sampleEmitter gives that direction. The ray met the emitter's shape `distance` away, with that outward
@@ -468,85 +466,13 @@ fn emitterPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal:
   return 0.0;
 }
 
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
-}
-
-// One loop for choosing and for asking, so that both see the same numbers. Weighted reservoir sampling (Chao 1982) with one random
-// number: whatever of u decided is stretched to [0, 1) again.
-fn surveyEmitters(point: vec3f, normal: vec3f, u: f32, wanted: u32) -> Survey {
-  var s = Survey(0.0, 0u, 0.0, 0.0);
-  var rest = u;
-  var i = 0u;
-  loop {
-    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-    s.total += weight;
-    let share = weight / max(s.total, 1e-37);
-    let take = rest < share;
-    s.chosen = select(s.chosen, i, take);
-    s.chosenWeight = select(s.chosenWeight, weight, take);
-    s.wantedWeight = select(s.wantedWeight, weight, i == wanted);
-    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-    i++;
-    if (i >= frame.emitterCount) {
-      break;
-    }
+// With which chooseEmitter would have chosen this one there.
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
+  if (frame.emitterCount <= 1u) {
+    return f32(frame.emitterCount);
   }
-  return s;
+  return estimatedIrradiance(e, point, normal) / max(total, 1e-37);
 }
-
-struct Survey {
-  total: f32,
-  chosen: u32,
-  chosenWeight: f32,
-  wantedWeight: f32,
-}
-
-
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  if (e.kind == skyKind) {
-    return e.power;
-  }
-  let isQuad = e.kind == quadKind;
-  let isFar = e.kind == directionalKind;
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
-}
-
-const skyKind = 6.0;
-
-const quadKind = 1.0;
-
-const directionalKind = 5.0;
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
-const pi = 3.14159265359;
 
 struct Emitter {
   // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
@@ -576,8 +502,26 @@ struct Emitter {
 }
 
 
+const skyKind = 6.0;
+
+const directionalKind = 5.0;
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+const pi = 3.14159265359;
+
 // packed-scene/pack-emitters.ts has the same numbers.
 const sphereKind = 0.0;
+
+const quadKind = 1.0;
 
 const boxKind = 2.0;
 
@@ -727,39 +671,41 @@ fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
   return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
 }
 
-// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
-fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
-  let chord = direction + e.u;
-  return pi * dot(chord, chord) < e.area;
-}
-
 fn skyPdf(direction: vec3f) -> f32 {
   return 1.0 / (4.0 * pi);
 }
 
-// What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
-fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   if (e.kind == skyKind) {
-    return sky(direction);
+    return e.power;
   }
-  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
-  return select(vec3f(0.0), e.radiance, disc);
+  let isQuad = e.kind == quadKind;
+  let isFar = e.kind == directionalKind;
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
 }
 
-const miss = 1e30;
-
-fn sky(direction: vec3f) -> vec3f {
-  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
 }
 
-// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both.
-fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  if (frame.emitterCount <= 1u) {
-    return EmitterChoice(0u, f32(frame.emitterCount));
-  }
-  let s = surveyEmitters(point, normal, u, 0u);
-  return EmitterChoice(s.chosen, s.chosenWeight / max(s.total, 1e-37));
-}
+const spotKind = 4.0;
 
 // A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
@@ -848,10 +794,14 @@ fn occluded(ray: Ray, distance: f32, except: u32) -> bool {
   return blocked;
 }
 
+const miss = 1e30;
+
 struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
   probability: f32,
+  // The sum of all estimates at the point, for `probabilityOf`.
+  total: f32,
 }
 
 
@@ -1311,6 +1261,33 @@ fn closestHit(ray: Ray) -> Hit {
     }
   }
   return hit;
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  if (frame.emitterCount <= 1u) {
+    return EmitterChoice(0u, f32(frame.emitterCount), 1.0);
+  }
+  var total = 0.0;
+  var chosen = 0u;
+  var chosenWeight = 0.0;
+  var rest = u;
+  var i = 0u;
+  loop {
+    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+    total += weight;
+    let share = weight / max(total, 1e-37);
+    let take = rest < share;
+    chosen = select(chosen, i, take);
+    chosenWeight = select(chosenWeight, weight, take);
+    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+    i++;
+    if (i >= frame.emitterCount) {
+      break;
+    }
+  }
+  return EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
 }
 
 fn next1d(s: ptr<function, Sampler>) -> f32 {
