@@ -45,6 +45,12 @@ const PROGRAMS: readonly Program[] = [
     entries: [{ entry: 'shapeProbe', stage: 'fragment' }],
     output: TESTS_OUTPUT,
   },
+  {
+    name: 'bsdf_probe',
+    root: 'tests/bsdf-probe',
+    entries: [{ entry: 'bsdfProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
 ];
 
 /** The modules below a folder, by their path from it with `prefix` in front. */
