@@ -50,6 +50,9 @@ const PROGRAMS: readonly Program[] = [
     name: 'emitter_probe',
     root: 'tests/emitter-probe',
     entries: [{ entry: 'emitterProbe', stage: 'fragment' }],
+    name: 'bsdf_probe',
+    root: 'tests/bsdf-probe',
+    entries: [{ entry: 'bsdfProbe', stage: 'fragment' }],
     output: TESTS_OUTPUT,
   },
 ];

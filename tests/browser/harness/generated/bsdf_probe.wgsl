@@ -1,0 +1,374 @@
+// Linked from tests/bsdf-probe.wesl by `npm run shaders`. Do not edit.
+@group(0) @binding(2) var questions: texture_2d<f32>;
+
+// What can be asked, as questions.ts numbers it.
+const evaluation = 0u;
+
+const sampledDirection = 1u;
+
+@fragment fn bsdfProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
+  let pixel = vec2u(fragment.xy);
+  let a = textureLoad(questions, vec2u(2u * pixel.x, pixel.y), 0);
+  let b = textureLoad(questions, vec2u(2u * pixel.x + 1u, pixel.y), 0);
+  let surface = fetchSurface(u32(a.w));
+  let asked = u32(b.w);
+  if (asked == evaluation) {
+    return evaluateBsdf(surface, a.xyz, b.xyz);
+  }
+  let taken = sampleBsdf(surface, a.xyz, b.xyz);
+  if (asked == sampledDirection) {
+    return vec4f(taken.direction, taken.pdf);
+  }
+  // Weight, and in alpha 1 for a delta lobe, 2 for a surface with nothing else.
+  return vec4f(taken.weight, select(0.0, 1.0, taken.delta) + select(0.0, 2.0, isDelta(surface)));
+}
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+// u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleBsdf(s: Surface, wo: vec3f, u: vec3f) -> BsdfSample {
+  if (u.z < s.reflectivity) {
+    return deltaSample(mirrored(wo), s.reflectivity, vec3f(1.0));
+  }
+  let base = 1.0 - s.reflectivity;
+  // What is left of u.z is uniform again, and once more below.
+  let choice = (u.z - s.reflectivity) / base;
+  let share = facetShare(s, wo.z);
+  let isGlass = kindOf(s) == dielectric;
+  let specular = choice < share;
+  var wi = sampleCosine(u.xy);
+  var crossing = false;
+  if (specular) {
+    let h = sampleFacet(s, wo, u.xy);
+    let oh = max(dot(wo, h), 0.0);
+    let ratio = indexRatio(s, wo.z);
+    let f = facetReflectance(s, oh, ratio);
+    crossing = isGlass & (choice >= f.x);
+    let through = select(refracted(wo, h, ratio), -wo, isThin(s));
+    wi = select(2.0 * oh * h - wo, through, crossing);
+    if (hasSmoothLobe(s)) {
+      let bent = select(1.0, 1.0 / (ratio * ratio), crossing & !isThin(s));
+      let probability = base * select(share, select(f.x, 1.0 - f.x, crossing), isGlass);
+      return deltaSample(wi, probability, select(f / share, vec3f(bent), isGlass));
+    }
+  }
+  let value = evaluateBsdf(s, wo, wi);
+  // A facet may send light to the wrong side: it is lost, as in single scattering.
+  let crosses = (wo.z < 0.0) != (wi.z < 0.0);
+  let pdf = select(value.a, 0.0, crossing != crosses);
+  return BsdfSample(wi, pdf, select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0), false);
+}
+
+// Only delta lobes: light sampling is in vain.
+fn isDelta(s: Surface) -> bool {
+  let kind = kindOf(s);
+  let noDiffuse = (kind >= conductor) | ((kind == metallicRoughness) & (s.metallic >= 1.0));
+  return (s.reflectivity >= 1.0) | (noDiffuse & hasSmoothLobe(s));
+}
+
+// rgb: f |cos wi|; a: the density with which sampleBsdf gives wi. Delta lobes give 0.
+fn evaluateBsdf(s: Surface, wo: vec3f, wi: vec3f) -> vec4f {
+  let kind = kindOf(s);
+  let opaque = kind != dielectric;
+  let dark = opaque & ((wo.z < 0.0) | (wi.z <= 0.0));
+  let smoothLobe = hasSmoothLobe(s);
+  if (dark | ((!opaque) & smoothLobe)) {
+    return vec4f(0.0);
+  }
+  let share = facetShare(s, wo.z);
+  var value = vec4f(0.0);
+  var albedo = s.baseColor;
+  if (kind != diffuse) {
+    let facets = evaluateFacets(s, wo, wi);
+    value = select(vec4f(facets.value, share * facets.pdf), vec4f(0.0), smoothLobe);
+    albedo = select(vec3f(0.0), metallicRoughnessDiffuse(s, facets.cosine), kind == metallicRoughness);
+  }
+  value += vec4f(albedo, 1.0 - share) * (invPi * max(wi.z, 0.0));
+  return (1.0 - s.reflectivity) * value;
+}
+
+fn kindOf(s: Surface) -> u32 {
+  return u32(s.code) & 3u;
+}
+
+const dielectric = 3u;
+
+// Whether what reflects or refracts does so like a mirror. A thin pane always does: the two faces undo each other's bend.
+fn hasSmoothLobe(s: Surface) -> bool {
+  let clear = (abs(s.eta.x - 1.0) < leastContrast) | isThin(s);
+  return (s.alpha < smoothAlpha) | ((kindOf(s) == dielectric) & clear);
+}
+
+// Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
+fn facetShare(s: Surface, cosine: f32) -> f32 {
+  let kind = kindOf(s);
+  return select(select(1.0, 0.0, kind == diffuse), specularShare(s, cosine), kind == metallicRoughness);
+}
+
+// Kinds, as Surface.code numbers them.
+const diffuse = 0u;
+
+// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
+const invPi = 0.31830988618;
+
+struct Surface {
+  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
+  baseColor: vec3f,
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp
+  code: f32,
+  // radiance sent out
+  emission: vec3f,
+  // share of the perfect mirror layer over the base
+  reflectivity: f32,
+  // conductor: index of refraction per channel; dielectric: the index in all three
+  eta: vec3f,
+  // GGX width, roughness^2; 0: smooth
+  alpha: f32,
+  // conductor: extinction coefficient per channel
+  k: vec3f,
+  // metallicRoughness: share of metal
+  metallic: f32,
+  // dielectric: Beer-Lambert coefficient, 1 / metre
+  absorption: vec3f,
+  // index of the emitter that this shape is; -1: none
+  emitter: f32,
+}
+
+
+fn evaluateFacets(s: Surface, wo: vec3f, wi: vec3f) -> FacetLobe {
+  let crossing = (wo.z < 0.0) != (wi.z < 0.0);
+  let ratio = indexRatio(s, wo.z);
+  let m = wo + wi * select(1.0, ratio, crossing);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  let zo = abs(wo.z);
+  let zi = abs(wi.z);
+  let so = stretched(wo, s.alpha);
+  let si = stretched(wi, s.alpha);
+  let isGlass = kindOf(s) == dielectric;
+  let bound = select(reflectionBound(wo, s.alpha), 1.0, isGlass);
+  // Facets do not turn their back on one direction while the surface does not.
+  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
+  let f = facetReflectance(s, abs(oh), ratio);
+  let passes = select(f, 1.0 - f, crossing);
+  let masked = zi / max(zi * so + zo * si, 1e-20);
+  let chosen = select(1.0, passes.x, isGlass) * select(1.0, ratio * ratio, crossing);
+  return FacetLobe(passes * compensation(s, zo) * spread * masked, spread * chosen / (bound * zo + so), abs(oh));
+}
+
+// Albedo of the diffuse part for light that meets facets at this cosine.
+fn metallicRoughnessDiffuse(s: Surface, cosine: f32) -> vec3f {
+  return (1.0 - s.metallic) * (1.0 - schlick(vec3f(dielectricF0), cosine).x) * s.baseColor;
+}
+
+const metallicRoughness = 1u;
+
+// Index behind the boundary over the index on the side of a direction with this z.
+fn indexRatio(s: Surface, z: f32) -> f32 {
+  return select(s.eta.x, 1.0 / s.eta.x, z < 0.0);
+}
+
+// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
+fn stretched(w: vec3f, alpha: f32) -> f32 {
+  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
+}
+
+// Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
+// Eto and Tokuyoshi, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023, k of equation 5.
+fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
+  let s = 1.0 + length(wo.xy);
+  let s2 = s * s;
+  let a2 = alpha * alpha;
+  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
+}
+
+// D(h): facets around the half vector per area and solid angle.
+fn facetDensity(h: vec3f, alpha: f32) -> f32 {
+  let slope = dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z;
+  return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Share of light that a facet reflects, met at this cosine.
+fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
+  let kind = kindOf(s);
+  if (kind == dielectric) {
+    return vec3f(glassReflectance(cosine, ratio, isThin(s)));
+  }
+  if (kind == conductor) {
+    return conductorReflectance(s, cosine);
+  }
+  return schlick(metallicRoughnessF0(s), cosine);
+}
+
+// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
+// in m, the half vector before it gets length 1; `ratio` is the index on wi's side over that on wo's side.
+struct FacetLobe {
+  value: vec3f,
+  pdf: f32,
+  // dot(wo, h)
+  cosine: f32,
+}
+
+
+// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
+// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
+fn compensation(s: Surface, cosine: f32) -> vec3f {
+  let kind = kindOf(s);
+  let asked = ((u32(s.code) & 8u) != 0u) & ((kind == conductor) | (kind == metallicRoughness));
+  if (!asked) {
+    return vec3f(1.0);
+  }
+  let albedo = singleScatteringAlbedo(cosine, s.alpha);
+  return 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo);
+}
+
+const conductor = 2u;
+
+// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
+fn schlick(f0: vec3f, cosine: f32) -> vec3f {
+  let m = 1.0 - cosine;
+  let m2 = m * m;
+  return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+fn metallicRoughnessF0(s: Surface) -> vec3f {
+  return mix(vec3f(dielectricF0), s.baseColor, s.metallic);
+}
+
+// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
+fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
+  let r = dielectricFresnel(cosine, ratio);
+  return select(r, 2.0 * r / (1.0 + r), thin);
+}
+
+fn isThin(s: Surface) -> bool {
+  return (u32(s.code) & 7u) == 7u;
+}
+
+// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
+// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
+fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
+  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
+  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
+  let inside = sqrt(max(inside2, 0.0));
+  let across = (cosine - inside) / (cosine + inside);
+  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
+  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
+}
+
+// Without measured constants (eta and k black) the base colour comes back at every angle.
+fn conductorReflectance(s: Surface, cosine: f32) -> vec3f {
+  let constants = dot(s.eta + s.k, vec3f(1.0));
+  return select(s.baseColor, conductorFresnel(cosine, s.eta, s.k), constants > 0.0);
+}
+
+// Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
+// Fresnel equations").
+fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
+  let cosine2 = cosine * cosine;
+  let sine2 = 1.0 - cosine2;
+  let difference = eta * eta - k * k - sine2;
+  let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
+  let a = sqrt(max(0.5 * (a2PlusB2 + difference), vec3f(0.0)));
+  // least: an index of 0, or of 1 along the surface, is no division by 0.
+  let across = (a2PlusB2 + cosine2 - 2.0 * cosine * a + least) / (a2PlusB2 + cosine2 + 2.0 * cosine * a + least);
+  let sum = cosine2 * a2PlusB2 + sine2 * sine2;
+  let part = 2.0 * cosine * sine2 * a;
+  return 0.5 * across * (1.0 + (sum - part + least) / (sum + part + least));
+}
+
+const least = 1e-20;
+
+const dielectricF0 = 0.04;
+
+// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
+// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
+// loss near the horizon is a function of that ratio alone as alpha goes to 0.
+fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
+  let x = cosine / (cosine + alpha);
+  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
+  let a2 = alpha * alpha;
+  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+}
+
+// An index closer to 1 than this bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
+const leastContrast = 1e-3;
+
+// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
+// Written so that nothing is divided by a cosine: grazing directions need no special case.
+// Narrower than this a highlight is a mirror's: 32-bit floats no longer hold the facet's slope well enough for a density.
+const smoothAlpha = 1e-3;
+
+// How often to sample the GGX lobe: about its share of the light that comes back from wo.
+fn specularShare(s: Surface, cosine: f32) -> f32 {
+  let specular = dot(schlick(metallicRoughnessF0(s), cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(s, cosine), vec3f(1.0));
+  return specular / max(specular + diffuse, 1e-20);
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
+fn sampleCosine(u: vec2f) -> vec3f {
+  let radius = sqrt(u.x);
+  let phi = 6.28318530718 * u.y;
+  return vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x));
+}
+
+// A direction that evaluateBsdf gives no density: of a mirror.
+fn deltaSample(direction: vec3f, probability: f32, weight: vec3f) -> BsdfSample {
+  return BsdfSample(direction, probability, weight, true);
+}
+
+// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
+fn mirrored(wo: vec3f) -> vec3f {
+  return vec3f(-wo.xy, wo.z);
+}
+
+struct BsdfSample {
+  direction: vec3f,
+  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
+  pdf: f32,
+  // f |cos| / pdf
+  weight: vec3f,
+  delta: bool,
+}
+
+
+// A facet that wo sees, turned to wo's side.
+fn sampleFacet(s: Surface, wo: vec3f, u: vec2f) -> vec3f {
+  let side = select(1.0, -1.0, wo.z < 0.0);
+  let up = wo * side;
+  let bound = select(reflectionBound(up, s.alpha), 1.0, kindOf(s) == dielectric);
+  return select(sampleVisibleNormal(up, max(s.alpha, smoothAlpha), bound, u), vec3f(0.0, 0.0, 1.0), hasSmoothLobe(s)) * side;
+}
+
+// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
+fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
+  let cosine = dot(wo, h);
+  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
+  return ((cosine - inside) * h - wo) / ratio;
+}
+
+// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
+// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
+fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
+  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
+  let phi = 6.28318530718 * u.x;
+  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
+  let drop = u.y * (1.0 + bound * w.z);
+  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
+  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
+  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
+}
