@@ -45,6 +45,12 @@ const PROGRAMS: readonly Program[] = [
     entries: [{ entry: 'shapeProbe', stage: 'fragment' }],
     output: TESTS_OUTPUT,
   },
+  {
+    name: 'sampler_probe',
+    root: 'tests/sampler-probe',
+    entries: [{ entry: 'samplerProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
 ];
 
 /** The modules below a folder, by their path from it with `prefix` in front. */

@@ -11,10 +11,12 @@
  * from the origin keeps its precision on a GPU that has only 32-bit floats.
  */
 export const PANELS = 3;
+/** Pieces of the curve that makes random numbers into places under the pixel filter: see pack-filter.ts. */
+export const FILTER_PIECES = 16;
 
 export type FieldType = 'f32' | 'u32' | 'vec2f' | 'vec3f' | 'vec4f' | 'vec4u' | FieldArray;
 export interface FieldArray {
-  readonly array: 'vec4u';
+  readonly array: 'vec4f' | 'vec4u';
   readonly length: number;
 }
 type Fields = Readonly<Record<string, { type: FieldType; doc: string }>>;
@@ -111,6 +113,14 @@ export const STRUCTS = {
     emitterCount: field('u32', 'emitters of the path integrator'),
     maxDepth: field('u32', 'path segments from the camera on; 0xffffffff: no limit'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
+    filterPieces: field(
+      { array: 'vec4f', length: FILTER_PIECES },
+      'pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards',
+    ),
+    independent: field('u32', '1: independent random numbers instead of the Sobol sequence'),
+    spare0: field('f32', 'unused'),
+    spare1: field('f32', 'unused'),
+    spare2: field('f32', 'unused'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
