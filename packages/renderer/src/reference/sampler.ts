@@ -33,9 +33,10 @@ export function pascal(x: number): number {
 export const timesW = (x: number): number => ((x & 0x5555) << 1) ^ (((x >>> 1) & 0x5555) * 3);
 export const timesW2 = (x: number): number => x ^ timesW(x);
 
-export function pascalW(x: number): number {
-  const y = x ^ timesW((x >>> 2) & 0x33);
-  return y ^ timesW2((y >>> 4) & 0x0f);
+export function shiftOfPlace(x: number): number {
+  let y = x ^ timesW((x >>> 2) & 0x33);
+  y ^= timesW2((y >>> 4) & 0x0f);
+  return timesW(y) | (y << 8);
 }
 export function pascalW2(x: number): number {
   let y = x ^ timesW2((x >>> 2) & 0x3333);
@@ -75,7 +76,7 @@ export class Sampler {
     const a = pcg(this.#key);
     const b = pcg((a ^ this.#salt) >>> 0);
     const index = reverseHalves(scramble(this.#sample, a) & 0xffff);
-    const shift = pascalW(scramble(this.#place, b) & 0xffff);
+    const shift = shiftOfPlace(scramble(this.#place, b) & 0xff);
     return { index, shift, seedA: turnHalf(a), seedB: turnHalf(b) };
   }
 

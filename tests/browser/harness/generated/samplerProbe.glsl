@@ -59,8 +59,8 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread(uint x_1) {
-    uint y_4 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_4 | (y_4 << 1u)) & 85u);
+    uint y_5 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_5 | (y_5 << 1u)) & 85u);
 }
 
 uint reverseHalves(uint x_2) {
@@ -157,11 +157,18 @@ uint timesW2_(uint x_6) {
     return (x_6 ^ _e1);
 }
 
-uint pascalW(uint x_7) {
+uint shiftOfPlace(uint x_7) {
+    uint y_3 = 0u;
     uint _e5 = timesW(((x_7 >> 2u) & 51u));
-    uint y_5 = (x_7 ^ _e5);
-    uint _e11 = timesW2_(((y_5 >> 4u) & 15u));
-    return (y_5 ^ _e11);
+    y_3 = (x_7 ^ _e5);
+    uint _e8 = y_3;
+    uint _e9 = y_3;
+    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
+    y_3 = (_e8 ^ _e14);
+    uint _e16 = y_3;
+    uint _e17 = timesW(_e16);
+    uint _e18 = y_3;
+    return (_e17 | (_e18 << 8u));
 }
 
 Group nextGroup(inout Sampler s_1) {
@@ -176,7 +183,7 @@ Group nextGroup(inout Sampler s_1) {
     uint _e17 = s_1.sample_;
     uint _e18 = scramble(_e17, _e8);
     uint _e21 = reverseHalves((_e18 & 65535u));
-    uint _e24 = pascalW((_e15 & 65535u));
+    uint _e24 = shiftOfPlace((_e15 & 255u));
     return Group(_e21, _e24, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
 }
 
@@ -195,15 +202,15 @@ float next1d(inout Sampler s_3) {
 }
 
 uint pascalW2_(uint x_8) {
-    uint y_3 = 0u;
+    uint y_4 = 0u;
     uint _e5 = timesW2_(((x_8 >> 2u) & 13107u));
-    y_3 = (x_8 ^ _e5);
-    uint _e8 = y_3;
-    uint _e9 = y_3;
+    y_4 = (x_8 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_3 = (_e8 ^ _e14);
-    uint _e16 = y_3;
-    uint _e17 = y_3;
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
+    uint _e17 = y_4;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }

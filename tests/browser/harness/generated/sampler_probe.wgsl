@@ -67,9 +67,7 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   let b = pcg(a ^ (*s).salt);
   let place = scramble((*s).place, b);
   let index = reverseHalves(scramble((*s).sample, a) & 0xffffu);
-  // Beyond the four digits that arrange the tile: bits that differ from pixel to pixel.
-  let shift = pascalW(place & 0xffffu);
-  return Group(index, shift, (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
 }
 
 struct Sampler {
@@ -139,10 +137,12 @@ fn pcg(x: u32) -> u32 {
   return (w >> 22u) ^ w;
 }
 
-// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of the first four digits (pairs of bits).
-fn pascalW(x: u32) -> u32 {
-  let y = x ^ timesW((x >> 2u) & 0x33u);
-  return y ^ timesW2((y >> 4u) & 0x0fu);
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: u32) -> u32 {
+  var y = x ^ timesW((x >> 2u) & 0x33u);
+  y ^= timesW2((y >> 4u) & 0x0fu);
+  return timesW(y) | (y << 8u);
 }
 
 fn timesW2(x: u32) -> u32 {
@@ -215,7 +215,7 @@ fn spread(x: u32) -> u32 {
   return (y | (y << 1u)) & 0x55u;
 }
 
-// The same with w^2 in place of w, eight digits.
+// The same with w^2 in place of w, of any eight digits.
 fn pascalW2(x: u32) -> u32 {
   var y = x ^ timesW2((x >> 2u) & 0x3333u);
   y ^= timesW((y >> 4u) & 0x0f0fu);
