@@ -41,7 +41,7 @@ export function areaTo(filter: AxisFilter, x: number, steps = 64): number {
 
 /** Where the share v of the area from the middle outwards ends. */
 function inverse(filter: AxisFilter, v: number): number {
-  if (v >= 1) return filter.radius;
+  if (v <= 0 || v >= 1) return v <= 0 ? 0 : filter.radius;
   const area = v * areaTo(filter, filter.radius);
   let [low, high] = [0, filter.radius];
   for (let k = 0; k < 40; k++) {

@@ -75,8 +75,11 @@ export class Sampler {
     this.#key = (this.#key + 1) >>> 0;
     const a = pcg(this.#key);
     const b = pcg((a ^ this.#salt) >>> 0);
-    const index = reverseHalves(scramble(this.#sample, a) & 0xffff);
-    const shift = shiftOfPlace(scramble(this.#place, b) & 0xff);
+    const place = scramble(this.#place, b);
+    // As in sampler.wesl: what the pixels of a tile share, and what is each one's own.
+    const mixed = this.#sample ^ Math.imul(this.#sample, (place >>> 7) & ~1);
+    const index = reverseHalves(scramble(mixed, a) & 0xffff);
+    const shift = shiftOfPlace(place & 0xff);
     return { index, shift, seedA: turnHalf(a), seedB: turnHalf(b) };
   }
 

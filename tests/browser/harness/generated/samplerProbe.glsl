@@ -181,10 +181,12 @@ Group nextGroup(inout Sampler s_1) {
     uint _e14 = s_1.place;
     uint _e15 = scramble(_e14, _e12);
     uint _e17 = s_1.sample_;
-    uint _e18 = scramble(_e17, _e8);
-    uint _e21 = reverseHalves((_e18 & 65535u));
-    uint _e24 = shiftOfPlace((_e15 & 255u));
-    return Group(_e21, _e24, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
+    uint own = (_e17 * ((_e15 >> 7u) & 4294967294u));
+    uint _e24 = s_1.sample_;
+    uint _e26 = scramble((_e24 ^ own), _e8);
+    uint _e29 = reverseHalves((_e26 & 65535u));
+    uint _e32 = shiftOfPlace((_e15 & 255u));
+    return Group(_e29, _e32, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_2) {

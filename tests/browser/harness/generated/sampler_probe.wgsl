@@ -66,7 +66,11 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   let a = pcg((*s).key);
   let b = pcg(a ^ (*s).salt);
   let place = scramble((*s).place, b);
-  let index = reverseHalves(scramble((*s).sample, a) & 0xffffu);
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
+  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
   return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
 }
 
