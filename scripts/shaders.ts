@@ -50,9 +50,18 @@ const PROGRAMS: readonly Program[] = [
     name: 'emitter_probe',
     root: 'tests/emitter-probe',
     entries: [{ entry: 'emitterProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+  {
     name: 'bsdf_probe',
     root: 'tests/bsdf-probe',
     entries: [{ entry: 'bsdfProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+  {
+    name: 'sampler_probe',
+    root: 'tests/sampler-probe',
+    entries: [{ entry: 'samplerProbe', stage: 'fragment' }],
     output: TESTS_OUTPUT,
   },
 ];

@@ -1,6 +1,7 @@
 /** Camera, sky and settings of one film sample → the Frame block. */
 import type { Comparison, Panel } from '../renderer-types.ts';
 import type { Camera, Sky, Vec3 } from '../scene/scene.ts';
+import { type PixelFilter, packFilter } from './pack-filter.ts';
 import type { PackedScene } from './pack-scene.ts';
 import { type Block, writeStruct } from './write-struct.ts';
 
@@ -9,6 +10,10 @@ export interface FrameSettings extends Panel {
   /** −1: no limit. */
   readonly maxDepth: number;
   readonly comparison: Comparison | null;
+  /** Default: box. */
+  readonly pixelFilter?: PixelFilter;
+  /** Independent random numbers instead of the Sobol sequence. Default: false. */
+  readonly independentSamples?: boolean;
 }
 
 const normalize = (a: Vec3): Vec3 => {
@@ -66,5 +71,7 @@ export function packFrame(
     emitterCount: packed.emitterCount,
     maxDepth: settings.maxDepth < 0 ? 0xffffffff : settings.maxDepth,
     panels: panels.flatMap((p) => [p.maxReflections, p.lightSamples, 0, 0]),
+    filterPieces: packFilter(settings.pixelFilter ?? 'box'),
+    independent: settings.independentSamples ? 1 : 0,
   });
 }

@@ -431,9 +431,9 @@ QuadView viewQuad(Emitter e_4, vec3 point_3) {
     bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
     vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high = (low + lengths);
-    vec2 y_5 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_5, height_1);
-    float _e46 = stretch(high.x, y_5, height_1);
+    vec2 y_6 = vec2(low.y, high.y);
+    float _e44 = stretch(low.x, y_6, height_1);
+    float _e46 = stretch(high.x, y_6, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_6 * ((signedHeight > 0.0) ? 1.0 : -1.0));
@@ -579,8 +579,8 @@ vec3 turnTo(vec3 axis, vec3 v_6) {
     float a_2 = (-1.0 / (s_24 + axis.z));
     float b_3 = ((axis.x * axis.y) * a_2);
     vec3 x_11 = vec3((1.0 + (((s_24 * axis.x) * axis.x) * a_2)), (s_24 * b_3), (-(s_24) * axis.x));
-    vec3 y_6 = vec3(b_3, (s_24 + ((axis.y * axis.y) * a_2)), -(axis.y));
-    return (((v_6.x * x_11) + (v_6.y * y_6)) + (v_6.z * axis));
+    vec3 y_7 = vec3(b_3, (s_24 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    return (((v_6.x * x_11) + (v_6.y * y_7)) + (v_6.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u) {
@@ -608,8 +608,8 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_1) {
 
 vec3 sphericalRectangle(QuadView q_3, vec2 u_2) {
     float h_3 = q_3.height;
-    vec2 y_7 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_25 = (y_7 / sqrt(((y_7 * y_7) + vec2((h_3 * h_3)))));
+    vec2 y_8 = vec2(q_3.low.y, q_3.high.y);
+    vec2 s_25 = (y_8 / sqrt(((y_8 * y_8) + vec2((h_3 * h_3)))));
     float halfT = (0.5 * (q_3.start + (u_2.x * q_3.solidAngle)));
     float p = cos(halfT);
     float sine_2 = sin(halfT);
@@ -617,9 +617,9 @@ vec3 sphericalRectangle(QuadView q_3, vec2 u_2) {
     float w_1 = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
     float x_12 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
     float d2_ = ((x_12 * x_12) + (h_3 * h_3));
-    vec2 ends = (y_7 * inversesqrt((vec2(d2_) + (y_7 * y_7))));
+    vec2 ends = (y_8 * inversesqrt((vec2(d2_) + (y_8 * y_8))));
     float v_10 = mix(ends.x, ends.y, u_2.y);
-    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_7.x, y_7.y);
+    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_8.x, y_8.y);
     return (((x_12 * q_3.axisX) + (atY * q_3.axisY)) + (h_3 * q_3.axisZ));
 }
 
@@ -1258,11 +1258,18 @@ uint timesW2_(uint x_6) {
     return (x_6 ^ _e1);
 }
 
-uint pascalW(uint x_7) {
+uint shiftOfPlace(uint x_7) {
+    uint y_3 = 0u;
     uint _e5 = timesW(((x_7 >> 2u) & 51u));
-    uint y_8 = (x_7 ^ _e5);
-    uint _e11 = timesW2_(((y_8 >> 4u) & 15u));
-    return (y_8 ^ _e11);
+    y_3 = (x_7 ^ _e5);
+    uint _e8 = y_3;
+    uint _e9 = y_3;
+    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
+    y_3 = (_e8 ^ _e14);
+    uint _e16 = y_3;
+    uint _e17 = timesW(_e16);
+    uint _e18 = y_3;
+    return (_e17 | (_e18 << 8u));
 }
 
 Group nextGroup(inout Sampler s_16) {
@@ -1275,10 +1282,12 @@ Group nextGroup(inout Sampler s_16) {
     uint _e14 = s_16.place;
     uint _e15 = scramble(_e14, _e12);
     uint _e17 = s_16.sample_;
-    uint _e18 = scramble(_e17, _e8);
-    uint _e21 = reverseHalves((_e18 & 65535u));
-    uint _e24 = pascalW((_e15 & 65535u));
-    return Group(_e21, _e24, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
+    uint own_1 = (_e17 * ((_e15 >> 7u) & 4294967294u));
+    uint _e24 = s_16.sample_;
+    uint _e26 = scramble((_e24 ^ own_1), _e8);
+    uint _e29 = reverseHalves((_e26 & 65535u));
+    uint _e32 = shiftOfPlace((_e15 & 255u));
+    return Group(_e29, _e32, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
 }
 
 float toUnit(uint reversed, uint scrambled) {
@@ -1294,16 +1303,16 @@ float next1d(inout Sampler s_17) {
 }
 
 uint pascal(uint x_8) {
-    uint y_3 = 0u;
-    y_3 = (x_8 ^ ((x_8 >> 1u) & 21845u));
-    uint _e7 = y_3;
-    uint _e8 = y_3;
-    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_3;
-    uint _e15 = y_3;
-    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_3;
-    uint _e22 = y_3;
+    uint y_4 = 0u;
+    y_4 = (x_8 ^ ((x_8 >> 1u) & 21845u));
+    uint _e7 = y_4;
+    uint _e8 = y_4;
+    y_4 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_4;
+    uint _e15 = y_4;
+    y_4 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_4;
+    uint _e22 = y_4;
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
@@ -1422,15 +1431,15 @@ BsdfSample sampleBsdf(Surface s_21, vec3 wo_7, vec3 u_13) {
 }
 
 uint pascalW2_(uint x_9) {
-    uint y_4 = 0u;
+    uint y_5 = 0u;
     uint _e5 = timesW2_(((x_9 >> 2u) & 13107u));
-    y_4 = (x_9 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
+    y_5 = (x_9 ^ _e5);
+    uint _e8 = y_5;
+    uint _e9 = y_5;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
-    uint _e17 = y_4;
+    y_5 = (_e8 ^ _e14);
+    uint _e16 = y_5;
+    uint _e17 = y_5;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }

@@ -1360,10 +1360,12 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   let a = pcg((*s).key);
   let b = pcg(a ^ (*s).salt);
   let place = scramble((*s).place, b);
-  let index = reverseHalves(scramble((*s).sample, a) & 0xffffu);
-  // Beyond the four digits that arrange the tile: bits that differ from pixel to pixel.
-  let shift = pascalW(place & 0xffffu);
-  return Group(index, shift, (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
+  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
@@ -1398,12 +1400,6 @@ fn pcg(x: u32) -> u32 {
   return (w >> 22u) ^ w;
 }
 
-// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of the first four digits (pairs of bits).
-fn pascalW(x: u32) -> u32 {
-  let y = x ^ timesW((x >> 2u) & 0x33u);
-  return y ^ timesW2((y >> 4u) & 0x0fu);
-}
-
 // One padded sequence: what all its dimensions have in common.
 struct Group {
   // Shuffled sample index.
@@ -1414,6 +1410,14 @@ struct Group {
   seedB: u32,
 }
 
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: u32) -> u32 {
+  var y = x ^ timesW((x >> 2u) & 0x33u);
+  y ^= timesW2((y >> 4u) & 0x0fu);
+  return timesW(y) | (y << 8u);
+}
 
 // Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a.
 fn timesW(x: u32) -> u32 {
@@ -1493,7 +1497,7 @@ fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
   return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
 }
 
-// The same with w^2 in place of w, eight digits.
+// The same with w^2 in place of w, of any eight digits.
 fn pascalW2(x: u32) -> u32 {
   var y = x ^ timesW2((x >> 2u) & 0x3333u);
   y ^= timesW((y >> 4u) & 0x0f0fu);

@@ -1,0 +1,261 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Frame {
+    vec3 right;
+    float width;
+    vec3 up;
+    float height;
+    vec3 forward;
+    uint lightCount;
+    vec3 horizon;
+    uint sampleIndex;
+    vec3 zenith;
+    uint seed;
+    vec2 jitter;
+    vec2 dividers;
+    uvec4 shapeEnds;
+    uint occluderEnd;
+    uint seenLightEnd;
+    uint emitterCount;
+    uint maxDepth;
+    uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct Sampler {
+    uint key;
+    uint salt;
+    uint sample_;
+    uint place;
+};
+struct Group {
+    uint index;
+    uint shift;
+    uint seedA;
+    uint seedB;
+};
+layout(std140) uniform FrameBlock { Frame frame; };
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+uint pcg(uint x) {
+    uint s_5 = ((x * 747796405u) + 2891336453u);
+    uint w = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
+    return ((w >> 22u) ^ w);
+}
+
+uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
+    uint _e5 = pcg(seed);
+    uint _e7 = pcg((sampleIndex + _e5));
+    uint _e9 = pcg((pixel.y + _e7));
+    uint _e11 = pcg((pixel.x + _e9));
+    return _e11;
+}
+
+uint spread(uint x_1) {
+    uint y_5 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_5 | (y_5 << 1u)) & 85u);
+}
+
+uint reverseHalves(uint x_2) {
+    uint y = 0u;
+    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
+    uint _e11 = y;
+    uint _e16 = y;
+    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y;
+    uint _e27 = y;
+    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y;
+    uint _e38 = y;
+    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+}
+
+Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
+    uint _e5 = frame.independent;
+    bool independent = (_e5 != 0u);
+    uint _e15 = pixelHash((independent ? pixel_1 : (pixel_1 >> uvec2(4u))), (independent ? sampleIndex_1 : (sampleIndex_1 >> 16u)), seed_1);
+    uint _e19 = spread((pixel_1.x & 15u));
+    uint _e23 = spread((pixel_1.y & 15u));
+    uint place = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
+    uint used = (independent ? 0u : _e32);
+    uint _e37 = pcg((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+}
+
+float filterAxis(float u) {
+    float across = ((2.0 * u) - 1.0);
+    float x_9 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_9), 15.0);
+    float t = (x_9 - piece);
+    vec4 c = frame.filterPieces[uint(piece)];
+    float offset = (c.x + (t * (c.y + (t * (c.z + (t * c.w))))));
+    return ((across < 0.0) ? -(offset) : offset);
+}
+
+vec2 filterOffset(vec2 u_1) {
+    float _e2 = filterAxis(u_1.x);
+    float _e4 = filterAxis(u_1.y);
+    return vec2(_e2, _e4);
+}
+
+uint scramble(uint x_3, uint seed_2) {
+    uint y_1 = 0u;
+    y_1 = (x_3 ^ (x_3 * 1025551850u));
+    uint _e6 = y_1;
+    y_1 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
+    uint _e13 = y_1;
+    uint _e14 = y_1;
+    y_1 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_1;
+    uint _e19 = y_1;
+    return (_e18 ^ (_e19 * 1403136100u));
+}
+
+uint pascal(uint x_4) {
+    uint y_2 = 0u;
+    y_2 = (x_4 ^ ((x_4 >> 1u) & 21845u));
+    uint _e7 = y_2;
+    uint _e8 = y_2;
+    y_2 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_2;
+    uint _e15 = y_2;
+    y_2 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_2;
+    uint _e22 = y_2;
+    return (_e21 ^ ((_e22 >> 8u) & 255u));
+}
+
+uint timesW(uint x_5) {
+    return (((x_5 & 21845u) << 1u) ^ (((x_5 >> 1u) & 21845u) * 3u));
+}
+
+float toUnit(uint reversed, uint scrambled) {
+    return (float(((reversed << 8u) | (scrambled >> 24u))) * 5.9604645e-8);
+}
+
+vec2 points2d(Group g) {
+    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
+    uint _e8 = timesW(g.shift);
+    uint _e10 = pascal((g.index ^ _e8));
+    uint _e12 = scramble(_e10, g.seedB);
+    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
+    float _e21 = toUnit((_e18 & 65535u), _e5);
+    float _e24 = toUnit((_e18 >> 16u), _e12);
+    return vec2(_e21, _e24);
+}
+
+uint timesW2_(uint x_6) {
+    uint _e1 = timesW(x_6);
+    return (x_6 ^ _e1);
+}
+
+uint shiftOfPlace(uint x_7) {
+    uint y_3 = 0u;
+    uint _e5 = timesW(((x_7 >> 2u) & 51u));
+    y_3 = (x_7 ^ _e5);
+    uint _e8 = y_3;
+    uint _e9 = y_3;
+    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
+    y_3 = (_e8 ^ _e14);
+    uint _e16 = y_3;
+    uint _e17 = timesW(_e16);
+    uint _e18 = y_3;
+    return (_e17 | (_e18 << 8u));
+}
+
+Group nextGroup(inout Sampler s_1) {
+    uint _e3 = s_1.key;
+    s_1.key = (_e3 + 1u);
+    uint _e7 = s_1.key;
+    uint _e8 = pcg(_e7);
+    uint _e10 = s_1.salt;
+    uint _e12 = pcg((_e8 ^ _e10));
+    uint _e14 = s_1.place;
+    uint _e15 = scramble(_e14, _e12);
+    uint _e17 = s_1.sample_;
+    uint own = (_e17 * ((_e15 >> 7u) & 4294967294u));
+    uint _e24 = s_1.sample_;
+    uint _e26 = scramble((_e24 ^ own), _e8);
+    uint _e29 = reverseHalves((_e26 & 65535u));
+    uint _e32 = shiftOfPlace((_e15 & 255u));
+    return Group(_e29, _e32, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
+}
+
+vec2 next2d(inout Sampler s_2) {
+    Group _e1 = nextGroup(s_2);
+    vec2 _e2 = points2d(_e1);
+    return _e2;
+}
+
+float next1d(inout Sampler s_3) {
+    Group _e1 = nextGroup(s_3);
+    uint _e6 = scramble((_e1.index ^ _e1.shift), _e1.seedA);
+    uint _e9 = reverseHalves((_e6 & 65535u));
+    float _e10 = toUnit(_e9, _e6);
+    return _e10;
+}
+
+uint pascalW2_(uint x_8) {
+    uint y_4 = 0u;
+    uint _e5 = timesW2_(((x_8 >> 2u) & 13107u));
+    y_4 = (x_8 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
+    uint _e14 = timesW(((_e9 >> 4u) & 3855u));
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
+    uint _e17 = y_4;
+    uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
+    return (_e16 ^ _e22);
+}
+
+vec3 next3d(inout Sampler s_4) {
+    Group _e1 = nextGroup(s_4);
+    uint _e4 = timesW2_(_e1.shift);
+    uint _e6 = pascalW2_((_e1.index ^ _e4));
+    uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
+    vec2 _e13 = points2d(_e1);
+    uint _e16 = reverseHalves((_e12 & 65535u));
+    float _e17 = toUnit(_e16, _e12);
+    return vec3(_e13, _e17);
+}
+
+void main() {
+    vec4 fragment = gl_FragCoord;
+    Sampler s = Sampler(0u, 0u, 0u, 0u);
+    uvec4 order = frame.panels[0];
+    uint _e11 = frame.sampleIndex;
+    uint _e14 = frame.seed;
+    Sampler _e15 = startSampler((uvec2(fragment.xy) + order.zw), _e11, _e14);
+    s = _e15;
+    uint _e18 = s.key;
+    s.key = (_e18 + order.x);
+    if ((order.y == 0u)) {
+        vec2 _e24 = next2d(s);
+        vec2 _e25 = filterOffset(_e24);
+        _fs2p_location0 = vec4(_e25, 0.0, 0.0);
+        return;
+    }
+    if ((order.y == 1u)) {
+        float _e32 = next1d(s);
+        _fs2p_location0 = vec4(_e32, 0.0, 0.0, 0.0);
+        return;
+    }
+    if ((order.y == 2u)) {
+        vec2 _e40 = next2d(s);
+        _fs2p_location0 = vec4(_e40, 0.0, 0.0);
+        return;
+    }
+    vec3 _e44 = next3d(s);
+    _fs2p_location0 = vec4(_e44, 0.0);
+    return;
+}
+

@@ -1,0 +1,227 @@
+// Linked from tests/sampler-probe.wesl by `npm run shaders`. Do not edit.
+@fragment fn samplerProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
+  let order = frame.panels[0];
+  var s = startSampler(vec2u(fragment.xy) + order.zw, frame.sampleIndex, frame.seed);
+  s.key += order.x;
+  if (order.y == 0u) {
+    return vec4f(filterOffset(next2d(&s)), 0.0, 0.0);
+  }
+  if (order.y == 1u) {
+    return vec4f(next1d(&s), 0.0, 0.0, 0.0);
+  }
+  if (order.y == 2u) {
+    return vec4f(next2d(&s), 0.0, 0.0);
+  }
+  return vec4f(next3d(&s), 0.0);
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
+  // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
+  let independent = frame.independent != 0u;
+  let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
+  let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) << 1u);
+  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
+  let used = select(reversed, 0u, independent);
+  return Sampler(hash, pcg(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+}
+
+fn next3d(s: ptr<function, Sampler>) -> vec3f {
+  let g = nextGroup(s);
+  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
+  return vec3f(points2d(g), toUnit(reverseHalves(z & 0xffffu), z));
+}
+
+// From the centre of the pixel, in pixels.
+fn filterOffset(u: vec2f) -> vec2f {
+  return vec2f(filterAxis(u.x), filterAxis(u.y));
+}
+
+fn next2d(s: ptr<function, Sampler>) -> vec2f {
+  return points2d(nextGroup(s));
+}
+
+// Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
+// ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
+fn filterAxis(u: f32) -> f32 {
+  let across = 2.0 * u - 1.0;
+  let x = 16.0 - 16.0 * sqrt(1.0 - abs(across));
+  let piece = min(floor(x), 15.0);
+  let t = x - piece;
+  let c = frame.filterPieces[u32(piece)];
+  let offset = c.x + t * (c.y + t * (c.z + t * c.w));
+  return select(offset, -offset, across < 0.0);
+}
+
+fn points2d(g: Group) -> vec2f {
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
+  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
+  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+}
+
+fn nextGroup(s: ptr<function, Sampler>) -> Group {
+  (*s).key = (*s).key + 1u;
+  let a = pcg((*s).key);
+  let b = pcg(a ^ (*s).salt);
+  let place = scramble((*s).place, b);
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
+  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+}
+
+struct Sampler {
+  // Goes up by one with each group of dimensions.
+  key: u32,
+  salt: u32,
+  // Last 16 bits of the sample index, reversed.
+  sample: u32,
+  // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
+  place: u32,
+}
+
+
+// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
+// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
+// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+fn scramble(x: u32, seed: u32) -> u32 {
+  var y = x ^ (x * 0x3d20adeau);
+  y = (y + seed) * ((seed >> 16u) | 1u);
+  y ^= y * 0x05526c56u;
+  return y ^ (y * 0x53a22864u);
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: u32) -> u32 {
+  var y = x ^ ((x >> 1u) & 0x5555u);
+  y ^= (y >> 2u) & 0x3333u;
+  y ^= (y >> 4u) & 0x0f0fu;
+  return y ^ ((y >> 8u) & 0x00ffu);
+}
+
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a.
+fn timesW(x: u32) -> u32 {
+  return ((x & 0x5555u) << 1u) ^ (((x >> 1u) & 0x5555u) * 3u);
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
+fn reverseHalves(x: u32) -> u32 {
+  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
+  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
+  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
+  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+}
+
+// From digits with the first in bit 0: 16 of them turned round, then 8 that need no order.
+fn toUnit(reversed: u32, scrambled: u32) -> f32 {
+  return f32((reversed << 8u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
+}
+
+// One padded sequence: what all its dimensions have in common.
+struct Group {
+  // Shuffled sample index.
+  index: u32,
+  // What sets this pixel apart from its neighbours.
+  shift: u32,
+  seedA: u32,
+  seedB: u32,
+}
+
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: u32) -> u32 {
+  var y = x ^ timesW((x >> 2u) & 0x33u);
+  y ^= timesW2((y >> 4u) & 0x0fu);
+  return timesW(y) | (y << 8u);
+}
+
+fn timesW2(x: u32) -> u32 {
+  return x ^ timesW(x);
+}
+
+fn next1d(s: ptr<function, Sampler>) -> f32 {
+  let g = nextGroup(s);
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  return toUnit(reverseHalves(x & 0xffffu), x);
+}
+
+struct Frame {
+  // camera r times tan(fov / 2) times aspect
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times tan(fov / 2)
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
+}
+
+
+fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
+  return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
+}
+
+// Bits 0 to 3 of x to the even places.
+fn spread(x: u32) -> u32 {
+  let y = (x | (x << 2u)) & 0x33u;
+  return (y | (y << 1u)) & 0x55u;
+}
+
+// The same with w^2 in place of w, of any eight digits.
+fn pascalW2(x: u32) -> u32 {
+  var y = x ^ timesW2((x >> 2u) & 0x3333u);
+  y ^= timesW((y >> 4u) & 0x0f0fu);
+  return y ^ timesW2((y >> 8u) & 0x00ffu);
+}
