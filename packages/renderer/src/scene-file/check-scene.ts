@@ -1,5 +1,5 @@
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { Camera, Scene, Shape } from '../scene/scene.ts';
+import type { Camera, Material, Scene, Shape } from '../scene/scene.ts';
 import { cameraFault, planeIsWellFormed, quadIsWellFormed } from '../scene/well-formed.ts';
 import type { FaultyPlaces } from './faulty-places.ts';
 import { nearest, type ProblemList, quote } from './problem.ts';
@@ -16,6 +16,9 @@ export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: Prob
   for (const [name, shape] of shapes) {
     if (!faulty.has('materials')) checkMaterial(name, shape.material, Object.keys(scene.materials), problems);
     checkForm(name, shape, problems);
+    if (shape.type !== 'plane' || faulty.has('materials') || faulty.has('materials', shape.material)) continue;
+    const material = Object.hasOwn(scene.materials, shape.material) ? scene.materials[shape.material] : undefined;
+    if (material) checkPlaneMaterial(name, shape.material, material, problems);
   }
 }
 
@@ -67,5 +70,23 @@ function checkForm(name: string, shape: Shape, problems: ProblemList): void {
     const found = `u = [${shape.u.join(', ')}] and v = [${shape.v.join(', ')}], which span no area`;
     const message = `The quad ${quote(name)} has no area: its sides "u" and "v" are zero or point the same way.`;
     problems.add(['shapes', name, 'v'], found, 'a side that is not along "u", both at least 1e-6 metres long', message);
+  }
+}
+
+/** Planes have no end, so light from one cannot be sampled, and let nothing through: docs/classic.md, "Where a ray starts". */
+function checkPlaneMaterial(plane: string, name: string, { type, emission }: Material, problems: ProblemList): void {
+  const path = ['shapes', plane, 'material'];
+  if (type === 'dielectric') {
+    const message = `The plane ${quote(plane)} is made of ${quote(name)}, which light goes through, but a plane lets nothing through; please use a box or a quad.`;
+    problems.add(
+      path,
+      `the dielectric material ${quote(name)}`,
+      'a material of another type than "dielectric"',
+      message,
+    );
+  }
+  if (emission.some((channel) => channel > 0)) {
+    const message = `The plane ${quote(plane)} is made of ${quote(name)}, which shines, but a lamp must have an end; please use a quad.`;
+    problems.add(path, `the shining material ${quote(name)}`, 'a material without "emission"', message);
   }
 }

@@ -76,6 +76,13 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['a box without depth', (s) => (s.shapes.block.size[2] = 0), ['/shapes/block/size/2']],
   ['a rotation of one number', (s) => (s.shapes.block.rotation = 45), ['/shapes/block/rotation']],
   ['a normal of zero', (s) => (s.shapes.floor.normal = [0, 0, 0]), ['/shapes/floor/normal']],
+  ['a plane that shines', (s) => (s.materials.clay.emission = [0, 0, 2]), ['/shapes/floor/material']],
+  ['a plane of glass', (s) => (s.materials.clay.type = 'dielectric'), ['/shapes/floor/material']],
+  [
+    'a plane of a material that is faulty itself',
+    (s) => Object.assign(s.materials.clay, { type: 'dielectric', emission: [0, -1, 2] }),
+    ['/materials/clay/emission/1'],
+  ],
   ['a quad without area', (s) => (s.shapes.panel.v = [-2, 0, 0]), ['/shapes/panel/v']],
   ['a quad with a side of zero', (s) => (s.shapes.panel.u = [0, 0, 0]), ['/shapes/panel/v']],
   ['no shapes and no lights', (s) => Object.assign(s, { shapes: {}, lights: {}, animation: [] }), ['/shapes']],
@@ -144,6 +151,16 @@ export const brokenAnimation: readonly BrokenScene[] = [
   [
     'a key out of range',
     (s) => (s.animation = [track('/shapes/ball/radius', key(0, 1), key(1, -1))]),
+    ['/animation/0/keys/1/value'],
+  ],
+  [
+    'a plane that begins to shine',
+    (s) => (s.animation = [track('/materials/clay/emission', key(0, [0, 0, 0]), key(1, [0, 1, 0]))]),
+    ['/animation/0/keys/1/value'],
+  ],
+  [
+    'a plane that begins to shine red',
+    (s) => (s.animation = [track('/materials/clay/emission/0', key(0, 0), key(1, 2))]),
     ['/animation/0/keys/1/value'],
   ],
   ['two tracks for one thing', (s) => s.animation.push(s.animation[0]), ['/animation/1/target']],
