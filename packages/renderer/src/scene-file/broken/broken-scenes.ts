@@ -96,6 +96,21 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['a light without radius', (s) => delete s.lights.lamp.radius, ['/lights/lamp/radius']],
   ['a negative radiance', (s) => (s.lights.lamp.radiance = -1), ['/lights/lamp/radiance']],
   ['a light that is a box', (s) => (s.lights.lamp.type = 'box'), ['/lights/lamp/type']],
+  [
+    'a quad light without area',
+    (s) => (s.lights.panel = { type: 'quad', corner: [0, 3, 0], u: [1, 0, 0], v: [2, 0, 0], radiance: 1 }),
+    ['/lights/panel/v'],
+  ],
+  [
+    'a sun that shines nowhere',
+    (s) => (s.lights.sun = { type: 'directional', direction: [0, 0, 0], irradiance: 1 }),
+    ['/lights/sun/direction'],
+  ],
+  [
+    'a spot that shines nowhere',
+    (s) => (s.lights.spot = { type: 'spot', position: [0, 3, 0], direction: [0, 1e-7, 0], intensity: 1 }),
+    ['/lights/spot/direction'],
+  ],
   ['1 as visible', (s) => (s.lights.lamp.visible = 1), ['/lights/lamp/visible']],
   ['too many lights', (s) => Object.assign(s.lights, many(16, s.lights.lamp)), ['/lights']],
   ['null as lights', (s) => (s.lights = null), ['/lights']],
