@@ -1,8 +1,8 @@
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { Camera, Scene, Shape } from '../scene/scene.ts';
-import { cameraFault, planeIsWellFormed, quadIsWellFormed } from '../scene/well-formed.ts';
+import type { Camera, Light, Material, Scene, Shape, Vec3 } from '../scene/scene.ts';
+import { cameraFault, isDirection, spansPlane } from '../scene/well-formed.ts';
 import type { FaultyPlaces } from './faulty-places.ts';
-import { nearest, type ProblemList, quote } from './problem.ts';
+import { nearest, type Path, type ProblemList, quote } from './problem.ts';
 
 /** The parts of a scene that refer to one another, or that tracks point into. */
 export type Sections = Pick<Scene, 'camera' | 'sky' | 'materials' | 'shapes' | 'lights'>;
@@ -16,7 +16,12 @@ export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: Prob
   for (const [name, shape] of shapes) {
     if (!faulty.has('materials')) checkMaterial(name, shape.material, Object.keys(scene.materials), problems);
     checkForm(name, shape, problems);
+    if (shape.type !== 'plane' || faulty.has('materials') || faulty.has('materials', shape.material)) continue;
+    const material = Object.hasOwn(scene.materials, shape.material) ? scene.materials[shape.material] : undefined;
+    if (material) checkPlaneMaterial(name, shape.material, material, problems);
   }
+  for (const [name, light] of Object.entries(scene.lights))
+    if (!faulty.has('lights', name)) checkLight(name, light, problems);
 }
 
 function checkCamera(camera: Camera, problems: ProblemList): void {
@@ -59,13 +64,40 @@ function checkMaterial(shape: string, material: string, names: readonly string[]
 }
 
 function checkForm(name: string, shape: Shape, problems: ProblemList): void {
-  if (shape.type === 'plane' && !planeIsWellFormed(shape)) {
-    const allowed = 'a direction of length 1e-6 or more';
-    problems.add(['shapes', name, 'normal'], `[${shape.normal.join(', ')}]`, allowed);
+  if (shape.type === 'plane') checkDirection(['shapes', name, 'normal'], shape.normal, problems);
+  if (shape.type === 'quad') checkSides(['shapes', name], `The quad ${quote(name)}`, shape, problems);
+}
+
+function checkLight(name: string, light: Light, problems: ProblemList): void {
+  if ('direction' in light) checkDirection(['lights', name, 'direction'], light.direction, problems);
+  if (light.type === 'quad') checkSides(['lights', name], `The quad light ${quote(name)}`, light, problems);
+}
+
+function checkDirection(path: Path, direction: Vec3, problems: ProblemList): void {
+  if (!isDirection(direction)) problems.add(path, `[${direction.join(', ')}]`, 'a direction of length 1e-6 or more');
+}
+
+function checkSides(path: Path, what: string, { u, v }: { u: Vec3; v: Vec3 }, problems: ProblemList): void {
+  if (spansPlane(u, v)) return;
+  const found = `u = [${u.join(', ')}] and v = [${v.join(', ')}], which span no area`;
+  const message = `${what} has no area: its sides "u" and "v" are zero or point the same way.`;
+  problems.add([...path, 'v'], found, 'a side that is not along "u", both at least 1e-6 metres long', message);
+}
+
+/** Planes have no end, so light from one cannot be sampled, and let nothing through: docs/classic.md, "Where a ray starts". */
+function checkPlaneMaterial(plane: string, name: string, { type, emission }: Material, problems: ProblemList): void {
+  const path = ['shapes', plane, 'material'];
+  if (type === 'dielectric') {
+    const message = `The plane ${quote(plane)} is made of ${quote(name)}, which light goes through, but a plane lets nothing through; please use a box or a quad.`;
+    problems.add(
+      path,
+      `the dielectric material ${quote(name)}`,
+      'a material of another type than "dielectric"',
+      message,
+    );
   }
-  if (shape.type === 'quad' && !quadIsWellFormed(shape)) {
-    const found = `u = [${shape.u.join(', ')}] and v = [${shape.v.join(', ')}], which span no area`;
-    const message = `The quad ${quote(name)} has no area: its sides "u" and "v" are zero or point the same way.`;
-    problems.add(['shapes', name, 'v'], found, 'a side that is not along "u", both at least 1e-6 metres long', message);
+  if (emission.some((channel) => channel > 0)) {
+    const message = `The plane ${quote(plane)} is made of ${quote(name)}, which shines, but a lamp must have an end; please use a quad.`;
+    problems.add(path, `the shining material ${quote(name)}`, 'a material without "emission"', message);
   }
 }

@@ -47,6 +47,19 @@ export class TrackChecker {
       const issue = result.issues[0];
       this.#problems.add([...path, 'keys', k, 'value'], describe(key.value), issue.message);
     });
+    if (target.section === 'materials' && target.property === 'emission') this.#checkDark(track, target.name, path);
+  }
+
+  /** What a plane is made of stays dark, as check-scene.ts has it for the scene at rest. */
+  #checkDark({ keys }: Track, material: string | null, path: Path): void {
+    const planes = Object.entries(this.#scene.shapes).filter(
+      ([name, shape]) => !this.#faulty.has('shapes', name) && shape.type === 'plane' && shape.material === material,
+    );
+    const bright = keys.findIndex(({ value }) => [value].flat().some((channel) => channel > 0));
+    if (planes.length === 0 || bright < 0) return;
+    const plane = quote(planes[0]![0]);
+    const message = `Track ${path[1]} lets the plane ${plane} shine, but a lamp must have an end; please use a quad.`;
+    this.#problems.add([...path, 'keys', bright, 'value'], describe(keys[bright]!.value), '0 for a plane', message);
   }
 
   #checkTimes({ keys }: Track, path: Path): void {

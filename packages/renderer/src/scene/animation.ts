@@ -1,7 +1,7 @@
 import { type CompiledTrack, compileTrack, evaluateTrack } from './keyframes.ts';
-import type { Camera, Plane, Quad, Scene, Vec3 } from './scene.ts';
+import type { Camera, Scene, Vec3 } from './scene.ts';
 import { type AnimationTarget, resolveTarget } from './targets.ts';
-import { mendCamera, planeIsWellFormed, quadIsWellFormed } from './well-formed.ts';
+import { isDirection, mendCamera, spansPlane } from './well-formed.ts';
 
 /** A scene with its tracks made ready: gives the scene at any time (seconds, finite). */
 export type CompiledAnimation = (time: number) => Scene;
@@ -93,11 +93,9 @@ function itemAt(item: MovingItem, time: number): Item {
 /** Keys may be good and a moment between them not: a normal through zero, an eye that meets its target. */
 function mend(now: Item, { section, rest }: MovingItem): Item {
   if (section === 'camera') return mendCamera(now as unknown as Camera, rest as unknown as Camera) as unknown as Item;
-  if (section === 'shapes' && now.type === 'plane' && !planeIsWellFormed(now as unknown as Plane)) {
-    return { ...now, normal: rest.normal! };
-  }
-  if (section === 'shapes' && now.type === 'quad' && !quadIsWellFormed(now as unknown as Quad)) {
-    return { ...now, u: rest.u!, v: rest.v! };
-  }
+  const straight = (direction: unknown) => direction === undefined || isDirection(direction as Vec3);
+  if (!straight(now.normal)) return { ...now, normal: rest.normal! };
+  if (!straight(now.direction)) return { ...now, direction: rest.direction! };
+  if (now.type === 'quad' && !spansPlane(now.u as Vec3, now.v as Vec3)) return { ...now, u: rest.u!, v: rest.v! };
   return now;
 }

@@ -1,4 +1,4 @@
-import type { Camera, Plane, Quad, Vec3 } from './scene.ts';
+import type { Camera, Vec3 } from './scene.ts';
 
 /**
  * What must hold between several numbers of one thing, so that no later stage divides by zero. The file reader refuses
@@ -30,11 +30,8 @@ export function cameraFault(camera: Pick<Camera, 'eye' | 'target' | 'up'>): 'tar
   return spansPlane(view, camera.up) ? null : 'up';
 }
 
-/** Whether the plane has a direction. */
-export const planeIsWellFormed = (plane: Pick<Plane, 'normal'>): boolean => length(plane.normal) >= SHORTEST;
-
-/** Whether the quad has an area. */
-export const quadIsWellFormed = (quad: Pick<Quad, 'u' | 'v'>): boolean => spansPlane(quad.u, quad.v);
+/** Whether it points anywhere: the normal of a plane, the direction of a light. */
+export const isDirection = (direction: Vec3): boolean => length(direction) >= SHORTEST;
 
 const AXES: readonly Vec3[] = [
   [0, 1, 0],

@@ -76,6 +76,13 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['a box without depth', (s) => (s.shapes.block.size[2] = 0), ['/shapes/block/size/2']],
   ['a rotation of one number', (s) => (s.shapes.block.rotation = 45), ['/shapes/block/rotation']],
   ['a normal of zero', (s) => (s.shapes.floor.normal = [0, 0, 0]), ['/shapes/floor/normal']],
+  ['a plane that shines', (s) => (s.materials.clay.emission = [0, 0, 2]), ['/shapes/floor/material']],
+  ['a plane of glass', (s) => (s.materials.clay.type = 'dielectric'), ['/shapes/floor/material']],
+  [
+    'a plane of a material that is faulty itself',
+    (s) => Object.assign(s.materials.clay, { type: 'dielectric', emission: [0, -1, 2] }),
+    ['/materials/clay/emission/1'],
+  ],
   ['a quad without area', (s) => (s.shapes.panel.v = [-2, 0, 0]), ['/shapes/panel/v']],
   ['a quad with a side of zero', (s) => (s.shapes.panel.u = [0, 0, 0]), ['/shapes/panel/v']],
   ['no shapes and no lights', (s) => Object.assign(s, { shapes: {}, lights: {}, animation: [] }), ['/shapes']],
@@ -89,6 +96,21 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['a light without radius', (s) => delete s.lights.lamp.radius, ['/lights/lamp/radius']],
   ['a negative radiance', (s) => (s.lights.lamp.radiance = -1), ['/lights/lamp/radiance']],
   ['a light that is a box', (s) => (s.lights.lamp.type = 'box'), ['/lights/lamp/type']],
+  [
+    'a quad light without area',
+    (s) => (s.lights.panel = { type: 'quad', corner: [0, 3, 0], u: [1, 0, 0], v: [2, 0, 0], radiance: 1 }),
+    ['/lights/panel/v'],
+  ],
+  [
+    'a sun that shines nowhere',
+    (s) => (s.lights.sun = { type: 'directional', direction: [0, 0, 0], irradiance: 1 }),
+    ['/lights/sun/direction'],
+  ],
+  [
+    'a spot that shines nowhere',
+    (s) => (s.lights.spot = { type: 'spot', position: [0, 3, 0], direction: [0, 1e-7, 0], intensity: 1 }),
+    ['/lights/spot/direction'],
+  ],
   ['1 as visible', (s) => (s.lights.lamp.visible = 1), ['/lights/lamp/visible']],
   ['too many lights', (s) => Object.assign(s.lights, many(16, s.lights.lamp)), ['/lights']],
   ['null as lights', (s) => (s.lights = null), ['/lights']],
@@ -144,6 +166,16 @@ export const brokenAnimation: readonly BrokenScene[] = [
   [
     'a key out of range',
     (s) => (s.animation = [track('/shapes/ball/radius', key(0, 1), key(1, -1))]),
+    ['/animation/0/keys/1/value'],
+  ],
+  [
+    'a plane that begins to shine',
+    (s) => (s.animation = [track('/materials/clay/emission', key(0, [0, 0, 0]), key(1, [0, 1, 0]))]),
+    ['/animation/0/keys/1/value'],
+  ],
+  [
+    'a plane that begins to shine red',
+    (s) => (s.animation = [track('/materials/clay/emission/0', key(0, 0), key(1, 2))]),
     ['/animation/0/keys/1/value'],
   ],
   ['two tracks for one thing', (s) => s.animation.push(s.animation[0]), ['/animation/1/target']],
