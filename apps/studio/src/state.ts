@@ -56,7 +56,9 @@ export const textShare = computed(() => (isPhone.value || panelOpen.value ? visi
 export const dividers = computed<Dividers>(() => chosenDividers.value ?? evenDividers(visibleShare.value));
 
 /** What the renderer is to be set to. */
-export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples' | 'integrator' | 'maxDepth'>>(() => ({
+export const wantedSettings = computed<
+  Omit<RendererSettings, 'maxSamples' | 'integrator' | 'maxDepth' | 'pixelFilter' | 'independentSamples'>
+>(() => ({
   maxReflections: reflections.value,
   lightSamples: lightSamples.value,
   exposure: exposure.value,

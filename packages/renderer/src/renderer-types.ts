@@ -1,3 +1,4 @@
+import type { PixelFilter } from './packed-scene/pack-filter.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
 
 /** What draws: a GPU interface, or the double-precision tracer in a worker that makes one still picture. */
@@ -21,6 +22,10 @@ export interface RendererSettings {
   integrator: Integrator;
   /** `path`: segments of a path from the camera on, 1 … 4096; −1 = no limit. */
   maxDepth: number;
+  /** `path`: how the samples of a pixel are weighted about its centre; all but `box` also reach into its neighbours. */
+  pixelFilter: PixelFilter;
+  /** `path`: plain random numbers instead of the Sobol sequence, to compare with. */
+  independentSamples: boolean;
   maxReflections: number;
   lightSamples: number;
   /** Stops. */

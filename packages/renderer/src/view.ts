@@ -2,6 +2,8 @@
  * What is to be seen: scene, time, camera, settings, and whether it moves. Shared by the GPU renderer and the CPU one, which
  * look at `revision` to know that the picture changed. No GPU, no DOM.
  */
+
+import { PIXEL_FILTERS } from './packed-scene/pack-filter.ts';
 import type { Panel, RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
@@ -12,6 +14,8 @@ import { requireScene } from './scene-file/require-scene.ts';
 export const DEFAULT_SETTINGS: RendererSettings = {
   integrator: 'classic',
   maxDepth: -1,
+  pixelFilter: 'box',
+  independentSamples: false,
   maxReflections: 5,
   lightSamples: 9,
   exposure: 0,
@@ -41,6 +45,8 @@ const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) =>
     (n) => n !== 0 && wholeIn(-1, SCENE_LIMITS.maxDepth)(n),
     `-1, or a whole number from 1 to ${SCENE_LIMITS.maxDepth}`,
   ],
+  pixelFilter: [(name) => PIXEL_FILTERS.includes(name), PIXEL_FILTERS.map((name) => `"${name}"`).join(', ')],
+  independentSamples: [(b) => typeof b === 'boolean', 'true or false'],
   maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
   lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
   exposure: [(n) => Math.abs(n) <= 32, 'stops from -32 to 32'],

@@ -1566,6 +1566,22 @@ vec3 pinholeDirection(vec2 filmPoint) {
     return normalize(((_e21 + (x_14 * _e24)) + (y_10 * _e29)));
 }
 
+float filterAxis(float u_14) {
+    float across_4 = ((2.0 * u_14) - 1.0);
+    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
+    float piece = min(floor(x_15), 15.0);
+    float t_8 = (x_15 - piece);
+    vec4 c = frame.filterPieces[uint(piece)];
+    float offset_1 = (c.x + (t_8 * (c.y + (t_8 * (c.z + (t_8 * c.w))))));
+    return ((across_4 < 0.0) ? -(offset_1) : offset_1);
+}
+
+vec2 filterOffset(vec2 u_15) {
+    float _e2 = filterAxis(u_15.x);
+    float _e4 = filterAxis(u_15.y);
+    return vec2(_e2, _e4);
+}
+
 Start atEye() {
     return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
 }
@@ -1579,19 +1595,20 @@ void main() {
     uint _e8 = frame.seed;
     Sampler _e9 = startSampler(pixel_2, _e5, _e8);
     s = _e9;
-    vec2 _e13 = next2d(s);
-    vec3 _e15 = pinholeDirection((floor(fragment.xy) + _e13));
-    Start _e16 = atEye();
-    vec3 _e18 = trace(Ray(_e16, _e15), s);
-    uint _e27 = frame.sampleIndex;
-    if ((_e27 > 0u)) {
-        vec4 _e32 = texelFetch(previousFilm, ivec2(pixel_2), 0);
-        vec4 _e35 = texelFetch(previousSquares, ivec2(pixel_2), 0);
-        film = Film(_e32, _e35);
+    vec2 _e16 = next2d(s);
+    vec2 _e17 = filterOffset(_e16);
+    vec3 _e19 = pinholeDirection(((floor(fragment.xy) + vec2(0.5)) + _e17));
+    Start _e20 = atEye();
+    vec3 _e22 = trace(Ray(_e20, _e19), s);
+    uint _e31 = frame.sampleIndex;
+    if ((_e31 > 0u)) {
+        vec4 _e36 = texelFetch(previousFilm, ivec2(pixel_2), 0);
+        vec4 _e39 = texelFetch(previousSquares, ivec2(pixel_2), 0);
+        film = Film(_e36, _e39);
     }
-    vec4 _e38 = film.sums;
-    vec4 _e43 = film.squares;
-    Film _tmp_return = Film((_e38 + vec4(_e18, 1.0)), (_e43 + vec4((_e18 * _e18), 0.0)));
+    vec4 _e42 = film.sums;
+    vec4 _e47 = film.squares;
+    Film _tmp_return = Film((_e42 + vec4(_e22, 1.0)), (_e47 + vec4((_e22 * _e22), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

@@ -160,7 +160,7 @@ struct Film {
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let pixel = vec2u(fragment.xy);
   var s = startSampler(pixel, frame.sampleIndex, frame.seed);
-  let direction = pinholeDirection(floor(fragment.xy) + next2d(&s));
+  let direction = pinholeDirection(floor(fragment.xy) + 0.5 + filterOffset(next2d(&s)));
   let radiance = trace(Ray(atEye(), direction), &s);
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
@@ -1520,6 +1520,11 @@ fn pinholeDirection(filmPoint: vec2f) -> vec3f {
   return normalize(frame.forward + x * frame.right + y * frame.up);
 }
 
+// From the centre of the pixel, in pixels.
+fn filterOffset(u: vec2f) -> vec2f {
+  return vec2f(filterAxis(u.x), filterAxis(u.y));
+}
+
 fn atEye() -> Start {
   return Start(vec3f(0.0), noShape, noShape, 0.0);
 }
@@ -1536,4 +1541,16 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 fn spread0(x: u32) -> u32 {
   let y = (x | (x << 2u)) & 0x33u;
   return (y | (y << 1u)) & 0x55u;
+}
+
+// Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
+// ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
+fn filterAxis(u: f32) -> f32 {
+  let across = 2.0 * u - 1.0;
+  let x = 16.0 - 16.0 * sqrt(1.0 - abs(across));
+  let piece = min(floor(x), 15.0);
+  let t = x - piece;
+  let c = frame.filterPieces[u32(piece)];
+  let offset = c.x + t * (c.y + t * (c.z + t * c.w));
+  return select(offset, -offset, across < 0.0);
 }
