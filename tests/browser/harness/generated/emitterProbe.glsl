@@ -83,12 +83,18 @@ struct BoxView {
     vec4 rotation;
     vec3 point;
     vec3 faces;
-    bool inside;
     float area;
+    bool inside;
 };
 struct Extent {
     vec4 a;
     vec4 b;
+};
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
 };
 struct Start {
     vec3 point;
@@ -103,12 +109,6 @@ struct Ray {
 struct Bounds {
     vec3 center;
     float radius;
-};
-struct Slabs {
-    vec3 enter;
-    vec3 leave;
-    float near;
-    float far;
 };
 const uint directionAndPdf = 0u;
 const uint radianceAndDistance = 1u;
@@ -227,11 +227,11 @@ SphereView viewSphere(Emitter e_3, vec3 point_3) {
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
-    float s_1 = ((axis.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (s_1 + axis.z));
-    float b = ((axis.x * axis.y) * a);
-    vec3 x_2 = vec3((1.0 + (((s_1 * axis.x) * axis.x) * a)), (s_1 * b), (-(s_1) * axis.x));
-    vec3 y_1 = vec3(b, (s_1 + ((axis.y * axis.y) * a)), -(axis.y));
+    float s_2 = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (s_2 + axis.z));
+    float b_1 = ((axis.x * axis.y) * a);
+    vec3 x_2 = vec3((1.0 + (((s_2 * axis.x) * axis.x) * a)), (s_2 * b_1), (-(s_2) * axis.x));
+    vec3 y_1 = vec3(b_1, (s_2 + ((axis.y * axis.y) * a)), -(axis.y));
     return (((v.x * x_2) + (v.y * y_1)) + (v.z * axis));
 }
 
@@ -304,11 +304,11 @@ QuadView viewQuad(Emitter e_5, vec3 point_5) {
 vec3 sphericalRectangle(QuadView q, vec2 u_3) {
     float h_1 = q.height;
     vec2 y_3 = vec2(q.low.y, q.high.y);
-    vec2 s_2 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_1 * h_1)))));
+    vec2 s_3 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_1 * h_1)))));
     float halfT = (0.5 * (q.start + (u_3.x * q.solidAngle)));
     float p = cos(halfT);
     float sine_2 = sin(halfT);
-    vec2 across = vec2(((s_2.y - s_2.x) * p), ((s_2.y + s_2.x) * sine_2));
+    vec2 across = vec2(((s_3.y - s_3.x) * p), ((s_3.y + s_3.x) * sine_2));
     float w = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
     float x_3 = clamp(((h_1 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
     float d2_ = ((x_3 * x_3) + (h_1 * h_1));
@@ -354,12 +354,36 @@ BoxView viewBox(Emitter e_7, vec3 point_7) {
     Extent _e4 = fetchExtent(uint(e_7.shape));
     vec4 rotation = _e4.a;
     vec3 _e8 = rotate(rotation, (point_7 - e_7.position));
-    bvec3 beyond = greaterThan(abs(_e8), e_7.u);
-    bool inside_1 = !(any(beyond));
-    vec3 areas = ((4.0 * e_7.u.yzx) * e_7.u.zxy);
-    vec3 faces = mix(vec3(0.0), areas, bvec3(beyond.x || bvec3(inside_1).x, beyond.y || bvec3(inside_1).y, beyond.z || bvec3(inside_1).z));
-    float area_2 = (((faces.x + faces.y) + faces.z) * (inside_1 ? 2.0 : 1.0));
-    return BoxView(rotation, _e8, faces, inside_1, area_2);
+    bvec3 seen = greaterThan(abs(_e8), e_7.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
+}
+
+vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_5) {
+    float both = (b.faces.x + b.faces.y);
+    float at = (u_5.x * b.area);
+    bool onX = (at < b.faces.x);
+    bool onY = (!(onX) && (at < both));
+    float face = (onX ? b.faces.x : (onY ? b.faces.y : b.faces.z));
+    float within = clamp(((at - (onX ? 0.0 : (onY ? b.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
+    vec3 p_1 = vec3(((dot(axis_3, b.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
+    vec3 toLight_3 = (((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_8.u) - b.point);
+    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
+}
+
+vec3 safeReciprocal(vec3 d, vec3 origin) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_1, vec3 direction, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction, origin_1);
+    vec3 middle_2 = (-(origin_1) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle_2 - reach);
+    vec3 leave = (middle_2 + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
 vec3 rotateBack(vec4 q_3, vec3 v_2) {
@@ -367,41 +391,34 @@ vec3 rotateBack(vec4 q_3, vec3 v_2) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_8, vec3 point_8, vec2 u_5) {
-    BoxView _e3 = viewBox(e_8, point_8);
-    float both = (_e3.faces.x + _e3.faces.y);
-    float at = (u_5.x * (both + _e3.faces.z));
-    bool onX = (at < _e3.faces.x);
-    bool onY = (!(onX) && (at < both));
-    float face = (onX ? _e3.faces.x : (onY ? _e3.faces.y : _e3.faces.z));
-    float within = clamp(((at - (onX ? 0.0 : (onY ? _e3.faces.x : both))) / face), 0.0, 0.99999994);
-    float s_3 = (_e3.inside ? fract((2.0 * within)) : within);
-    vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    float side_1 = (_e3.inside ? (within - 0.5) : dot(axis_3, _e3.point));
-    vec3 p_1 = vec3(((side_1 >= 0.0) ? 1.0 : -1.0), ((2.0 * s_3) - 1.0), ((2.0 * u_5.y) - 1.0));
-    vec3 onFace = ((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_8.u);
-    vec3 toLight_3 = (onFace - _e3.point);
-    float height_3 = abs(dot(axis_3, toLight_3));
-    float distance_8 = max(length(toLight_3), 1e-30);
-    float _e90 = areaPdf(_e3.area, height_3, distance_8);
-    float pdf_2 = ((height_3 > 0.0) ? _e90 : 0.0);
-    vec3 _e98 = rotateBack(_e3.rotation, (toLight_3 / vec3(distance_8)));
-    return LightSample(_e98, distance_8, e_8.radiance, pdf_2, false);
+LightSample sampleBox(Emitter e_9, vec3 point_8, vec2 u_6) {
+    BoxView _e3 = viewBox(e_9, point_8);
+    vec4 _e4 = pointOnFaces(e_9, _e3, u_6);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_6);
+    vec3 outwards = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_9.u);
+    float distance_8 = (_e3.inside ? max(_e16.far, 0.0) : length(_e4.xyz));
+    vec3 direction_15 = (_e3.inside ? outwards : (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
+    float _e33 = conePdf(2.0);
+    float pdf_2 = (_e3.inside ? _e33 : _e31);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_15);
+    return LightSample(_e37, distance_8, e_9.radiance, pdf_2, false);
 }
 
-LightSample samplePoint(Emitter e_9, vec3 point_9) {
-    vec3 toLight_4 = (e_9.position - point_9);
+LightSample samplePoint(Emitter e_10, vec3 point_9) {
+    vec3 toLight_4 = (e_10.position - point_9);
     float distance_9 = length(toLight_4);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_9.radiance / vec3((safe * safe))), ((distance_9 > 1e-15) ? 1.0 : 0.0), true);
+    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_10.radiance / vec3((safe * safe))), ((distance_9 > 1e-15) ? 1.0 : 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_10, vec3 point_10) {
+LightSample sampleSpot(Emitter e_11, vec3 point_10) {
     LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_10, point_10);
+    LightSample _e2 = samplePoint(e_11, point_10);
     s = _e2;
     vec3 _e5 = s.direction;
-    float _e6 = spotFalloff(e_10, _e5);
+    float _e6 = spotFalloff(e_11, _e5);
     vec3 _e8 = s.radiance;
     s.radiance = (_e8 * _e6);
     float _e12 = s.pdf;
@@ -410,61 +427,72 @@ LightSample sampleSpot(Emitter e_10, vec3 point_10) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_11, vec2 u_6) {
-    bool delta = (e_11.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_11.u), (e_11.area / 6.2831855), u_6);
-    return LightSample(_e10.direction, 1e30, e_11.radiance, (delta ? 1.0 : (1.0 / max(e_11.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_12, vec2 u_7) {
+    bool delta = (e_12.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_12.u), (e_12.area / 6.2831855), u_7);
+    return LightSample(_e10.direction, 1e30, e_12.radiance, (delta ? 1.0 : (1.0 / max(e_12.area, 1e-31))), delta);
 }
 
-vec3 sky(vec3 direction) {
+vec3 sky(vec3 direction_1) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction.y, 0.0));
+    return mix(_e3, _e6, max(direction_1.y, 0.0));
 }
 
-float skyPdf(vec3 direction_1) {
+float skyPdf(vec3 direction_2) {
     return 0.07957747;
 }
 
-LightSample sampleSky(vec2 u_7) {
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
-    vec3 direction_15 = _e6.direction;
-    vec3 _e8 = sky(direction_15);
-    float _e9 = skyPdf(direction_15);
-    return LightSample(direction_15, 1e30, _e8, _e9, false);
+LightSample sampleSky(vec2 u_8) {
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_8);
+    vec3 direction_16 = _e6.direction;
+    vec3 _e8 = sky(direction_16);
+    float _e9 = skyPdf(direction_16);
+    return LightSample(direction_16, 1e30, _e8, _e9, false);
 }
 
-LightSample sampleEmitter(Emitter e_12, vec3 point_11, vec2 u_8) {
-    if ((e_12.kind == 0.0)) {
-        LightSample _e6 = sampleSphere(e_12, point_11, u_8);
+LightSample sampleKind(Emitter e_13, vec3 point_11, vec2 u_9) {
+    if ((e_13.kind == 0.0)) {
+        LightSample _e6 = sampleSphere(e_13, point_11, u_9);
         return _e6;
     }
-    if ((e_12.kind == 1.0)) {
-        LightSample _e10 = sampleQuad(e_12, point_11, u_8);
+    if ((e_13.kind == 1.0)) {
+        LightSample _e10 = sampleQuad(e_13, point_11, u_9);
         return _e10;
     }
-    if ((e_12.kind == 2.0)) {
-        LightSample _e14 = sampleBox(e_12, point_11, u_8);
+    if ((e_13.kind == 2.0)) {
+        LightSample _e14 = sampleBox(e_13, point_11, u_9);
         return _e14;
     }
-    if ((e_12.kind == 3.0)) {
-        LightSample _e18 = samplePoint(e_12, point_11);
+    if ((e_13.kind == 3.0)) {
+        LightSample _e18 = samplePoint(e_13, point_11);
         return _e18;
     }
-    if ((e_12.kind == 4.0)) {
-        LightSample _e22 = sampleSpot(e_12, point_11);
+    if ((e_13.kind == 4.0)) {
+        LightSample _e22 = sampleSpot(e_13, point_11);
         return _e22;
     }
-    if ((e_12.kind == 5.0)) {
-        LightSample _e26 = sampleDirectional(e_12, u_8);
+    if ((e_13.kind == 5.0)) {
+        LightSample _e26 = sampleDirectional(e_13, u_9);
         return _e26;
     }
-    LightSample _e27 = sampleSky(u_8);
+    LightSample _e27 = sampleSky(u_9);
     return _e27;
 }
 
-Start onSurface(vec3 point_12, uint shape, bool seenFromInside) {
-    return Start(point_12, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_12)));
+LightSample sampleEmitter(Emitter e_14, vec3 point_12, vec2 u_10) {
+    LightSample s_1 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e3 = sampleKind(e_14, point_12, u_10);
+    s_1 = _e3;
+    float _e7 = s_1.pdf;
+    float _e9 = s_1.distance_;
+    s_1.pdf = ((_e9 <= (1e-5 * length(point_12))) ? 0.0 : _e7);
+    LightSample _e16 = s_1;
+    return _e16;
+}
+
+Start onSurface(vec3 point_13, uint shape, bool seenFromInside) {
+    return Start(point_13, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_13)));
 }
 
 bool isSphere(uint i_3) {
@@ -472,10 +500,10 @@ bool isSphere(uint i_3) {
     return (i_3 < _e4);
 }
 
-float intersectSphere(vec3 origin, vec3 direction_2, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter_1 = (center - origin);
-    float along_1 = dot(toCenter_1, direction_2);
-    vec3 across_1 = (toCenter_1 - (along_1 * direction_2));
+float intersectSphere(vec3 origin_2, vec3 direction_3, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter_1 = (center - origin_2);
+    float along_1 = dot(toCenter_1, direction_3);
+    vec3 across_1 = (toCenter_1 - (along_1 * direction_3));
     float discriminant = ((radius * radius) - dot(across_1, across_1));
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along_1 - half_);
@@ -497,20 +525,6 @@ bool isBox(uint i_5) {
 
 bool isTurned(vec4 q_4) {
     return any(notEqual(q_4.xyz, vec3(0.0)));
-}
-
-vec3 safeReciprocal(vec3 d, vec3 origin_1) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
-    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
-}
-
-Slabs boxSlabs(vec3 origin_2, vec3 direction_3, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_3, origin_2);
-    vec3 middle_2 = (-(origin_2) * _e3);
-    vec3 reach = (halfSize * abs(_e3));
-    vec3 enter = (middle_2 - reach);
-    vec3 leave = (middle_2 + reach);
-    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_4, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
@@ -614,14 +628,14 @@ vec3 boxNormal(vec3 origin_7, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
     vec3 crossed = (entering ? _e5.enter : _e5.leave);
     float t_7 = (entering ? _e5.near : _e5.far);
-    vec3 side_2 = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    vec3 side_1 = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
     if ((crossed.x == t_7)) {
-        return vec3(side_2.x, 0.0, 0.0);
+        return vec3(side_1.x, 0.0, 0.0);
     }
     if ((crossed.y == t_7)) {
-        return vec3(0.0, side_2.y, 0.0);
+        return vec3(0.0, side_1.y, 0.0);
     }
-    return vec3(0.0, 0.0, side_2.z);
+    return vec3(0.0, 0.0, side_1.z);
 }
 
 vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
@@ -640,75 +654,76 @@ vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside_2 = (i_14 == ray_5.start.inside);
+    bool inside_1 = (i_14 == ray_5.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_8);
     vec3 _e30 = rotate(_e15.a, ray_5.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_2);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_1);
     vec3 _e37 = rotateBack(_e15.a, _e35);
     return _e37;
 }
 
-float spherePdf(Emitter e_13, vec3 point_13, vec3 direction_9) {
-    SphereView _e3 = viewSphere(e_13, point_13);
+float spherePdf(Emitter e_15, vec3 point_14, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_15, point_14);
     bool reached = (_e3.inside || (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return (reached ? _e11 : 0.0);
 }
 
-float quadPdf(Emitter e_14, vec3 point_14, float distance_2) {
-    QuadView _e3 = viewQuad(e_14, point_14);
-    float _e5 = pdfOfView(_e3, e_14.area, distance_2);
+float quadPdf(Emitter e_16, vec3 point_15, float distance_2) {
+    QuadView _e3 = viewQuad(e_16, point_15);
+    float _e5 = pdfOfView(_e3, e_16.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_15, vec3 point_15, vec3 direction_10, float distance_3, vec3 normal_5) {
-    BoxView _e5 = viewBox(e_15, point_15);
+float boxPdf(Emitter e_17, vec3 point_16, vec3 direction_10, float distance_3, vec3 normal_5) {
+    BoxView _e5 = viewBox(e_17, point_16);
     float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_5))), distance_3);
-    return _e10;
+    float _e12 = conePdf(2.0);
+    return (_e5.inside ? _e12 : _e10);
 }
 
-bool isOnDisc(Emitter e_16, vec3 direction_11) {
-    vec3 chord = (direction_11 + e_16.u);
-    return ((3.1415927 * dot(chord, chord)) < e_16.area);
+bool isOnDisc(Emitter e_18, vec3 direction_11) {
+    vec3 chord = (direction_11 + e_18.u);
+    return ((3.1415927 * dot(chord, chord)) < e_18.area);
 }
 
-float directionalPdf(Emitter e_17, vec3 direction_12) {
-    bool _e7 = isOnDisc(e_17, direction_12);
-    return (_e7 ? (1.0 / max(e_17.area, 1e-31)) : 0.0);
+float directionalPdf(Emitter e_19, vec3 direction_12) {
+    bool _e7 = isOnDisc(e_19, direction_12);
+    return (_e7 ? (1.0 / max(e_19.area, 1e-31)) : 0.0);
 }
 
-float emitterPdf(Emitter e_18, vec3 point_16, vec3 direction_13, float distance_4, vec3 normal_6) {
-    if ((e_18.kind == 0.0)) {
-        float _e8 = spherePdf(e_18, point_16, direction_13);
+float emitterPdf(Emitter e_20, vec3 point_17, vec3 direction_13, float distance_4, vec3 normal_6) {
+    if ((e_20.kind == 0.0)) {
+        float _e8 = spherePdf(e_20, point_17, direction_13);
         return _e8;
     }
-    if ((e_18.kind == 1.0)) {
-        float _e12 = quadPdf(e_18, point_16, distance_4);
+    if ((e_20.kind == 1.0)) {
+        float _e12 = quadPdf(e_20, point_17, distance_4);
         return _e12;
     }
-    if ((e_18.kind == 2.0)) {
-        float _e16 = boxPdf(e_18, point_16, direction_13, distance_4, normal_6);
+    if ((e_20.kind == 2.0)) {
+        float _e16 = boxPdf(e_20, point_17, direction_13, distance_4, normal_6);
         return _e16;
     }
-    if ((e_18.kind == 5.0)) {
-        float _e20 = directionalPdf(e_18, direction_13);
+    if ((e_20.kind == 5.0)) {
+        float _e20 = directionalPdf(e_20, direction_13);
         return _e20;
     }
-    if ((e_18.kind == 6.0)) {
+    if ((e_20.kind == 6.0)) {
         float _e24 = skyPdf(direction_13);
         return _e24;
     }
     return 0.0;
 }
 
-vec3 radianceFromInfinity(Emitter e_19, vec3 direction_14) {
-    if ((e_19.kind == 6.0)) {
+vec3 radianceFromInfinity(Emitter e_21, vec3 direction_14) {
+    if ((e_21.kind == 6.0)) {
         vec3 _e5 = sky(direction_14);
         return _e5;
     }
-    bool _e9 = isOnDisc(e_19, direction_14);
-    bool disc = ((e_19.kind == 5.0) && _e9);
-    return (disc ? e_19.radiance : vec3(0.0));
+    bool _e9 = isOnDisc(e_21, direction_14);
+    bool disc = ((e_21.kind == 5.0) && _e9);
+    return (disc ? e_21.radiance : vec3(0.0));
 }
 
 void main() {
@@ -717,12 +732,12 @@ void main() {
     vec3 normal = vec3(0.0);
     uvec2 pixel = uvec2(fragment.xy);
     vec4 a_2 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
-    vec4 b_1 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 b_2 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
     vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
-    uint question = uint(b_1.w);
+    uint question = uint(b_2.w);
     uint index = uint(a_2.w);
     if ((question == choice)) {
-        EmitterChoice _e40 = chooseEmitter(a_2.xyz, c.xyz, b_1.x);
+        EmitterChoice _e40 = chooseEmitter(a_2.xyz, c.xyz, b_2.x);
         Emitter _e42 = fetchEmitter(_e40.index);
         float _e46 = probabilityOf(_e42, a_2.xyz, c.xyz, _e40.total);
         Emitter _e50 = fetchEmitter(index);
@@ -731,7 +746,7 @@ void main() {
         return;
     }
     Emitter _e56 = fetchEmitter(index);
-    LightSample _e59 = sampleEmitter(_e56, a_2.xyz, b_1.xy);
+    LightSample _e59 = sampleEmitter(_e56, a_2.xyz, b_2.xy);
     if ((question == directionAndPdf)) {
         _fs2p_location0 = vec4(_e59.direction, _e59.pdf);
         return;
@@ -740,11 +755,11 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_16 = ((question == pdfOfSample) ? _e59.direction : c.xyz);
+    vec3 direction_17 = ((question == pdfOfSample) ? _e59.direction : c.xyz);
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
         Start _e88 = onSurface(a_2.xyz, noShape, false);
-        Ray ray_6 = Ray(_e88, direction_16);
+        Ray ray_6 = Ray(_e88, direction_17);
         Bounds _e90 = fetchBounds(shape_1);
         float _e91 = hitShape(shape_1, _e90, ray_6);
         t = _e91;
@@ -759,9 +774,9 @@ void main() {
     }
     float _e106 = t;
     vec3 _e107 = normal;
-    float _e108 = emitterPdf(_e56, a_2.xyz, direction_16, _e106, _e107);
+    float _e108 = emitterPdf(_e56, a_2.xyz, direction_17, _e106, _e107);
     float _e109 = t;
-    vec3 _e110 = radianceFromInfinity(_e56, direction_16);
+    vec3 _e110 = radianceFromInfinity(_e56, direction_17);
     _fs2p_location0 = vec4(_e108, _e109, length(_e110), float(_e59.delta));
     return;
 }

@@ -125,8 +125,8 @@ struct BoxView {
     vec4 rotation;
     vec3 point;
     vec3 faces;
-    bool inside;
     float area;
+    bool inside;
 };
 struct EmitterChoice {
     uint index;
@@ -300,8 +300,8 @@ vec3 outwardNormal(uint i_6, Ray ray, float t) {
 Basis basisAbout(vec3 n) {
     float side_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
     float a = (-1.0 / (side_1 + n.z));
-    float b_2 = ((n.x * n.y) * a);
-    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a)), (side_1 * b_2), (-(side_1) * n.x)), vec3(b_2, (side_1 + ((n.y * n.y) * a)), -(n.y)), n);
+    float b_3 = ((n.x * n.y) * a);
+    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a)), (side_1 * b_3), (-(side_1) * n.x)), vec3(b_3, (side_1 + ((n.y * n.y) * a)), -(n.y)), n);
 }
 
 vec3 toLocal(Basis b, vec3 v_2) {
@@ -450,18 +450,16 @@ BoxView viewBox(Emitter e_6, vec3 point_5) {
     Extent _e4 = fetchExtent(uint(e_6.shape));
     vec4 rotation = _e4.a;
     vec3 _e8 = rotate(rotation, (point_5 - e_6.position));
-    bvec3 beyond = greaterThan(abs(_e8), e_6.u);
-    bool inside_2 = !(any(beyond));
-    vec3 areas = ((4.0 * e_6.u.yzx) * e_6.u.zxy);
-    vec3 faces = mix(vec3(0.0), areas, bvec3(beyond.x || bvec3(inside_2).x, beyond.y || bvec3(inside_2).y, beyond.z || bvec3(inside_2).z));
-    float area_2 = (((faces.x + faces.y) + faces.z) * (inside_2 ? 2.0 : 1.0));
-    return BoxView(rotation, _e8, faces, inside_2, area_2);
+    bvec3 seen = greaterThan(abs(_e8), e_6.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_6.u.yzx) * e_6.u.zxy), seen);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
 float boxPdf(Emitter e_7, vec3 point_6, vec3 direction_7, float distance_3, vec3 normal) {
     BoxView _e5 = viewBox(e_7, point_6);
     float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_7, normal))), distance_3);
-    return _e10;
+    float _e12 = conePdf(2.0);
+    return (_e5.inside ? _e12 : _e10);
 }
 
 float directionalPdf(Emitter e_8, vec3 direction_8) {
@@ -575,11 +573,11 @@ vec3 foundLight(Vertex v_5, Origin origin_3, Ray ray_2, Hit hit_1) {
 }
 
 vec3 turnTo(vec3 axis, vec3 v_6) {
-    float s_24 = ((axis.z >= 0.0) ? 1.0 : -1.0);
-    float a_2 = (-1.0 / (s_24 + axis.z));
-    float b_3 = ((axis.x * axis.y) * a_2);
-    vec3 x_11 = vec3((1.0 + (((s_24 * axis.x) * axis.x) * a_2)), (s_24 * b_3), (-(s_24) * axis.x));
-    vec3 y_7 = vec3(b_3, (s_24 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    float s_25 = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float a_2 = (-1.0 / (s_25 + axis.z));
+    float b_4 = ((axis.x * axis.y) * a_2);
+    vec3 x_11 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_2)), (s_25 * b_4), (-(s_25) * axis.x));
+    vec3 y_7 = vec3(b_4, (s_25 + ((axis.y * axis.y) * a_2)), -(axis.y));
     return (((v_6.x * x_11) + (v_6.y * y_7)) + (v_6.z * axis));
 }
 
@@ -609,11 +607,11 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_1) {
 vec3 sphericalRectangle(QuadView q_3, vec2 u_2) {
     float h_3 = q_3.height;
     vec2 y_8 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_25 = (y_8 / sqrt(((y_8 * y_8) + vec2((h_3 * h_3)))));
+    vec2 s_26 = (y_8 / sqrt(((y_8 * y_8) + vec2((h_3 * h_3)))));
     float halfT = (0.5 * (q_3.start + (u_2.x * q_3.solidAngle)));
     float p = cos(halfT);
     float sine_2 = sin(halfT);
-    vec2 across = vec2(((s_25.y - s_25.x) * p), ((s_25.y + s_25.x) * sine_2));
+    vec2 across = vec2(((s_26.y - s_26.x) * p), ((s_26.y + s_26.x) * sine_2));
     float w_1 = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
     float x_12 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
     float d2_ = ((x_12 * x_12) + (h_3 * h_3));
@@ -633,41 +631,47 @@ LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_3) {
     return LightSample((toLight_2 / vec3(distance_8)), distance_8, e_14.radiance, _e23, false);
 }
 
-LightSample sampleBox(Emitter e_15, vec3 point_12, vec2 u_4) {
-    BoxView _e3 = viewBox(e_15, point_12);
-    float both = (_e3.faces.x + _e3.faces.y);
-    float at = (u_4.x * (both + _e3.faces.z));
-    bool onX = (at < _e3.faces.x);
+vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_4) {
+    float both = (b_1.faces.x + b_1.faces.y);
+    float at = (u_4.x * b_1.area);
+    bool onX = (at < b_1.faces.x);
     bool onY = (!(onX) && (at < both));
-    float face = (onX ? _e3.faces.x : (onY ? _e3.faces.y : _e3.faces.z));
-    float within = clamp(((at - (onX ? 0.0 : (onY ? _e3.faces.x : both))) / face), 0.0, 0.99999994);
-    float s_26 = (_e3.inside ? fract((2.0 * within)) : within);
+    float face = (onX ? b_1.faces.x : (onY ? b_1.faces.y : b_1.faces.z));
+    float within = clamp(((at - (onX ? 0.0 : (onY ? b_1.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    float side_3 = (_e3.inside ? (within - 0.5) : dot(axis_3, _e3.point));
-    vec3 p_1 = vec3(((side_3 >= 0.0) ? 1.0 : -1.0), ((2.0 * s_26) - 1.0), ((2.0 * u_4.y) - 1.0));
-    vec3 onFace = ((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_15.u);
-    vec3 toLight_3 = (onFace - _e3.point);
-    float height_3 = abs(dot(axis_3, toLight_3));
-    float distance_9 = max(length(toLight_3), 1e-30);
-    float _e90 = areaPdf(_e3.area, height_3, distance_9);
-    float pdf_3 = ((height_3 > 0.0) ? _e90 : 0.0);
-    vec3 _e98 = rotateBack(_e3.rotation, (toLight_3 / vec3(distance_9)));
-    return LightSample(_e98, distance_9, e_15.radiance, pdf_3, false);
+    vec3 p_1 = vec3(((dot(axis_3, b_1.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_4.y) - 1.0));
+    vec3 toLight_3 = (((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_15.u) - b_1.point);
+    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
 
-LightSample samplePoint(Emitter e_16, vec3 point_13) {
-    vec3 toLight_4 = (e_16.position - point_13);
+LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_5) {
+    BoxView _e3 = viewBox(e_16, point_12);
+    vec4 _e4 = pointOnFaces(e_16, _e3, u_5);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_5);
+    vec3 outwards = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
+    float distance_9 = (_e3.inside ? max(_e16.far, 0.0) : length(_e4.xyz));
+    vec3 direction_17 = (_e3.inside ? outwards : (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
+    float _e33 = conePdf(2.0);
+    float pdf_3 = (_e3.inside ? _e33 : _e31);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
+    return LightSample(_e37, distance_9, e_16.radiance, pdf_3, false);
+}
+
+LightSample samplePoint(Emitter e_17, vec3 point_13) {
+    vec3 toLight_4 = (e_17.position - point_13);
     float distance_10 = length(toLight_4);
     float safe = max(distance_10, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_10, (e_16.radiance / vec3((safe * safe))), ((distance_10 > 1e-15) ? 1.0 : 0.0), true);
+    return LightSample((toLight_4 / vec3(safe)), distance_10, (e_17.radiance / vec3((safe * safe))), ((distance_10 > 1e-15) ? 1.0 : 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_17, vec3 point_14) {
+LightSample sampleSpot(Emitter e_18, vec3 point_14) {
     LightSample s_3 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_17, point_14);
+    LightSample _e2 = samplePoint(e_18, point_14);
     s_3 = _e2;
     vec3 _e5 = s_3.direction;
-    float _e6 = spotFalloff(e_17, _e5);
+    float _e6 = spotFalloff(e_18, _e5);
     vec3 _e8 = s_3.radiance;
     s_3.radiance = (_e8 * _e6);
     float _e12 = s_3.pdf;
@@ -676,58 +680,69 @@ LightSample sampleSpot(Emitter e_17, vec3 point_14) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_18, vec2 u_5) {
-    bool delta = (e_18.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_18.u), (e_18.area / 6.2831855), u_5);
-    return LightSample(_e10.direction, 1e30, e_18.radiance, (delta ? 1.0 : (1.0 / max(e_18.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_19, vec2 u_6) {
+    bool delta = (e_19.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_6);
+    return LightSample(_e10.direction, 1e30, e_19.radiance, (delta ? 1.0 : (1.0 / max(e_19.area, 1e-31))), delta);
 }
 
-LightSample sampleSky(vec2 u_6) {
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_6);
-    vec3 direction_17 = _e6.direction;
-    vec3 _e8 = sky(direction_17);
-    float _e9 = skyPdf(direction_17);
-    return LightSample(direction_17, 1e30, _e8, _e9, false);
+LightSample sampleSky(vec2 u_7) {
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
+    vec3 direction_18 = _e6.direction;
+    vec3 _e8 = sky(direction_18);
+    float _e9 = skyPdf(direction_18);
+    return LightSample(direction_18, 1e30, _e8, _e9, false);
 }
 
-LightSample sampleEmitter(Emitter e_19, vec3 point_15, vec2 u_7) {
-    if ((e_19.kind == 0.0)) {
-        LightSample _e6 = sampleSphere(e_19, point_15, u_7);
+LightSample sampleKind(Emitter e_20, vec3 point_15, vec2 u_8) {
+    if ((e_20.kind == 0.0)) {
+        LightSample _e6 = sampleSphere(e_20, point_15, u_8);
         return _e6;
     }
-    if ((e_19.kind == 1.0)) {
-        LightSample _e10 = sampleQuad(e_19, point_15, u_7);
+    if ((e_20.kind == 1.0)) {
+        LightSample _e10 = sampleQuad(e_20, point_15, u_8);
         return _e10;
     }
-    if ((e_19.kind == 2.0)) {
-        LightSample _e14 = sampleBox(e_19, point_15, u_7);
+    if ((e_20.kind == 2.0)) {
+        LightSample _e14 = sampleBox(e_20, point_15, u_8);
         return _e14;
     }
-    if ((e_19.kind == 3.0)) {
-        LightSample _e18 = samplePoint(e_19, point_15);
+    if ((e_20.kind == 3.0)) {
+        LightSample _e18 = samplePoint(e_20, point_15);
         return _e18;
     }
-    if ((e_19.kind == 4.0)) {
-        LightSample _e22 = sampleSpot(e_19, point_15);
+    if ((e_20.kind == 4.0)) {
+        LightSample _e22 = sampleSpot(e_20, point_15);
         return _e22;
     }
-    if ((e_19.kind == 5.0)) {
-        LightSample _e26 = sampleDirectional(e_19, u_7);
+    if ((e_20.kind == 5.0)) {
+        LightSample _e26 = sampleDirectional(e_20, u_8);
         return _e26;
     }
-    LightSample _e27 = sampleSky(u_7);
+    LightSample _e27 = sampleSky(u_8);
     return _e27;
 }
 
-bool isThin(Surface s_4) {
-    return ((uint(s_4.code) & 7u) == 7u);
+LightSample sampleEmitter(Emitter e_21, vec3 point_16, vec2 u_9) {
+    LightSample s_4 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e3 = sampleKind(e_21, point_16, u_9);
+    s_4 = _e3;
+    float _e7 = s_4.pdf;
+    float _e9 = s_4.distance_;
+    s_4.pdf = ((_e9 <= (1e-5 * length(point_16))) ? 0.0 : _e7);
+    LightSample _e16 = s_4;
+    return _e16;
 }
 
-bool hasSmoothLobe(Surface s_5) {
-    bool _e8 = isThin(s_5);
-    bool clear = ((abs((s_5.eta.x - 1.0)) < 0.001) || _e8);
-    uint _e13 = kindOf(s_5);
-    return ((s_5.alpha < 0.001) || ((_e13 == dielectric) && clear));
+bool isThin(Surface s_5) {
+    return ((uint(s_5.code) & 7u) == 7u);
+}
+
+bool hasSmoothLobe(Surface s_6) {
+    bool _e8 = isThin(s_6);
+    bool clear = ((abs((s_6.eta.x - 1.0)) < 0.001) || _e8);
+    uint _e13 = kindOf(s_6);
+    return ((s_6.alpha < 0.001) || ((_e13 == dielectric) && clear));
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
@@ -736,32 +751,32 @@ vec3 schlick(vec3 f0_, float cosine) {
     return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
 }
 
-vec3 metallicRoughnessF0_(Surface s_6) {
-    return mix(vec3(0.04), s_6.baseColor, s_6.metallic);
+vec3 metallicRoughnessF0_(Surface s_7) {
+    return mix(vec3(0.04), s_7.baseColor, s_7.metallic);
 }
 
-vec3 metallicRoughnessDiffuse(Surface s_7, float cosine_1) {
+vec3 metallicRoughnessDiffuse(Surface s_8, float cosine_1) {
     vec3 _e7 = schlick(vec3(0.04), cosine_1);
-    return (((1.0 - s_7.metallic) * (1.0 - _e7.x)) * s_7.baseColor);
+    return (((1.0 - s_8.metallic) * (1.0 - _e7.x)) * s_8.baseColor);
 }
 
-float specularShare(Surface s_8, float cosine_2) {
-    vec3 _e2 = metallicRoughnessF0_(s_8);
+float specularShare(Surface s_9, float cosine_2) {
+    vec3 _e2 = metallicRoughnessF0_(s_9);
     vec3 _e3 = schlick(_e2, cosine_2);
     float specular = dot(_e3, vec3(1.0));
-    vec3 _e7 = metallicRoughnessDiffuse(s_8, cosine_2);
+    vec3 _e7 = metallicRoughnessDiffuse(s_9, cosine_2);
     float diffuse_1 = dot(_e7, vec3(1.0));
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float facetShare(Surface s_9, float cosine_3) {
-    uint _e2 = kindOf(s_9);
-    float _e8 = specularShare(s_9, cosine_3);
+float facetShare(Surface s_10, float cosine_3) {
+    uint _e2 = kindOf(s_10);
+    float _e8 = specularShare(s_10, cosine_3);
     return ((_e2 == metallicRoughness) ? _e8 : ((_e2 == diffuse) ? 0.0 : 1.0));
 }
 
-float indexRatio(Surface s_10, float z) {
-    return ((z < 0.0) ? (1.0 / s_10.eta.x) : s_10.eta.x);
+float indexRatio(Surface s_11, float z) {
+    return ((z < 0.0) ? (1.0 / s_11.eta.x) : s_11.eta.x);
 }
 
 float stretched(vec3 w, float alpha) {
@@ -782,9 +797,9 @@ float facetDensity(vec3 h_1, float alpha_2) {
 
 float dielectricFresnel(float cosine_4, float ratio) {
     float inside2_ = (((ratio - 1.0) * (ratio + 1.0)) + (cosine_4 * cosine_4));
-    float inside_3 = sqrt(max(inside2_, 0.0));
-    float across_1 = ((cosine_4 - inside_3) / (cosine_4 + inside_3));
-    float along_1 = ((((ratio * ratio) * cosine_4) - inside_3) / (((ratio * ratio) * cosine_4) + inside_3));
+    float inside_2 = sqrt(max(inside2_, 0.0));
+    float across_1 = ((cosine_4 - inside_2) / (cosine_4 + inside_2));
+    float along_1 = ((((ratio * ratio) * cosine_4) - inside_2) / (((ratio * ratio) * cosine_4) + inside_2));
     return ((inside2_ > 0.0) ? (0.5 * ((across_1 * across_1) + (along_1 * along_1))) : 1.0);
 }
 
@@ -805,24 +820,24 @@ vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k) {
     return ((0.5 * across_2) * (vec3(1.0) + (((sum_1 - part) + vec3(1e-20)) / ((sum_1 + part) + vec3(1e-20)))));
 }
 
-vec3 conductorReflectance(Surface s_11, float cosine_7) {
-    float constants = dot((s_11.eta + s_11.k), vec3(1.0));
-    vec3 _e11 = conductorFresnel(cosine_7, s_11.eta, s_11.k);
-    return ((constants > 0.0) ? _e11 : s_11.baseColor);
+vec3 conductorReflectance(Surface s_12, float cosine_7) {
+    float constants = dot((s_12.eta + s_12.k), vec3(1.0));
+    vec3 _e11 = conductorFresnel(cosine_7, s_12.eta, s_12.k);
+    return ((constants > 0.0) ? _e11 : s_12.baseColor);
 }
 
-vec3 facetReflectance(Surface s_12, float cosine_8, float ratio_2) {
-    uint _e3 = kindOf(s_12);
+vec3 facetReflectance(Surface s_13, float cosine_8, float ratio_2) {
+    uint _e3 = kindOf(s_13);
     if ((_e3 == dielectric)) {
-        bool _e6 = isThin(s_12);
+        bool _e6 = isThin(s_13);
         float _e7 = glassReflectance(cosine_8, ratio_2, _e6);
         return vec3(_e7);
     }
     if ((_e3 == conductor)) {
-        vec3 _e11 = conductorReflectance(s_12, cosine_8);
+        vec3 _e11 = conductorReflectance(s_13, cosine_8);
         return _e11;
     }
-    vec3 _e12 = metallicRoughnessF0_(s_12);
+    vec3 _e12 = metallicRoughnessF0_(s_13);
     vec3 _e13 = schlick(_e12, cosine_8);
     return _e13;
 }
@@ -834,20 +849,20 @@ float singleScatteringAlbedo(float cosine_9, float alpha_3) {
     return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
 }
 
-vec3 compensation(Surface s_13, float cosine_10) {
-    uint _e2 = kindOf(s_13);
-    bool asked = (((uint(s_13.code) & 8u) != 0u) && ((_e2 == conductor) || (_e2 == metallicRoughness)));
+vec3 compensation(Surface s_14, float cosine_10) {
+    uint _e2 = kindOf(s_14);
+    bool asked = (((uint(s_14.code) & 8u) != 0u) && ((_e2 == conductor) || (_e2 == metallicRoughness)));
     if (!(asked)) {
         return vec3(1.0);
     }
-    float _e19 = singleScatteringAlbedo(cosine_10, s_13.alpha);
-    vec3 _e22 = facetReflectance(s_13, 1.0, 1.0);
+    float _e19 = singleScatteringAlbedo(cosine_10, s_14.alpha);
+    vec3 _e22 = facetReflectance(s_14, 1.0, 1.0);
     return (vec3(1.0) + (_e22 * ((1.0 - _e19) / _e19)));
 }
 
-FacetLobe evaluateFacets(Surface s_14, vec3 wo_1, vec3 wi) {
+FacetLobe evaluateFacets(Surface s_15, vec3 wo_1, vec3 wi) {
     bool crossing_1 = ((wo_1.z < 0.0) != (wi.z < 0.0));
-    float _e11 = indexRatio(s_14, wo_1.z);
+    float _e11 = indexRatio(s_15, wo_1.z);
     vec3 m_1 = (wo_1 + (wi * (crossing_1 ? _e11 : 1.0)));
     float m2_1 = max(dot(m_1, m_1), 1e-20);
     vec3 h_4 = (m_1 * inversesqrt(m2_1));
@@ -855,46 +870,46 @@ FacetLobe evaluateFacets(Surface s_14, vec3 wo_1, vec3 wi) {
     float ih = dot(wi, h_4);
     float zo = abs(wo_1.z);
     float zi = abs(wi.z);
-    float _e28 = stretched(wo_1, s_14.alpha);
-    float _e30 = stretched(wi, s_14.alpha);
-    uint _e31 = kindOf(s_14);
+    float _e28 = stretched(wo_1, s_15.alpha);
+    float _e30 = stretched(wi, s_15.alpha);
+    uint _e31 = kindOf(s_15);
     bool isGlass = (_e31 == dielectric);
-    float _e35 = reflectionBound(wo_1, s_14.alpha);
+    float _e35 = reflectionBound(wo_1, s_15.alpha);
     float bound_1 = (isGlass ? 1.0 : _e35);
     bool faces_1 = ((((oh * h_4.z) * wo_1.z) >= 0.0) && (((ih * h_4.z) * wi.z) >= 0.0));
-    float _e57 = facetDensity(h_4, s_14.alpha);
+    float _e57 = facetDensity(h_4, s_15.alpha);
     float spread = ((crossing_1 ? (abs((oh * ih)) / m2_1) : 0.25) * (faces_1 ? (2.0 * _e57) : 0.0));
-    vec3 _e64 = facetReflectance(s_14, abs(oh), _e11);
+    vec3 _e64 = facetReflectance(s_15, abs(oh), _e11);
     vec3 passes = (crossing_1 ? (vec3(1.0) - _e64) : _e64);
     float masked = (zi / max(((zi * _e28) + (zo * _e30)), 1e-20));
     float chosen_1 = ((isGlass ? passes.x : 1.0) * (crossing_1 ? (_e11 * _e11) : 1.0));
-    vec3 _e82 = compensation(s_14, zo);
+    vec3 _e82 = compensation(s_15, zo);
     return FacetLobe((((passes * _e82) * spread) * masked), ((spread * chosen_1) / ((bound_1 * zo) + _e28)), abs(oh));
 }
 
-vec4 evaluateBsdf(Surface s_15, vec3 wo_2, vec3 wi_1) {
+vec4 evaluateBsdf(Surface s_16, vec3 wo_2, vec3 wi_1) {
     vec4 value = vec4(0.0);
     vec3 albedo = vec3(0.0);
-    uint _e3 = kindOf(s_15);
+    uint _e3 = kindOf(s_16);
     bool opaque = (_e3 != dielectric);
     bool dark = (opaque && ((wo_2.z < 0.0) || (wi_1.z <= 0.0)));
-    bool _e14 = hasSmoothLobe(s_15);
+    bool _e14 = hasSmoothLobe(s_16);
     if ((dark || (!(opaque) && _e14))) {
         return vec4(0.0);
     }
-    float _e21 = facetShare(s_15, wo_2.z);
-    albedo = s_15.baseColor;
+    float _e21 = facetShare(s_16, wo_2.z);
+    albedo = s_16.baseColor;
     if ((_e3 != diffuse)) {
-        FacetLobe _e29 = evaluateFacets(s_15, wo_2, wi_1);
+        FacetLobe _e29 = evaluateFacets(s_16, wo_2, wi_1);
         value = (_e14 ? vec4(0.0) : vec4(_e29.value, (_e21 * _e29.pdf)));
-        vec3 _e40 = metallicRoughnessDiffuse(s_15, _e29.cosine);
+        vec3 _e40 = metallicRoughnessDiffuse(s_16, _e29.cosine);
         albedo = ((_e3 == metallicRoughness) ? _e40 : vec3(0.0));
     }
     vec4 _e44 = value;
     vec3 _e45 = albedo;
     value = (_e44 + (vec4(_e45, (1.0 - _e21)) * (0.31830987 * max(wi_1.z, 0.0))));
     vec4 _e59 = value;
-    return ((1.0 - s_15.reflectivity) * _e59);
+    return ((1.0 - s_16.reflectivity) * _e59);
 }
 
 float intersectSphere(vec3 origin_4, vec3 direction_11, vec3 center, float radius, float tMin_1, bool startsInside_1) {
@@ -1053,12 +1068,12 @@ bool occluded(Ray ray_7, float distance_5, uint except) {
     return _e83;
 }
 
-vec3 sampledLight(Vertex v_7, EmitterChoice choice, vec2 u_8) {
+vec3 sampledLight(Vertex v_7, EmitterChoice choice, vec2 u_10) {
     if ((choice.probability <= 0.0)) {
         return vec3(0.0);
     }
     Emitter _e9 = fetchEmitter(choice.index);
-    LightSample _e11 = sampleEmitter(_e9, v_7.point, u_8);
+    LightSample _e11 = sampleEmitter(_e9, v_7.point, u_10);
     if ((_e11.pdf <= 0.0)) {
         return vec3(0.0);
     }
@@ -1171,7 +1186,7 @@ Hit closestHit(Ray ray_8) {
     return _e74;
 }
 
-EmitterChoice chooseEmitter(vec3 point_16, vec3 normal_5, float u_9) {
+EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_11) {
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
@@ -1182,11 +1197,11 @@ EmitterChoice chooseEmitter(vec3 point_16, vec3 normal_5, float u_9) {
         uint _e11 = frame.emitterCount;
         return EmitterChoice(0u, float(_e11), 1.0);
     }
-    rest = u_9;
+    rest = u_11;
     while(true) {
         uint _e24 = i_15;
         Emitter _e25 = fetchEmitter(_e24);
-        float _e26 = estimatedIrradiance(_e25, point_16, normal_5);
+        float _e26 = estimatedIrradiance(_e25, point_17, normal_5);
         float _e27 = total_1;
         total_1 = (_e27 + _e26);
         float _e29 = total_1;
@@ -1272,18 +1287,18 @@ uint shiftOfPlace(uint x_7) {
     return (_e17 | (_e18 << 8u));
 }
 
-Group nextGroup(inout Sampler s_16) {
-    uint _e3 = s_16.key;
-    s_16.key = (_e3 + 1u);
-    uint _e7 = s_16.key;
+Group nextGroup(inout Sampler s_17) {
+    uint _e3 = s_17.key;
+    s_17.key = (_e3 + 1u);
+    uint _e7 = s_17.key;
     uint _e8 = pcg(_e7);
-    uint _e10 = s_16.salt;
+    uint _e10 = s_17.salt;
     uint _e12 = pcg((_e8 ^ _e10));
-    uint _e14 = s_16.place;
+    uint _e14 = s_17.place;
     uint _e15 = scramble(_e14, _e12);
-    uint _e17 = s_16.sample_;
+    uint _e17 = s_17.sample_;
     uint own_1 = (_e17 * ((_e15 >> 7u) & 4294967294u));
-    uint _e24 = s_16.sample_;
+    uint _e24 = s_17.sample_;
     uint _e26 = scramble((_e24 ^ own_1), _e8);
     uint _e29 = reverseHalves((_e26 & 65535u));
     uint _e32 = shiftOfPlace((_e15 & 255u));
@@ -1294,8 +1309,8 @@ float toUnit(uint reversed, uint scrambled) {
     return (float(((reversed << 8u) | (scrambled >> 24u))) * 5.9604645e-8);
 }
 
-float next1d(inout Sampler s_17) {
-    Group _e1 = nextGroup(s_17);
+float next1d(inout Sampler s_18) {
+    Group _e1 = nextGroup(s_18);
     uint _e6 = scramble((_e1.index ^ _e1.shift), _e1.seedA);
     uint _e9 = reverseHalves((_e6 & 65535u));
     float _e10 = toUnit(_e9, _e6);
@@ -1327,17 +1342,17 @@ vec2 points2d(Group g) {
     return vec2(_e21, _e24);
 }
 
-vec2 next2d(inout Sampler s_18) {
-    Group _e1 = nextGroup(s_18);
+vec2 next2d(inout Sampler s_19) {
+    Group _e1 = nextGroup(s_19);
     vec2 _e2 = points2d(_e1);
     return _e2;
 }
 
-bool isDelta(Surface s_19) {
-    uint _e1 = kindOf(s_19);
-    bool noDiffuse = ((_e1 >= conductor) || ((_e1 == metallicRoughness) && (s_19.metallic >= 1.0)));
-    bool _e14 = hasSmoothLobe(s_19);
-    return ((s_19.reflectivity >= 1.0) || (noDiffuse && _e14));
+bool isDelta(Surface s_20) {
+    uint _e1 = kindOf(s_20);
+    bool noDiffuse = ((_e1 >= conductor) || ((_e1 == metallicRoughness) && (s_20.metallic >= 1.0)));
+    bool _e14 = hasSmoothLobe(s_20);
+    return ((s_20.reflectivity >= 1.0) || (noDiffuse && _e14));
 }
 
 BsdfSample deltaSample(vec3 direction_16, float probability, vec3 weight) {
@@ -1348,70 +1363,70 @@ vec3 mirrored(vec3 wo_3) {
     return vec3(-(wo_3.xy), wo_3.z);
 }
 
-vec3 sampleCosine(vec2 u_10) {
-    float radius_1 = sqrt(u_10.x);
-    float phi_1 = (6.2831855 * u_10.y);
-    return vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_10.x)));
+vec3 sampleCosine(vec2 u_12) {
+    float radius_1 = sqrt(u_12.x);
+    float phi_1 = (6.2831855 * u_12.y);
+    return vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_12.x)));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_11) {
+vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_13) {
     float _e8 = stretched(wo_4, alpha_4);
     vec3 w_3 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
-    float phi_2 = (6.2831855 * u_11.x);
-    float drop = (u_11.y * (1.0 + (bound * w_3.z)));
+    float phi_2 = (6.2831855 * u_13.x);
+    float drop = (u_13.y * (1.0 + (bound * w_3.z)));
     float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_5 = (w_3 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_5.xy), max(h_5.z, 1e-7)));
 }
 
-vec3 sampleFacet(Surface s_20, vec3 wo_5, vec2 u_12) {
-    float side_4 = ((wo_5.z < 0.0) ? -1.0 : 1.0);
-    vec3 up = (wo_5 * side_4);
-    float _e11 = reflectionBound(up, s_20.alpha);
-    uint _e12 = kindOf(s_20);
+vec3 sampleFacet(Surface s_21, vec3 wo_5, vec2 u_14) {
+    float side_3 = ((wo_5.z < 0.0) ? -1.0 : 1.0);
+    vec3 up = (wo_5 * side_3);
+    float _e11 = reflectionBound(up, s_21.alpha);
+    uint _e12 = kindOf(s_21);
     float bound_2 = ((_e12 == dielectric) ? 1.0 : _e11);
-    vec3 _e20 = sampleVisibleNormal(up, max(s_20.alpha, 0.001), bound_2, u_12);
-    bool _e25 = hasSmoothLobe(s_20);
-    return ((_e25 ? vec3(0.0, 0.0, 1.0) : _e20) * side_4);
+    vec3 _e20 = sampleVisibleNormal(up, max(s_21.alpha, 0.001), bound_2, u_14);
+    bool _e25 = hasSmoothLobe(s_21);
+    return ((_e25 ? vec3(0.0, 0.0, 1.0) : _e20) * side_3);
 }
 
 vec3 refracted(vec3 wo_6, vec3 h_2, float ratio_3) {
     float cosine_14 = dot(wo_6, h_2);
-    float inside_4 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_14 * cosine_14)), 0.0));
-    return ((((cosine_14 - inside_4) * h_2) - wo_6) / vec3(ratio_3));
+    float inside_3 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_14 * cosine_14)), 0.0));
+    return ((((cosine_14 - inside_3) * h_2) - wo_6) / vec3(ratio_3));
 }
 
-BsdfSample sampleBsdf(Surface s_21, vec3 wo_7, vec3 u_13) {
+BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_15) {
     vec3 wi_2 = vec3(0.0);
     bool crossing = false;
-    if ((u_13.z < s_21.reflectivity)) {
+    if ((u_15.z < s_22.reflectivity)) {
         vec3 _e6 = mirrored(wo_7);
-        BsdfSample _e10 = deltaSample(_e6, s_21.reflectivity, vec3(1.0));
+        BsdfSample _e10 = deltaSample(_e6, s_22.reflectivity, vec3(1.0));
         return _e10;
     }
-    float base_1 = (1.0 - s_21.reflectivity);
-    float choice_1 = ((u_13.z - s_21.reflectivity) / base_1);
-    float _e19 = facetShare(s_21, wo_7.z);
-    uint _e20 = kindOf(s_21);
+    float base_1 = (1.0 - s_22.reflectivity);
+    float choice_1 = ((u_15.z - s_22.reflectivity) / base_1);
+    float _e19 = facetShare(s_22, wo_7.z);
+    uint _e20 = kindOf(s_22);
     bool isGlass_1 = (_e20 == dielectric);
     bool specular_1 = (choice_1 < _e19);
-    vec3 _e25 = sampleCosine(u_13.xy);
+    vec3 _e25 = sampleCosine(u_15.xy);
     wi_2 = _e25;
     if (specular_1) {
-        vec3 _e30 = sampleFacet(s_21, wo_7, u_13.xy);
+        vec3 _e30 = sampleFacet(s_22, wo_7, u_15.xy);
         float oh_1 = max(dot(wo_7, _e30), 0.0);
-        float _e35 = indexRatio(s_21, wo_7.z);
-        vec3 _e36 = facetReflectance(s_21, oh_1, _e35);
+        float _e35 = indexRatio(s_22, wo_7.z);
+        vec3 _e36 = facetReflectance(s_22, oh_1, _e35);
         crossing = (isGlass_1 && (choice_1 >= _e36.x));
         vec3 _e40 = refracted(wo_7, _e30, _e35);
-        bool _e42 = isThin(s_21);
+        bool _e42 = isThin(s_22);
         vec3 through = (_e42 ? -(wo_7) : _e40);
         bool _e48 = crossing;
         wi_2 = (_e48 ? through : (((2.0 * oh_1) * _e30) - wo_7));
-        bool _e50 = hasSmoothLobe(s_21);
+        bool _e50 = hasSmoothLobe(s_22);
         if (_e50) {
             bool _e54 = crossing;
-            bool _e55 = isThin(s_21);
+            bool _e55 = isThin(s_22);
             float bent = ((_e54 && !(_e55)) ? (1.0 / (_e35 * _e35)) : 1.0);
             bool _e64 = crossing;
             float probability_1 = (base_1 * (isGlass_1 ? (_e64 ? (1.0 - _e36.x) : _e36.x) : _e19));
@@ -1421,7 +1436,7 @@ BsdfSample sampleBsdf(Surface s_21, vec3 wo_7, vec3 u_13) {
         }
     }
     vec3 _e74 = wi_2;
-    vec4 _e75 = evaluateBsdf(s_21, wo_7, _e74);
+    vec4 _e75 = evaluateBsdf(s_22, wo_7, _e74);
     float _e80 = wi_2.z;
     bool crosses = ((wo_7.z < 0.0) != (_e80 < 0.0));
     bool _e85 = crossing;
@@ -1444,8 +1459,8 @@ uint pascalW2_(uint x_9) {
     return (_e16 ^ _e22);
 }
 
-vec3 next3d(inout Sampler s_22) {
-    Group _e1 = nextGroup(s_22);
+vec3 next3d(inout Sampler s_23) {
+    Group _e1 = nextGroup(s_23);
     uint _e4 = timesW2_(_e1.shift);
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
@@ -1455,11 +1470,11 @@ vec3 next3d(inout Sampler s_22) {
     return vec3(_e13, _e17);
 }
 
-vec3 toWorld(Basis b_1, vec3 v_9) {
-    return (((v_9.x * b_1.tangent) + (v_9.y * b_1.bitangent)) + (v_9.z * b_1.normal));
+vec3 toWorld(Basis b_2, vec3 v_9) {
+    return (((v_9.x * b_2.tangent) + (v_9.y * b_2.bitangent)) + (v_9.z * b_2.normal));
 }
 
-vec3 trace(Ray first, inout Sampler s_23) {
+vec3 trace(Ray first, inout Sampler s_24) {
     Ray ray_9 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
     Origin origin_9 = Origin(vec3(0.0), vec3(0.0), 0.0, 1.0);
     vec3 throughput = vec3(1.0);
@@ -1474,11 +1489,11 @@ vec3 trace(Ray first, inout Sampler s_23) {
         Vertex _e30 = vertexAt(_e24, Hit(_e20.t, (escaped_1 ? 0u : _e20.shape)));
         bool _e32 = isDielectric(_e30.surface);
         bool _e34 = isThin(_e30.surface);
-        bool inside_5 = ((_e32 && !(_e34)) && (_e30.wo.z < 0.0));
+        bool inside_4 = ((_e32 && !(_e34)) && (_e30.wo.z < 0.0));
         vec3 _e42 = throughput;
-        vec3 passed = (_e42 * exp((-(_e30.surface.absorption) * (inside_5 ? _e20.t : 0.0))));
+        vec3 passed = (_e42 * exp((-(_e30.surface.absorption) * (inside_4 ? _e20.t : 0.0))));
         vec3 _e52 = throughput;
-        throughput = ((inside_5 && !(escaped_1)) ? passed : _e52);
+        throughput = ((inside_4 && !(escaped_1)) ? passed : _e52);
         vec3 _e56 = radiance;
         vec3 _e57 = throughput;
         Origin _e58 = origin_9;
@@ -1491,9 +1506,9 @@ vec3 trace(Ray first, inout Sampler s_23) {
             break;
         }
         vec3 _e70 = litSide(_e30);
-        float _e71 = next1d(s_23);
+        float _e71 = next1d(s_24);
         EmitterChoice _e72 = chooseEmitter(_e30.point, _e70, _e71);
-        vec2 _e73 = next2d(s_23);
+        vec2 _e73 = next2d(s_24);
         bool _e75 = isDelta(_e30.surface);
         if (!(_e75)) {
             vec3 _e77 = radiance;
@@ -1501,7 +1516,7 @@ vec3 trace(Ray first, inout Sampler s_23) {
             vec3 _e79 = sampledLight(_e30, _e72, _e73);
             radiance = (_e77 + (_e78 * _e79));
         }
-        vec3 _e84 = next3d(s_23);
+        vec3 _e84 = next3d(s_24);
         BsdfSample _e85 = sampleBsdf(_e30.surface, _e30.wo, _e84);
         vec3 _e86 = throughput;
         throughput = (_e86 * _e85.weight);
@@ -1514,7 +1529,7 @@ vec3 trace(Ray first, inout Sampler s_23) {
         float _e102 = max3_(_e101);
         uint _e105 = depth;
         float survival = ((_e105 < rouletteDepth) ? 1.0 : min(_e102, 0.95));
-        float _e110 = next1d(s_23);
+        float _e110 = next1d(s_24);
         vec3 _e114 = throughput;
         float _e115 = max3_(_e114);
         if ((((_e85.pdf <= 0.0) || (_e115 <= 0.0)) || (_e110 >= survival))) {
@@ -1566,8 +1581,8 @@ vec3 pinholeDirection(vec2 filmPoint) {
     return normalize(((_e21 + (x_14 * _e24)) + (y_10 * _e29)));
 }
 
-float filterAxis(float u_14) {
-    float across_4 = ((2.0 * u_14) - 1.0);
+float filterAxis(float u_16) {
+    float across_4 = ((2.0 * u_16) - 1.0);
     float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
     float piece = min(floor(x_15), 15.0);
     float t_8 = (x_15 - piece);
@@ -1576,9 +1591,9 @@ float filterAxis(float u_14) {
     return ((across_4 < 0.0) ? -(offset_1) : offset_1);
 }
 
-vec2 filterOffset(vec2 u_15) {
-    float _e2 = filterAxis(u_15.x);
-    float _e4 = filterAxis(u_15.y);
+vec2 filterOffset(vec2 u_17) {
+    float _e2 = filterAxis(u_17.x);
+    float _e4 = filterAxis(u_17.y);
     return vec2(_e2, _e4);
 }
 

@@ -640,18 +640,16 @@ fn arctangent(x: f32) -> f32 {
 }
 
 fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  return areaPdf(viewBox(e, point).area, distance * abs(dot(direction, normal)), distance);
+  let b = viewBox(e, point);
+  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
 }
 
 fn viewBox(e: Emitter, point: vec3f) -> BoxView {
   let rotation = fetchExtent(u32(e.shape)).a;
   let p = rotate(rotation, point - e.position);
-  let beyond = abs(p) > e.u;
-  let inside = !any(beyond);
-  let areas = 4.0 * e.u.yzx * e.u.zxy;
-  let faces = select(vec3f(0.0), areas, beyond | vec3<bool>(inside));
-  let area = (faces.x + faces.y + faces.z) * select(1.0, 2.0, inside);
-  return BoxView(rotation, p, faces, inside, area);
+  let seen = abs(p) > e.u;
+  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
+  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
 }
 
 struct BoxView {
@@ -659,11 +657,10 @@ struct BoxView {
   rotation: vec4f,
   // The point in the box's own axes.
   point: vec3f,
-  // Area, per axis, of the face (from inside: of each of the two faces) that is seen.
+  // Area, per axis, of the face that is seen; at most one of the two.
   faces: vec3f,
-  inside: bool,
-  // Of all that is seen.
   area: f32,
+  inside: bool,
 }
 
 
@@ -707,27 +704,12 @@ fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
 
 const spotKind = 4.0;
 
-// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2.
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
+// lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  if (e.kind == sphereKind) {
-    return sampleSphere(e, point, u);
-  }
-  if (e.kind == quadKind) {
-    return sampleQuad(e, point, u);
-  }
-  if (e.kind == boxKind) {
-    return sampleBox(e, point, u);
-  }
-  if (e.kind == pointKind) {
-    return samplePoint(e, point);
-  }
-  if (e.kind == spotKind) {
-    return sampleSpot(e, point);
-  }
-  if (e.kind == directionalKind) {
-    return sampleDirectional(e, u);
-  }
-  return sampleSky(u);
+  var s = sampleKind(e, point, u);
+  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
+  return s;
 }
 
 // rgb: f |cos wi|; a: the density with which sampleBsdf gives wi. Delta lobes give 0.
@@ -804,6 +786,28 @@ struct EmitterChoice {
   total: f32,
 }
 
+
+fn sampleKind(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  if (e.kind == sphereKind) {
+    return sampleSphere(e, point, u);
+  }
+  if (e.kind == quadKind) {
+    return sampleQuad(e, point, u);
+  }
+  if (e.kind == boxKind) {
+    return sampleBox(e, point, u);
+  }
+  if (e.kind == pointKind) {
+    return samplePoint(e, point);
+  }
+  if (e.kind == spotKind) {
+    return sampleSpot(e, point);
+  }
+  if (e.kind == directionalKind) {
+    return sampleDirectional(e, u);
+  }
+  return sampleSky(u);
+}
 
 const pointKind = 3.0;
 
@@ -896,23 +900,27 @@ fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
 
 fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let b = viewBox(e, point);
+  let onFaces = pointOnFaces(e, b, u);
+  let outwards = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
+  let distance = select(length(onFaces.xyz), max(boxSlabs(b.point, outwards, e.u).far, 0.0), b.inside);
+  let direction = select(onFaces.xyz / max(distance, 1e-30), outwards, b.inside);
+  let pdf = select(areaPdf(b.area, onFaces.w, distance), conePdf(2.0), b.inside);
+  return LightSample(rotateBack(b.rotation, direction), distance, e.radiance, pdf, false);
+}
+
+// From the point to a place on the faces that it sees, and its distance from the plane of that face.
+fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
   let both = b.faces.x + b.faces.y;
-  let at = u.x * (both + b.faces.z);
+  let at = u.x * b.area;
   let onX = at < b.faces.x;
   let onY = !onX & (at < both);
   let face = select(select(b.faces.z, b.faces.y, onY), b.faces.x, onX);
-  // What is left of u.x within the face; from inside its halves are the two sides.
-  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / face, 0.0, 0.99999994);
-  let s = select(within, fract(2.0 * within), b.inside);
+  // What is left of u.x within the face.
+  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / max(face, 1e-30), 0.0, 1.0);
   let axis = vec3f(select(0.0, 1.0, onX), select(0.0, 1.0, onY), select(1.0, 0.0, onX | onY));
-  let side = select(dot(axis, b.point), within - 0.5, b.inside);
-  let p = vec3f(select(-1.0, 1.0, side >= 0.0), 2.0 * s - 1.0, 2.0 * u.y - 1.0);
-  let onFace = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u;
-  let toLight = onFace - b.point;
-  let height = abs(dot(axis, toLight));
-  let distance = max(length(toLight), 1e-30);
-  let pdf = select(0.0, areaPdf(b.area, height, distance), height > 0.0);
-  return LightSample(rotateBack(b.rotation, toLight / distance), distance, e.radiance, pdf, false);
+  let p = vec3f(select(-1.0, 1.0, dot(axis, b.point) >= 0.0), 2.0 * within - 1.0, 2.0 * u.y - 1.0);
+  let toLight = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u - b.point;
+  return vec4f(toLight, abs(dot(axis, toLight)));
 }
 
 fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
