@@ -30,6 +30,7 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/classic/preview',
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
+  { name: 'path', root: 'integrator/path/path', entries: [{ entry: 'path', stage: 'fragment' }] },
   { name: 'full_screen', root: 'shading/full_screen', entries: [{ entry: 'fullScreen', stage: 'vertex' }] },
   {
     name: 'display',
@@ -43,6 +44,12 @@ const PROGRAMS: readonly Program[] = [
     name: 'shape_probe',
     root: 'tests/shape-probe',
     entries: [{ entry: 'shapeProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+  {
+    name: 'emitter_probe',
+    root: 'tests/emitter-probe',
+    entries: [{ entry: 'emitterProbe', stage: 'fragment' }],
     output: TESTS_OUTPUT,
   },
 ];

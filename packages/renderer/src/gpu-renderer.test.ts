@@ -40,7 +40,8 @@ class FakeDevice implements Device {
   }
   createFilm(width: number, height: number): FilmTexture {
     this.counts.textures++;
-    return { width, height, renderable: true, destroy: () => this.counts.textures-- };
+    const destroy = () => this.counts.textures--;
+    return { width, height, layers: [{ width, height, destroy }], destroy };
   }
   draw(pass: Pass, _target: unknown, _resources: unknown, region?: Region): void {
     if (this.destroyed) throw new Error('drawn with a destroyed device');
@@ -48,6 +49,8 @@ class FakeDevice implements Device {
   }
   finished = () => pause(this.submitMs + this.rowMs * (this.drawn.findLast(({ rows }) => rows > 0)?.rows ?? 0));
   read = async (_film: unknown, width: number, height: number) => new Float32Array(width * height * 4).fill(1);
+  write(): void {}
+  clear(): void {}
   async reopen(): Promise<Device> {
     if (!this.next) throw new DeviceError('There is none.');
     return this.next;

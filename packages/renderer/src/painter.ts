@@ -71,7 +71,8 @@ export class Painter {
     if (this.#outdated(size)) this.#begin(size);
     else if (this.#enough()) return this.#rest();
     await this.#trace(unwanted);
-    if (!this.stages.complete) await this.stages.ready();
+    const { integrator } = this.#easel.view.settings;
+    if (!this.stages.has(integrator)) await this.stages.ready(integrator);
   }
 
   /** While a frame takes its time: a resized canvas is not left blank, and exposure follows the hand. */
@@ -107,7 +108,7 @@ export class Painter {
   #outdated(size: { width: number; height: number }): boolean {
     const { film } = this.stages;
     if (this.#filmRevision !== this.#easel.view.revision) return true;
-    if (this.stages.complete && !this.#filmComplete) return true;
+    if (this.#complete && !this.#filmComplete) return true;
     return size.width !== film.width || size.height !== film.height;
   }
 
@@ -116,9 +117,14 @@ export class Painter {
     const { settings, camera } = view;
     const raysPerPixel = view.raysPerPixel();
     this.stages.begin({ scene: view.sceneNow(), camera, settings, raysPerPixel }, width, height);
-    this.#filmComplete = this.stages.complete;
+    this.#filmComplete = this.#complete;
     this.#filmRevision = view.revision;
     this.#filmTime = view.time;
+  }
+
+  /** Whether the integrator that is wanted can draw. */
+  get #complete(): boolean {
+    return this.stages.has(this.#easel.view.settings.integrator);
   }
 
   #enough(): boolean {
@@ -141,7 +147,7 @@ export class Painter {
     const { targetFps, resolutionScale } = view.settings;
     const largest = Math.min(resolutionScale, this.stages.device.maxTextureSize / Math.max(width, height));
     const pixels = (side: number, scale: number) => Math.max(Math.round(side * scale), 1);
-    this.stages.film.reserve(pixels(width, largest), pixels(height, largest));
+    this.stages.film.reserve(pixels(width, largest), pixels(height, largest), this.stages.layersFor(view.settings.integrator));
     const scale = reduced ? controller.movingScale(width * height, targetFps, largest) : largest;
     return { width: pixels(width, scale), height: pixels(height, scale) };
   }

@@ -5,14 +5,16 @@
 import { Display } from './display/display.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
-import type { Device, Pass, TableTexture, UniformBuffer } from './gpu/device.ts';
-import { type ClassicInputs, createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
+import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
+import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
+import { createPathPass, drawPath, PATH_LAYERS } from './integrator/path/path.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame } from './packed-scene/pack-frame.ts';
+import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
 import { createBlock } from './packed-scene/write-struct.ts';
 import type { RendererSettings } from './renderer-types.ts';
-import type { Camera, Scene } from './scene/scene.ts';
+import type { Camera, Integrator, Scene } from './scene/scene.ts';
 
 /** One state of the world, as the film is to hold it. */
 export interface Shot {
@@ -21,6 +23,8 @@ export interface Shot {
   readonly settings: Readonly<RendererSettings>;
   /** At most. */
   readonly raysPerPixel: number;
+  /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
+  readonly area?: FilmArea;
 }
 
 /** Rays that the first submits may ask for, while the device's speed is unknown: even a slow GPU does these in a blink. */
@@ -37,18 +41,21 @@ export class Stages {
   readonly #preview: Pass;
   readonly #frame: UniformBuffer;
   readonly #frameBlock = createBlock(structSize('Frame'));
-  #classic: Pass | null = null;
-  #classicReady: Promise<void> | null = null;
+  readonly #integrators = new Map<Integrator, Pass>();
+  readonly #compiling = new Map<Integrator, Promise<void>>();
   #table: TableTexture | null = null;
   #packed: PackedScene | undefined;
   #shot: Shot | null = null;
+  /** What draws the samples of the shot, and whether it is the path integrator. */
+  #pass: Pass;
+  #paths = false;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
   /** The submit before the last one, done or not. */
   #before: Promise<void> | null = null;
-  /** Whether the integrator has drawn something. */
-  #warm = false;
+  /** The integrators that have drawn something. */
+  readonly #warm = new Set<Pass>();
 
   /** Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. */
   static async open(device: Device): Promise<Stages> {
@@ -61,6 +68,7 @@ export class Stages {
     this.device = device;
     this.#display = display;
     this.#preview = preview;
+    this.#pass = preview;
     this.film = new Film(device);
     this.#frame = device.createUniforms(structSize('Frame'));
   }
@@ -70,24 +78,37 @@ export class Stages {
     return this.#pending;
   }
 
-  /** Whether the film gets the integrator's samples and not the preview's. */
-  get complete(): boolean {
-    return this.#classic !== null;
+  /** Whether the film gets this integrator's samples and not the preview's. */
+  has(integrator: Integrator): boolean {
+    return this.#integrators.has(integrator);
   }
 
   /** Compiles the integrator, once. Call it when the first picture is on its way. */
-  ready(): Promise<void> {
-    this.#classicReady ??= createClassicPass(this.device).then((pass) => {
-      this.#classic = pass;
-    });
-    return this.#classicReady;
+  ready(integrator: Integrator): Promise<void> {
+    let compiling = this.#compiling.get(integrator);
+    if (!compiling) {
+      const create = integrator === 'path' ? createPathPass : createClassicPass;
+      compiling = create(this.device).then((pass) => {
+        this.#integrators.set(integrator, pass);
+      });
+      this.#compiling.set(integrator, compiling);
+    }
+    return compiling;
+  }
+
+  /** Layers that the film of such a shot has now. */
+  layersFor(integrator: Integrator): number {
+    return integrator === 'path' && this.has('path') ? PATH_LAYERS : 1;
   }
 
   /** Points the film at a new shot, empty, of this size in pixels. */
   begin(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
     this.film.restart(width, height);
-    const packed = packScene(shot.scene, shot.camera.eye, this.#packed);
+    this.#pass = this.#integrators.get(shot.settings.integrator) ?? this.#preview;
+    this.#paths = this.#pass === this.#integrators.get('path');
+    const pack = this.#paths ? packPathScene : packScene;
+    const packed = pack(shot.scene, shot.camera.eye, this.#packed);
     this.#packed = packed;
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
@@ -105,37 +126,46 @@ export class Stages {
   async addSample(controller: FrameController, submitted: () => void, unwanted: () => boolean): Promise<boolean> {
     const { film, device } = this;
     const { width, height } = film;
-    const pass = this.#classic ?? this.#preview;
-    const inputs = this.#writeFrame();
-    let row = 0;
+    const { x, y, ...area } = this.#shot!.area ?? { x: 0, y: 0, width, height };
+    const pass = this.#pass;
+    this.#writeFrame();
+    const columns = { firstColumn: x, columnCount: area.width };
+    const end = y + area.height;
+    let row = y;
     this.#pending = true;
     try {
       for (;;) {
-        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass), height - row);
+        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, area.width), end - row);
         const begun = performance.now();
-        drawClassic(device, pass, film.next, inputs, { width, height, firstRow: row, rowCount });
+        this.#draw(pass, { width, height, firstRow: row, rowCount, ...columns });
         row += rowCount;
-        if (row === height) this.#complete(submitted);
-        const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount, begun));
+        if (row === end) this.#complete(submitted);
+        const done = device.finished().then(() => this.#measure(controller, pass, area.width * rowCount, begun));
         done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
         // Two submits at once, so that the device has the next one when it has finished one.
         const before = this.#before;
         this.#before = done;
-        await (row === height ? done : before);
-        if (row === height) return true;
+        await (row === end ? done : before);
+        if (row === end) return true;
         if (unwanted()) return false;
       }
     } finally {
       // Once all is submitted, `pending` may be the next sample's.
-      if (row < height) this.#pending = false;
+      if (row < end) this.#pending = false;
     }
   }
 
-  #writeFrame(): ClassicInputs {
+  #draw(pass: Pass, region: Region): void {
+    const { device, film } = this;
+    const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
+    const draw = this.#paths ? drawPath : drawClassic;
+    draw(device, pass, film.next, inputs, region);
+  }
+
+  #writeFrame(): void {
     const { scene, camera, settings } = this.#shot!;
-    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.samples);
+    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.nextSample);
     this.#frame.write(this.#frameBlock.bytes);
-    return { frame: this.#frame, sceneTable: this.#table!, previousFilm: this.film.current };
   }
 
   #complete(submitted: () => void): void {
@@ -145,8 +175,7 @@ export class Stages {
   }
 
   /** Before the first measurement nobody knows how fast the device is, only how many rays a pixel may ask for. */
-  #rowsPerSubmit(controller: FrameController, pass: Pass): number {
-    const { width } = this.film;
+  #rowsPerSubmit(controller: FrameController, pass: Pass, width: number): number {
     if (pass === this.#preview) return Math.max(Math.floor(PREVIEW_PIXELS / width), 1);
     const rows = controller.rowsPerSubmit(width);
     if (controller.cost) return rows;
@@ -159,15 +188,15 @@ export class Stages {
     const milliseconds = Math.max(now - Math.max(submitted, this.#lastFinish), LEAST_MS);
     this.#lastFinish = now;
     // The preview's cost says nothing about the integrator's, whose first frame waits for the driver's code generation.
-    if (pass !== this.#classic) return;
-    if (this.#warm) controller.measured(pixels, milliseconds);
-    this.#warm = true;
+    if (pass === this.#preview) return;
+    if (this.#warm.has(pass)) controller.measured(pixels, milliseconds);
+    this.#warm.add(pass);
   }
 
   /** Puts the newest whole picture on the canvas; false when there is none. `exposure` in stops. */
   show(exposure: number): boolean {
     const { picture } = this.film;
-    if (picture) this.#display.show(picture.texture, picture.width, picture.height, exposure);
+    if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, exposure);
     return picture !== null;
   }
 }

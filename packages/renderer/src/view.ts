@@ -2,7 +2,7 @@
  * What is to be seen: scene, time, camera, settings, and whether it moves. Shared by the GPU renderer and the CPU one, which
  * look at `revision` to know that the picture changed. No GPU, no DOM.
  */
-import type { RendererSettings } from './renderer-types.ts';
+import type { Panel, RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
 import type { Camera, Scene } from './scene/scene.ts';
@@ -23,6 +23,8 @@ export const DEFAULT_SETTINGS: RendererSettings = {
   comparison: null,
 };
 
+/** Segments that paths without limit are taken to have. */
+const USUAL_DEPTH = 8;
 /** Longest step of the animation in one frame, seconds: a tab that slept goes on where it was. */
 const LONGEST_STEP = 0.25;
 /** Settings that only the display uses, or only the loop: the film stays valid. */
@@ -80,6 +82,15 @@ function checkCamera(camera: Camera): void {
     throw new RangeError(
       `The camera has no direction: its "${fault}" must not lie on the line of sight or at the eye.`,
     );
+}
+
+type WorkSettings = Panel & Pick<RendererSettings, 'integrator' | 'maxDepth'>;
+
+/** Rays that one film pixel may need: camera and mirror rays, and a shadow ray for each light sample of each. */
+export function raysPerPixel(scene: Scene | null, settings: WorkSettings): number {
+  const { integrator, maxDepth, maxReflections, lightSamples } = settings;
+  if (integrator === 'path') return 2 * (maxDepth < 0 ? USUAL_DEPTH : Math.min(maxDepth, USUAL_DEPTH));
+  return (1 + maxReflections) * (1 + Object.keys(scene?.lights ?? {}).length * lightSamples);
 }
 
 export class View {
@@ -192,11 +203,10 @@ export class View {
     this.shownRevision++;
   }
 
-  /** Rays that one film pixel may need at most: camera and mirror rays, and a shadow ray for each light sample of each. */
+  /** The mean over the panels. */
   raysPerPixel(): number {
-    const lights = Object.keys(this.#scene?.lights ?? {}).length;
     const panels = this.#settings.comparison?.panels ?? [this.#settings];
-    const rays = panels.map((p) => (1 + p.maxReflections) * (1 + lights * p.lightSamples));
+    const rays = panels.map((panel) => raysPerPixel(this.#scene, { ...this.#settings, ...panel }));
     return rays.reduce((sum, n) => sum + n, 0) / rays.length;
   }
 

@@ -1,5 +1,5 @@
 /** The film on the canvas: mean, exposure, clip, sRGB curve. */
-import type { Device, FilmTexture, Pass, PassSource, UniformBuffer } from '../gpu/device.ts';
+import type { Device, FloatTexture, Pass, PassSource, UniformBuffer } from '../gpu/device.ts';
 import { structSize } from '../packed-scene/layout.ts';
 import { createBlock, writeStruct } from '../packed-scene/write-struct.ts';
 import displayWgsl from '../shading/generated/display.wgsl?raw';
@@ -32,7 +32,7 @@ export class Display {
   }
 
   /** Fills the canvas with the first width × height pixels of the film. `exposure` in stops. */
-  show(film: FilmTexture, width: number, height: number, exposure: number): void {
+  show(film: FloatTexture, width: number, height: number, exposure: number): void {
     writeStruct(this.#block, 'Display', 0, { exposure: 2 ** exposure, filmSize: [width, height] });
     this.#uniforms.write(this.#block.bytes);
     this.#device.draw(this.#pass, 'canvas', [this.#uniforms, film]);

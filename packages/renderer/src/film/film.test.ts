@@ -6,11 +6,11 @@ import { Film } from './film.ts';
 function filmDevice(content: readonly number[] = []) {
   const alive = new Set<FilmTexture>();
   const device: Pick<Device, 'createFilm' | 'read'> = {
-    createFilm(width, height) {
+    createFilm(width, height, layers = 1) {
       const texture: FilmTexture = {
         width,
         height,
-        renderable: true,
+        layers: Array.from({ length: layers }, () => ({ width, height, destroy: () => {} })),
         destroy: () => {
           if (!alive.delete(texture)) throw new Error('destroyed twice');
         },
@@ -58,15 +58,15 @@ test('the last whole picture stays until the next one is complete', () => {
   expect(film.picture).toBeNull();
   film.swap();
   const shown = film.picture!;
-  expect(shown.texture).toBe(film.current);
+  expect(shown.film).toBe(film.current);
   for (const side of [5, 6, 7]) film.reserve(side, side);
   expect(film.picture).toBe(shown);
-  expect(alive.has(shown.texture)).toBe(true);
+  expect(alive.has(shown.film)).toBe(true);
   expect(alive.size).toBe(3);
   film.restart(7, 7);
   film.swap();
-  expect(alive.has(shown.texture)).toBe(false);
-  expect(film.picture).toEqual({ texture: film.current, width: 7, height: 7 });
+  expect(alive.has(shown.film)).toBe(false);
+  expect(film.picture).toEqual({ film: film.current, width: 7, height: 7 });
   film.destroy();
   expect(alive.size).toBe(0);
 });

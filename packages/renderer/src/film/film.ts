@@ -1,13 +1,13 @@
 /**
- * The film: float32 sums of radiance and, in alpha, of samples, for each pixel. Two textures take turns, since a pass cannot
- * read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
+ * The film: for each pixel, float32 sums of radiance and, in alpha, of samples; in a second layer, if asked for, the sums of the
+ * samples' squares, from which the standard error follows. Two films take turns, since a pass cannot read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
  * of resolution allocates nothing.
  */
-import type { Device, FilmTexture } from '../gpu/device.ts';
+import type { Device, FilmArea, FilmTexture } from '../gpu/device.ts';
 
-/** A whole picture: the first width × height pixels of the texture. */
+/** A whole picture: the first width × height pixels of the film. */
 export interface Picture {
-  readonly texture: FilmTexture;
+  readonly film: FilmTexture;
   readonly width: number;
   readonly height: number;
 }
@@ -19,6 +19,7 @@ export class Film {
   #width = 0;
   #height = 0;
   #samples = 0;
+  #firstSample = 0;
 
   constructor(device: Device) {
     this.#device = device;
@@ -34,6 +35,10 @@ export class Film {
   get samples(): number {
     return this.#samples;
   }
+  /** Index of the sample that comes next: what its random numbers are made of. */
+  get nextSample(): number {
+    return this.#firstSample + this.#samples;
+  }
   /** The finished sums. */
   get current(): FilmTexture {
     return this.#textures![0];
@@ -48,12 +53,13 @@ export class Film {
     return this.#picture;
   }
 
-  /** Makes room for pictures of up to this size. With another size than before the film starts over. */
-  reserve(width: number, height: number): void {
+  /** Makes room for pictures of up to this size. With another size or number of layers than before the film starts over. */
+  reserve(width: number, height: number, layers = 1): void {
     const now = this.#textures?.[0];
-    if (now && now.width === width && now.height === height) return;
-    for (const texture of this.#textures ?? []) if (texture !== this.#picture?.texture) texture.destroy();
-    this.#textures = [this.#device.createFilm(width, height), this.#device.createFilm(width, height)];
+    if (now && now.width === width && now.height === height && now.layers.length === layers) return;
+    for (const texture of this.#textures ?? []) if (texture !== this.#picture?.film) texture.destroy();
+    const create = () => this.#device.createFilm(width, height, layers);
+    this.#textures = [create(), create()];
     this.#samples = 0;
   }
 
@@ -62,21 +68,45 @@ export class Film {
     this.#width = width;
     this.#height = height;
     this.#samples = 0;
+    this.#firstSample = 0;
+  }
+
+  /** Goes on at sample `next`: from sums that were read before, of `samples` samples in this area, or from none. */
+  resume(next: number, samples: number, sums: Float32Array<ArrayBuffer> | null, area: FilmArea): void {
+    this.#samples = samples;
+    this.#firstSample = next - samples;
+    if (!sums) {
+      this.#device.clear(this.current);
+      return;
+    }
+    const texels = 4 * area.width * area.height;
+    this.current.layers.forEach((layer, i) => {
+      this.#device.write(layer, sums.subarray(i * texels, (i + 1) * texels), area);
+    });
+  }
+
+  /** The sums of an area as they are, layer after layer, row 0 first: RGB + samples, then RGB of the squares and 0. */
+  async readSums({ x, y, width, height }: FilmArea): Promise<Float32Array<ArrayBuffer>> {
+    const texels = 4 * width * height;
+    const { layers } = this.current;
+    const sums = new Float32Array(texels * layers.length);
+    for (const [i, layer] of layers.entries()) sums.set(await this.#device.read(layer, width, height, x, y), i * texels);
+    return sums;
   }
 
   /** The sample in `next` is complete. */
   swap(): void {
-    const before = this.#picture?.texture;
+    const before = this.#picture?.film;
     const textures = this.#textures!;
     textures.reverse();
     this.#samples++;
-    this.#picture = { texture: textures[0], width: this.#width, height: this.#height };
+    this.#picture = { film: textures[0], width: this.#width, height: this.#height };
     if (before && !textures.includes(before)) before.destroy();
   }
 
   /** Mean radiance, linear RGB + samples, row 0 first. */
   async read(): Promise<Float32Array<ArrayBuffer>> {
-    const pixels = await this.#device.read(this.current, this.#width, this.#height);
+    const pixels = await this.#device.read(this.current.layers[0]!, this.#width, this.#height);
     for (let i = 0; i < pixels.length; i += 4) {
       const n = Math.max(pixels[i + 3]!, 1);
       for (let c = 0; c < 3; c++) pixels[i + c]! /= n;
@@ -86,7 +116,7 @@ export class Film {
 
   destroy(): void {
     const textures = new Set<FilmTexture>(this.#textures ?? []);
-    if (this.#picture) textures.add(this.#picture.texture);
+    if (this.#picture) textures.add(this.#picture.film);
     for (const texture of textures) texture.destroy();
     this.#textures = null;
     this.#picture = null;

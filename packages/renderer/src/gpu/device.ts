@@ -28,6 +28,8 @@ export interface PassSource {
   /** In the order of their binding numbers in group 0. */
   readonly bindings: readonly ({ readonly block: string } | { readonly texture: string })[];
   readonly target: 'film' | 'canvas';
+  /** Layers of the film that it draws into, each by an output of its own; 1 when left out. */
+  readonly layers?: number;
 }
 
 export interface Pass {
@@ -48,9 +50,12 @@ export interface TableTexture extends FloatTexture {
   /** Replaces the first `rows` rows. */
   write(texels: Float32Array<ArrayBuffer>, rows: number): void;
 }
-/** A texture that passes draw into. */
-export interface FilmTexture extends FloatTexture {
-  readonly renderable: true;
+/** What passes draw into: one texture or several of the same size, to be read by passes one by one. */
+export interface FilmTexture {
+  readonly width: number;
+  readonly height: number;
+  readonly layers: readonly FloatTexture[];
+  destroy(): void;
 }
 export type Resource = UniformBuffer | FloatTexture;
 
@@ -60,6 +65,16 @@ export interface Region {
   readonly height: number;
   readonly firstRow: number;
   readonly rowCount: number;
+  /** Which columns; all when left out. */
+  readonly firstColumn?: number;
+  readonly columnCount?: number;
+}
+/** A rectangle of film pixels, (x, y) its top left corner. */
+export interface FilmArea {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
 }
 
 /** What exists on the device now, for leak tests, and how many programs were ever made. */
@@ -84,13 +99,17 @@ export interface Device {
   attach(): void;
   createUniforms(byteLength: number): UniformBuffer;
   createTable(width: number, height: number): TableTexture;
-  createFilm(width: number, height: number): FilmTexture;
+  createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
   /** Resolves when all that was drawn so far is done. */
   finished(): Promise<void>;
-  /** RGBA float32 of the first columns and rows, row 0 first. */
-  read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;
+  /** RGBA float32 of the first columns and rows of a layer, or of those from (x, y) on, row 0 first. */
+  read(layer: FloatTexture, width: number, height: number, x?: number, y?: number): Promise<Float32Array<ArrayBuffer>>;
+  /** The other way: puts RGBA float32 texels into a layer of a film. */
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, area: FilmArea): void;
+  /** Makes all layers of a film zero. */
+  clear(film: FilmTexture): void;
   /** Resolves with the reason when the device is lost, not when it is destroyed on purpose. */
   readonly lost: Promise<string>;
   /** After a loss: a new device on the same canvas. Rejects with `DeviceError` when there is none. */

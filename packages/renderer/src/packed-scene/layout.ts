@@ -11,10 +11,12 @@
  * from the origin keeps its precision on a GPU that has only 32-bit floats.
  */
 export const PANELS = 3;
+/** Pieces of the curve that makes random numbers into places under the pixel filter: see pack-filter.ts. */
+export const FILTER_PIECES = 16;
 
 export type FieldType = 'f32' | 'u32' | 'vec2f' | 'vec3f' | 'vec4f' | 'vec4u' | FieldArray;
 export interface FieldArray {
-  readonly array: 'vec4u';
+  readonly array: 'vec4f' | 'vec4u';
   readonly length: number;
 }
 type Fields = Readonly<Record<string, { type: FieldType; doc: string }>>;
@@ -86,11 +88,14 @@ export const STRUCTS = {
       'vec3f',
       'radiance; of a point or spot: intensity; of directional light without angular size: irradiance',
     ),
-    area: field('f32', 'of the surface that shines, m^2'),
+    area: field(
+      'f32',
+      'of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size',
+    ),
     shape: field('f32', 'row of the shape that rays meet; -1: none, only light sampling finds it'),
     oneSided: field('f32', '1: a quad that shines to the side of u x v only'),
-    power: field('f32', 'estimate of the flux, for choosing among emitters'),
-    spare0: field('f32', 'unused'),
+    power: field('f32', 'for choosing among emitters: power / distance^2 estimates the irradiance in front of it'),
+    reach: field('f32', 'radius of the bounding sphere; of directional light: sine of half the angular diameter'),
   },
   Frame: {
     right: field('vec3f', 'camera r times tan(fov / 2) times aspect'),
@@ -111,6 +116,14 @@ export const STRUCTS = {
     emitterCount: field('u32', 'emitters of the path integrator'),
     maxDepth: field('u32', 'path segments from the camera on; 0xffffffff: no limit'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
+    filterPieces: field(
+      { array: 'vec4f', length: FILTER_PIECES },
+      'pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards',
+    ),
+    independent: field('u32', '1: independent random numbers instead of the Sobol sequence'),
+    spare0: field('f32', 'unused'),
+    spare1: field('f32', 'unused'),
+    spare2: field('f32', 'unused'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),

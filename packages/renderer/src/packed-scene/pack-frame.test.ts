@@ -12,7 +12,7 @@ import { createBlock } from './write-struct.ts';
 const film = { width: 160, height: 90 };
 const sky = { horizon: [1, 2, 3], zenith: [4, 5, 6] } as const;
 const camera: Camera = { eye: [1, 2, 3], target: [4, 2, -1], up: [0, 1, 0], verticalFov: 50 };
-const settings: FrameSettings = { maxReflections: 5, lightSamples: 9, seed: 2 ** 32 - 1, comparison: null };
+const settings: FrameSettings = { maxReflections: 5, lightSamples: 9, maxDepth: -1, seed: 2 ** 32 - 1, comparison: null };
 const scene = testScene({}, { a: testLight(), b: testLight() });
 
 function frame(part: Partial<FrameSettings> = {}, sampleIndex = 0, view = camera) {

@@ -6,6 +6,8 @@ import { type Block, writeStruct } from './write-struct.ts';
 
 export interface FrameSettings extends Panel {
   readonly seed: number;
+  /** −1: no limit. */
+  readonly maxDepth: number;
   readonly comparison: Comparison | null;
 }
 
@@ -61,6 +63,8 @@ export function packFrame(
     shapeEnds: packed.shapeEnds,
     occluderEnd: packed.occluderEnd,
     seenLightEnd: packed.seenLightEnd,
+    emitterCount: packed.emitterCount,
+    maxDepth: settings.maxDepth < 0 ? 0xffffffff : settings.maxDepth,
     panels: panels.flatMap((p) => [p.maxReflections, p.lightSamples, 0, 0]),
   });
 }

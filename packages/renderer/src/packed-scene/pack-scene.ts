@@ -18,6 +18,8 @@ export interface PackedScene {
   readonly lightCount: number;
   /** Index past the last light that camera and mirrors see. */
   readonly seenLightEnd: number;
+  /** Rows that hold an emitter of the path integrator. */
+  readonly emitterCount: number;
   /** Names in table order, so that an index can be told to people. */
   readonly shapeNames: readonly string[];
 }
@@ -34,15 +36,20 @@ const cross = (a: Vec3, b: Vec3): Vec3 => [
 ];
 const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 
-/** `reuse`: a packed scene that is no longer needed; its memory is taken when it is large enough. */
-export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedScene {
+/** Writes the part of a row that this struct has. */
+export function writeRow<S extends TableStruct>(table: Block, name: S, row: number, values: StructValues<S>): void {
+  writeStruct(table, name, row * ROW_BYTES + tableColumn(name) * 16, values);
+}
+
+/** `leastRows`: room that is needed for more than shapes and lights. `reuse`: a packed scene that is no longer needed; its memory is taken when it is large enough. */
+export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene, leastRows = 1): PackedScene {
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
-  const rows = Math.max(named.length, lights.length, 1);
+  const rows = Math.max(named.length, lights.length, leastRows);
   const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
-    writeStruct(table, name, row * ROW_BYTES + tableColumn(name) * 16, values);
+    writeRow(table, name, row, values);
 
   const casts = ([, plane]: [string, Shape]) => castsShadow(plane as Plane, eye, lights);
   const planes = sorted[3]!;
@@ -67,6 +74,7 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
     occluderEnd,
     lightCount: lights.length,
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
+    emitterCount: 0,
     shapeNames: ordered.map(([name]) => name),
   };
 }

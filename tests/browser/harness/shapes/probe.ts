@@ -56,7 +56,7 @@ async function cast(device: Device, packed: PackedScene, texels: Float32Array<Ar
   const film = device.createFilm(SIDE, SIDE);
   const pass = await device.createPass(PROBE);
   device.draw(pass, film, [frame, table, rays], { width: SIDE, height: SIDE, firstRow: 0, rowCount: SIDE });
-  const answers = await device.read(film, SIDE, SIDE);
+  const answers = await device.read(film.layers[0]!, SIDE, SIDE);
   for (const resource of [frame, table, rays, film]) resource.destroy();
   return answers;
 }

@@ -3,7 +3,9 @@ import {
   type Device,
   type DeviceCounts,
   DeviceError,
+  type FilmArea,
   type FilmTexture,
+  type FloatTexture,
   type Pass,
   type PassSource,
   type Region,
@@ -24,7 +26,7 @@ interface GlPass extends Pass {
 interface GlTexture {
   readonly texture: WebGLTexture;
 }
-interface GlFilm extends FilmTexture, GlTexture {
+interface GlFilm extends FilmTexture {
   readonly framebuffer: WebGLFramebuffer;
 }
 interface GlUniforms extends UniformBuffer {
@@ -180,18 +182,28 @@ class WebGl2Device implements Device {
     return { ...base, write, destroy } as TableTexture;
   }
 
-  createFilm(width: number, height: number): FilmTexture {
+  createFilm(width: number, height: number, count = 1): FilmTexture {
     const gl = this.#gl;
-    const base = this.#texture(width, height, this.#filmFormat);
-    const framebuffer = gl.createFramebuffer()!;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, base.texture, 0);
+    const layers = Array.from({ length: count }, () => this.#texture(width, height, this.#filmFormat));
+    const framebuffer = this.#framebuffer(layers);
     const destroy = () => {
-      this.counts.textures--;
+      this.counts.textures -= count;
       gl.deleteFramebuffer(framebuffer);
-      gl.deleteTexture(base.texture);
+      for (const { texture } of layers) gl.deleteTexture(texture);
     };
-    return { ...base, framebuffer, renderable: true, destroy } as GlFilm;
+    return { width, height, layers, framebuffer, destroy } as unknown as GlFilm;
+  }
+
+  #framebuffer(layers: readonly { texture: WebGLTexture }[]): WebGLFramebuffer {
+    const gl = this.#gl;
+    const framebuffer = gl.createFramebuffer()!;
+    const attachments = layers.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    layers.forEach(({ texture }, i) => {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[i]!, gl.TEXTURE_2D, texture, 0);
+    });
+    gl.drawBuffers(attachments);
+    return framebuffer;
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
@@ -210,7 +222,7 @@ class WebGl2Device implements Device {
     });
     if (region) {
       gl.enable(gl.SCISSOR_TEST);
-      gl.scissor(0, region.firstRow, width, region.rowCount);
+      gl.scissor(region.firstColumn ?? 0, region.firstRow, region.columnCount ?? width, region.rowCount);
     }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     if (region) gl.disable(gl.SCISSOR_TEST);
@@ -226,12 +238,27 @@ class WebGl2Device implements Device {
     gl.deleteSync(sync);
   }
 
-  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
+  async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
     const gl = this.#gl;
     const pixels = new Float32Array(width * height * 4);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, (film as GlFilm).framebuffer);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    const framebuffer = this.#framebuffer([layer as unknown as GlTexture]);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.FLOAT, pixels);
+    gl.deleteFramebuffer(framebuffer);
     return pixels;
+  }
+
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, { x, y, width, height }: FilmArea): void {
+    const gl = this.#gl;
+    gl.bindTexture(gl.TEXTURE_2D, (layer as unknown as GlTexture).texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RGBA, gl.FLOAT, texels);
+  }
+
+  clear(film: FilmTexture): void {
+    const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, (film as GlFilm).framebuffer);
+    film.layers.forEach((_, i) => {
+      gl.clearBufferfv(gl.COLOR, i, [0, 0, 0, 0]);
+    });
   }
 
   /** Browsers keep few contexts alive, and free one only when its canvas is garbage: so the context is let go here. */

@@ -3,7 +3,9 @@ import {
   type Device,
   type DeviceCounts,
   DeviceError,
+  type FilmArea,
   type FilmTexture,
+  type FloatTexture,
   type Pass,
   type PassSource,
   type Region,
@@ -22,9 +24,14 @@ interface GpuResource {
   readonly binding: GPUBindingResource;
 }
 
-/** Opens a WebGPU device that presents on the canvas. Throws `DeviceError` when there is none. */
-export async function openWebGpu(canvas: HTMLCanvasElement | null): Promise<Device> {
-  const gpu = typeof navigator === 'undefined' ? undefined : navigator.gpu;
+/** Texels of a film that are read at once, bytes: far below the largest buffer that a device must grant. */
+const READ_BYTES = 64 * 1024 * 1024;
+
+/**
+ * Opens a WebGPU device that presents on the canvas; null: on none. `gpu` is the browser's unless another is given, such as Dawn's
+ * in Node. Throws `DeviceError` when there is none.
+ */
+export async function openWebGpu(canvas: HTMLCanvasElement | null, gpu = browserGpu()): Promise<Device> {
   if (!gpu) throw new DeviceError('This browser has no WebGPU.');
   const refuse = (what: string) => (error: unknown) => {
     throw new DeviceError(`${what}: ${error instanceof Error ? error.message : error}`);
@@ -34,12 +41,17 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null): Promise<Devi
     .catch(refuse('WebGPU gives no adapter'));
   if (!adapter) throw new DeviceError('WebGPU found no graphics adapter.');
   const device = await adapter.requestDevice().catch(refuse('WebGPU gives no device'));
-  return new WebGpuDevice(device, canvas, gpu.getPreferredCanvasFormat(), describe(adapter.info));
+  return new WebGpuDevice(gpu, device, canvas, describe(adapter.info));
 }
+
+const browserGpu = (): GPU | undefined => (typeof navigator === 'undefined' ? undefined : navigator.gpu);
 
 function describe(info: GPUAdapterInfo): string {
   return [info.description || info.device, info.vendor, info.architecture].filter(Boolean).join(', ') || 'WebGPU';
 }
+
+const viewsOf = (film: FilmTexture): GPUTextureView[] =>
+  film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
 
 class WebGpuDevice implements Device {
   readonly backend = 'webgpu';
@@ -48,6 +60,7 @@ class WebGpuDevice implements Device {
   readonly maxFilmSamples = 2 ** 24;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly lost: Promise<string>;
+  readonly #gpu: GPU;
   readonly #device: GPUDevice;
   #context: GPUCanvasContext | null = null;
   readonly #canvas: HTMLCanvasElement | null;
@@ -55,10 +68,11 @@ class WebGpuDevice implements Device {
   readonly #modules = new Map<string, GPUShaderModule>();
   #closed = false;
 
-  constructor(device: GPUDevice, canvas: HTMLCanvasElement | null, format: GPUTextureFormat, description: string) {
+  constructor(gpu: GPU, device: GPUDevice, canvas: HTMLCanvasElement | null, description: string) {
+    this.#gpu = gpu;
     this.#canvas = canvas;
     this.#device = device;
-    this.#format = format;
+    this.#format = gpu.getPreferredCanvasFormat();
     this.description = description;
     this.maxTextureSize = device.limits.maxTextureDimension2D;
     this.lost = new Promise((resolve) => {
@@ -90,7 +104,9 @@ class WebGpuDevice implements Device {
       fragment: {
         module: this.#module(source.wgsl.fragment),
         entryPoint: source.entries.fragment,
-        targets: [{ format: source.target === 'film' ? FILM_FORMAT : this.#format }],
+        targets: Array.from({ length: source.layers ?? 1 }, () => ({
+          format: source.target === 'film' ? FILM_FORMAT : this.#format,
+        })),
       },
     };
     try {
@@ -147,26 +163,31 @@ class WebGpuDevice implements Device {
     return { ...base, write } as TableTexture;
   }
 
-  createFilm(width: number, height: number): FilmTexture {
-    const { RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC } = GPUTextureUsage;
-    const base = this.#texture(width, height, RENDER_ATTACHMENT | TEXTURE_BINDING | COPY_SRC);
-    return { ...base, renderable: true } as FilmTexture;
+  createFilm(width: number, height: number, count = 1): FilmTexture {
+    const { RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC, COPY_DST } = GPUTextureUsage;
+    const usage = RENDER_ATTACHMENT | TEXTURE_BINDING | COPY_SRC | COPY_DST;
+    const layers = Array.from({ length: count }, () => this.#texture(width, height, usage));
+    const destroy = () => {
+      for (const layer of layers) layer.destroy();
+    };
+    return { width, height, layers, destroy };
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
     const { pipeline, layout } = pass as WebGpuPass;
-    const view = target === 'canvas' ? this.#canvasView() : (target as unknown as { binding: GPUTextureView }).binding;
+    const views = target === 'canvas' ? [this.#canvasView()] : viewsOf(target);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const clear = region === undefined || region.firstRow === 0;
     const renderPass = encoder.beginRenderPass({
-      colorAttachments: [{ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' }],
+      colorAttachments: views.map((view) => ({ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' })),
     });
     renderPass.setPipeline(pipeline);
     const entries = resources.map((r, binding) => ({ binding, resource: (r as unknown as GpuResource).binding }));
     renderPass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
     if (region) {
       renderPass.setViewport(0, 0, region.width, region.height, 0, 1);
-      renderPass.setScissorRect(0, region.firstRow, region.width, region.rowCount);
+      const { firstColumn = 0, columnCount = region.width } = region;
+      renderPass.setScissorRect(firstColumn, region.firstRow, columnCount, region.rowCount);
     }
     renderPass.draw(3);
     renderPass.end();
@@ -182,30 +203,50 @@ class WebGpuDevice implements Device {
     return this.#device.queue.onSubmittedWorkDone();
   }
 
-  async read(film: FilmTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
-    const { texture } = film as FilmTexture & { texture: GPUTexture };
+  async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
+    const pixels = new Float32Array(width * height * 4);
+    const most = Math.max(Math.floor(READ_BYTES / (width * 16 + 256)), 1);
+    for (let row = 0; row < height; row += most) {
+      const stripe = { x, y: y + row, width, height: Math.min(most, height - row) };
+      await this.#readStripe(layer, stripe, pixels.subarray(row * width * 4));
+    }
+    return pixels;
+  }
+
+  async #readStripe(layer: FloatTexture, { x, y, width, height }: FilmArea, into: Float32Array): Promise<void> {
+    const { texture } = layer as FloatTexture & { texture: GPUTexture };
     const bytesPerRow = Math.ceil((width * 16) / 256) * 256;
     const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
     const buffer = this.#device.createBuffer({ size: bytesPerRow * height, usage });
     const encoder = this.#device.createCommandEncoder();
-    encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow }, [width, height]);
+    encoder.copyTextureToBuffer({ texture, origin: [x, y] }, { buffer, bytesPerRow }, [width, height]);
     this.#device.queue.submit([encoder.finish()]);
     await buffer.mapAsync(GPUMapMode.READ);
     const padded = new Float32Array(buffer.getMappedRange());
-    const pixels = new Float32Array(width * height * 4);
-    for (let y = 0; y < height; y++) {
-      const start = (y * bytesPerRow) / 4;
-      pixels.set(padded.subarray(start, start + width * 4), y * width * 4);
+    for (let row = 0; row < height; row++) {
+      const start = (row * bytesPerRow) / 4;
+      into.set(padded.subarray(start, start + width * 4), row * width * 4);
     }
     buffer.destroy();
-    return pixels;
+  }
+
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, { x, y, width, height }: FilmArea): void {
+    const { texture } = layer as FloatTexture & { texture: GPUTexture };
+    const layout = { bytesPerRow: width * 16 };
+    this.#device.queue.writeTexture({ texture, origin: [x, y] }, texels, layout, [width, height]);
+  }
+
+  clear(film: FilmTexture): void {
+    const encoder = this.#device.createCommandEncoder({ label: 'clear' });
+    encoder.beginRenderPass({ colorAttachments: viewsOf(film).map((view) => ({ view, loadOp: 'clear', storeOp: 'store' })) }).end();
+    this.#device.queue.submit([encoder.finish()]);
   }
 
   reopen(): Promise<Device> {
     // The context keeps its last picture until the new device takes it over.
     this.#closed = true;
     this.#device.destroy();
-    return openWebGpu(this.#canvas);
+    return openWebGpu(this.#canvas, this.#gpu);
   }
 
   destroy(): void {

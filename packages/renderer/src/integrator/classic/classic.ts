@@ -2,7 +2,16 @@
  * The classic integrator as a stage: one call adds one film sample to every pixel. docs/classic.md defines it. `preview` is the
  * same without mirrors and soft shadows, for the first picture while the whole is compiled.
  */
-import type { Device, FilmTexture, Pass, PassSource, Region, TableTexture, UniformBuffer } from '../../gpu/device.ts';
+import type {
+  Device,
+  FilmTexture,
+  FloatTexture,
+  Pass,
+  PassSource,
+  Region,
+  TableTexture,
+  UniformBuffer,
+} from '../../gpu/device.ts';
 import classicGlsl from '../../shading/generated/classic.glsl?raw';
 import classicWgsl from '../../shading/generated/classic.wgsl?raw';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
@@ -29,7 +38,8 @@ const PREVIEW: PassSource = {
 export interface ClassicInputs {
   readonly frame: UniformBuffer;
   readonly sceneTable: TableTexture;
-  readonly previousFilm: FilmTexture;
+  /** The layers of the film so far. */
+  readonly previous: readonly FloatTexture[];
 }
 
 export const createClassicPass = (device: Device): Promise<Pass> => device.createPass(CLASSIC);
@@ -42,5 +52,5 @@ export function drawClassic(
   inputs: ClassicInputs,
   region: Region,
 ): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, inputs.previousFilm], region);
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
 }

@@ -268,6 +268,16 @@ struct Frame {
   maxDepth: u32,
   // per panel: max reflections, light samples, unused, unused
   panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
 }
 
 

@@ -32,6 +32,11 @@ struct Frame {
     uint emitterCount;
     uint maxDepth;
     uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
+    float spare0_;
+    float spare1_;
+    float spare2_;
 };
 struct Hit {
     float t;

@@ -1,0 +1,70 @@
+/**
+ * Films without a window: the seam between those who want samples (a command line, a test, a render farm) and what traces them.
+ * A tracer adds film samples to sums that its caller keeps, so any range of samples and any part of the picture can be traced
+ * anywhere and put together later.
+ */
+import type { FilmArea } from '../gpu/device.ts';
+import type { RendererSettings } from '../renderer-types.ts';
+import type { Integrator, Scene } from '../scene/scene.ts';
+
+export type { FilmArea } from '../gpu/device.ts';
+
+/** Settings that a film's values depend on. */
+export type FilmSettings = Pick<
+  RendererSettings,
+  'integrator' | 'maxDepth' | 'maxReflections' | 'lightSamples' | 'seed'
+>;
+
+/** What headless tracers can do in this version. */
+export const HEADLESS_INTEGRATORS: readonly Integrator[] = ['classic', 'path'];
+
+/** Everything that a film's values depend on, but which samples. Plain data that can be posted to a worker or a page. */
+export interface FilmJob {
+  /** Already animated to the time that is wanted. */
+  readonly scene: Scene;
+  readonly settings: FilmSettings;
+  /** Of the whole picture, pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** The part of it that is traced; its values are those of the whole picture. */
+  readonly area: FilmArea;
+}
+
+/**
+ * Sums of linear red, green, blue and the number of samples, float32, for each pixel of the area, row 0 on top. The path integrator
+ * adds as many again: the sums of the samples' squares, and 0.
+ */
+export type FilmSums = Float32Array<ArrayBuffer>;
+
+export interface TraceOptions {
+  /** Ends the work early: `trace` then gives the sums of the samples that are whole. */
+  readonly signal?: AbortSignal;
+  /** Called with the number of samples that are done or on their way, whole ones and parts of one. */
+  readonly onProgress?: (samples: number) => void;
+}
+
+export interface FilmTracer {
+  /** What traces, in words. */
+  readonly description: string;
+  /** What to trace from now on. */
+  begin(job: FilmJob): Promise<void>;
+  /**
+   * Adds the film samples `first` … `first + count − 1` in this order, in float32, to `onto` (to zero when null). Every pixel of
+   * the result has the same number of samples in its alpha. Traced in one call or several, on top of one another, the sums are
+   * the same bit for bit.
+   */
+  trace(first: number, count: number, onto: FilmSums | null, options?: TraceOptions): Promise<FilmSums>;
+  dispose(): void | Promise<void>;
+}
+
+/** The number of samples that the sums hold. Throws when pixels disagree: then the device has not done what it was asked for. */
+export function samplesIn(sums: FilmSums, area: FilmArea, expected?: number): number {
+  const samples = expected ?? sums[3]!;
+  for (let i = 3; i < 4 * area.width * area.height; i += 4) {
+    if (sums[i] === samples) continue;
+    throw new Error(
+      `A pixel holds ${sums[i]} samples where all should have ${samples}: the device has not drawn what it was asked for.`,
+    );
+  }
+  return samples;
+}

@@ -1,0 +1,94 @@
+/** Traces films on a GPU device with the same stages that draw on a canvas. */
+import { FrameController } from '../frame-controller.ts';
+import { type Device, DeviceError } from '../gpu/device.ts';
+import { Stages } from '../stages.ts';
+import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
+import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOptions } from './film-tracer.ts';
+
+/** Samples that may wait on the device: it never idles, and an interruption is heard soon. */
+const MOST_IN_FLIGHT = 4;
+
+export class GpuFilmTracer implements FilmTracer {
+  readonly #device: Device;
+  readonly #stages: Stages;
+  readonly #controller = new FrameController();
+  /** Rejects when the device is lost: work on a lost device may never end by itself. */
+  readonly #lost: Promise<never>;
+  #job: FilmJob | null = null;
+  #rays = 0;
+
+  /** Takes the device for good. Rejects with `DeviceError` when it cannot run the integrator. */
+  static async create(device: Device): Promise<GpuFilmTracer> {
+    const stages = await Stages.open(device);
+    return new GpuFilmTracer(device, stages);
+  }
+
+  private constructor(device: Device, stages: Stages) {
+    this.#device = device;
+    this.#stages = stages;
+    this.#controller.watched = false;
+    this.#lost = device.lost.then((reason) => {
+      throw new DeviceError(`The graphics device was lost: ${reason}`);
+    });
+    this.#lost.catch(() => {}); // heard where something waits
+  }
+
+  get description(): string {
+    return this.#device.description;
+  }
+
+  async begin(job: FilmJob): Promise<void> {
+    const { scene, settings, width, height, area } = job;
+    const rays = raysPerPixel(scene, settings);
+    if (this.#rays > 0 && rays > this.#rays) this.#controller.workChanged(rays / this.#rays);
+    this.#rays = rays;
+    this.#job = job;
+    const { film } = this.#stages;
+    await this.#orLost(this.#stages.ready(settings.integrator));
+    film.reserve(width, height, this.#stages.layersFor(settings.integrator));
+    const shot = {
+      scene,
+      camera: scene.camera,
+      settings: { ...DEFAULT_SETTINGS, ...settings },
+      raysPerPixel: rays,
+      area,
+    };
+    this.#stages.begin(shot, width, height);
+  }
+
+  async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {
+    const { area } = this.#job!;
+    const { film } = this.#stages;
+    const held = onto ? samplesIn(onto, area) : 0;
+    if (held + count > this.#device.maxFilmSamples)
+      throw new RangeError(`This device sums up at most ${this.#device.maxFilmSamples} samples at once.`);
+    film.resume(first, held, onto, area);
+    await this.#orLost(this.#addSamples(count, held, options));
+    const sums = await this.#orLost(film.readSums(area));
+    samplesIn(sums, area, film.samples);
+    return sums;
+  }
+
+  async #addSamples(count: number, held: number, { signal, onProgress }: TraceOptions): Promise<void> {
+    const { film } = this.#stages;
+    const inFlight: Promise<boolean>[] = [];
+    const stopped = () => signal?.aborted === true;
+    while (film.samples < held + count && !stopped()) {
+      const sample = this.#stages.addSample(this.#controller, () => {}, stopped);
+      sample.catch(() => {}); // awaited below, or not at all when an earlier one failed
+      inFlight.push(sample);
+      // A sample that takes several submits, or too many waiting: hear how the first of them went.
+      while (inFlight.length > 0 && (this.#stages.pending || inFlight.length > MOST_IN_FLIGHT)) await inFlight.shift();
+      onProgress?.(film.samples - held);
+    }
+    await Promise.all(inFlight);
+  }
+
+  #orLost<Result>(work: Promise<Result>): Promise<Result> {
+    return Promise.race([work, this.#lost]);
+  }
+
+  dispose(): void {
+    this.#device.destroy();
+  }
+}

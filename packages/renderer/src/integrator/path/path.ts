@@ -1,0 +1,32 @@
+/** The path integrator as a stage: one call adds one film sample to every pixel, to the sums and to the sums of squares. */
+import type { Device, FilmTexture, FloatTexture, Pass, PassSource, Region, TableTexture, UniformBuffer } from '../../gpu/device.ts';
+import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
+import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
+import pathGlsl from '../../shading/generated/path.glsl?raw';
+import pathWgsl from '../../shading/generated/path.wgsl?raw';
+
+/** Layers of the film that it needs. */
+export const PATH_LAYERS = 2;
+
+const PATH: PassSource = {
+  label: 'path',
+  wgsl: { vertex: fullScreenWgsl, fragment: pathWgsl },
+  entries: { vertex: 'fullScreen', fragment: 'path' },
+  glsl: { vertex: fullScreenGlsl, fragment: pathGlsl },
+  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'previousFilm' }, { texture: 'previousSquares' }],
+  target: 'film',
+  layers: PATH_LAYERS,
+};
+
+export interface PathInputs {
+  readonly frame: UniformBuffer;
+  readonly sceneTable: TableTexture;
+  /** The layers of the film so far. */
+  readonly previous: readonly FloatTexture[];
+}
+
+export const createPathPass = (device: Device): Promise<Pass> => device.createPass(PATH);
+
+export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
+}

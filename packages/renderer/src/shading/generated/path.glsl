@@ -1,0 +1,1618 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+};
+struct Surface {
+    vec3 baseColor;
+    float code;
+    vec3 emission;
+    float reflectivity;
+    vec3 eta;
+    float alpha;
+    vec3 k;
+    float metallic;
+    vec3 absorption;
+    float emitter;
+};
+struct Vertex {
+    vec3 point;
+    uint shape;
+    vec3 outward;
+    Basis basis;
+    vec3 wo;
+    Surface surface;
+};
+struct Origin {
+    vec3 point;
+    vec3 normal;
+    float pdf;
+};
+struct Start {
+    vec3 point;
+    uint leaves;
+    uint inside;
+    float tMin;
+};
+struct Ray {
+    Start start;
+    vec3 direction;
+};
+struct Hit {
+    float t;
+    uint shape;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct Frame {
+    vec3 right;
+    float width;
+    vec3 up;
+    float height;
+    vec3 forward;
+    uint lightCount;
+    vec3 horizon;
+    uint sampleIndex;
+    vec3 zenith;
+    uint seed;
+    vec2 jitter;
+    vec2 dividers;
+    uvec4 shapeEnds;
+    uint occluderEnd;
+    uint seenLightEnd;
+    uint emitterCount;
+    uint maxDepth;
+    uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct Extent {
+    vec4 a;
+    vec4 b;
+};
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
+};
+struct Survey {
+    float total;
+    uint chosen;
+    float chosenWeight;
+    float wantedWeight;
+};
+struct Emitter {
+    vec3 position;
+    float kind;
+    vec3 u;
+    float radius;
+    vec3 v;
+    float cosInner;
+    vec3 radiance;
+    float area;
+    float shape;
+    float oneSided;
+    float power;
+    float reach;
+};
+struct SphereView {
+    vec3 toCenter;
+    float distance_;
+    float power;
+    bool inside;
+    float width;
+};
+struct QuadView {
+    vec3 corner;
+    vec3 axisX;
+    vec3 axisY;
+    vec3 axisZ;
+    vec2 low;
+    vec2 high;
+    float height;
+    float start;
+    float solidAngle;
+    bool lit;
+    bool bySolidAngle;
+};
+struct BoxView {
+    vec4 rotation;
+    vec3 point;
+    vec3 faces;
+    bool inside;
+    float area;
+};
+struct EmitterChoice {
+    uint index;
+    float probability;
+};
+struct LightSample {
+    vec3 direction;
+    float distance_;
+    vec3 radiance;
+    float pdf;
+    bool delta;
+};
+struct ConeDirection {
+    vec3 direction;
+    float cosine;
+    float sine2_;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
+};
+struct Sampler {
+    uint key;
+    uint salt;
+    uint sample_;
+    uint place;
+};
+struct Group {
+    uint index;
+    uint shift;
+    uint seedA;
+    uint seedB;
+};
+struct BsdfSample {
+    vec3 direction;
+    float pdf;
+    vec3 weight;
+    bool delta;
+};
+struct Film {
+    vec4 sums;
+    vec4 squares;
+};
+const uint rouletteDepth = 4u;
+const uint dielectric = 3u;
+const uint noShape = 4294967295u;
+const uint diffuse = 0u;
+const uint metallicRoughness = 1u;
+const uint conductor = 2u;
+
+uniform highp sampler2D sceneTable;
+
+layout(std140) uniform FrameBlock { Frame frame; };
+
+uniform highp sampler2D previousFilm;
+
+uniform highp sampler2D previousSquares;
+
+layout(location = 0) out vec4 _fs2p_location0;
+layout(location = 1) out vec4 _fs2p_location1;
+
+uint kindOf(Surface s_1) {
+    return (uint(s_1.code) & 3u);
+}
+
+bool isDielectric(Surface s_2) {
+    uint _e1 = kindOf(s_2);
+    return (_e1 == dielectric);
+}
+
+Surface fetchSurface(uint i) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(9u, i)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(10u, i)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i)), 0);
+    return Surface(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+}
+
+Bounds fetchBounds(uint i_1) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
+    return Bounds(t0_1.xyz, t0_1.w);
+}
+
+bool isSphere(uint i_2) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_2 < _e4);
+}
+
+bool isPlane(uint i_3) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_3 >= _e4);
+}
+
+Extent fetchExtent(uint i_4) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(1u, i_4)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_4)), 0);
+    return Extent(t0_2.xyzw, t1_1.xyzw);
+}
+
+bool isFlat(uint i_5) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_5 >= _e4);
+}
+
+vec3 safeReciprocal(vec3 d, vec3 origin) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_1, vec3 direction, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction, origin_1);
+    vec3 middle = (-(origin_1) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+vec3 boxNormal(vec3 origin_2, vec3 direction_1, vec3 halfSize_1, float tMin, bool startsInside) {
+    Slabs _e5 = boxSlabs(origin_2, direction_1, halfSize_1);
+    bool entering = ((_e5.near > tMin) && !(startsInside));
+    vec3 crossed = (entering ? _e5.enter : _e5.leave);
+    float t_4 = (entering ? _e5.near : _e5.far);
+    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_1, vec3(0.0))));
+    if ((crossed.x == t_4)) {
+        return vec3(side.x, 0.0, 0.0);
+    }
+    if ((crossed.y == t_4)) {
+        return vec3(0.0, side.y, 0.0);
+    }
+    return vec3(0.0, 0.0, side.z);
+}
+
+vec3 rotate(vec4 q, vec3 v) {
+    vec3 t_5 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
+}
+
+vec3 rotateBack(vec4 q_1, vec3 v_1) {
+    vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
+    return _e6;
+}
+
+vec3 outwardNormal(uint i_6, Ray ray, float t) {
+    Bounds _e3 = fetchBounds(i_6);
+    vec3 origin_12 = (ray.start.point - _e3.center);
+    bool _e8 = isSphere(i_6);
+    if (_e8) {
+        return normalize((origin_12 + (t * ray.direction)));
+    }
+    bool _e13 = isPlane(i_6);
+    if (_e13) {
+        return _e3.center;
+    }
+    Extent _e15 = fetchExtent(i_6);
+    bool _e16 = isFlat(i_6);
+    if (_e16) {
+        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
+    }
+    bool inside = (i_6 == ray.start.inside);
+    vec3 _e27 = rotate(_e15.a, origin_12);
+    vec3 _e30 = rotate(_e15.a, ray.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray.start.tMin, inside);
+    vec3 _e37 = rotateBack(_e15.a, _e35);
+    return _e37;
+}
+
+Basis basisAbout(vec3 n) {
+    float side_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (side_1 + n.z));
+    float b_2 = ((n.x * n.y) * a);
+    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a)), (side_1 * b_2), (-(side_1) * n.x)), vec3(b_2, (side_1 + ((n.y * n.y) * a)), -(n.y)), n);
+}
+
+vec3 toLocal(Basis b, vec3 v_2) {
+    return vec3(dot(v_2, b.tangent), dot(v_2, b.bitangent), dot(v_2, b.normal));
+}
+
+Vertex vertexAt(Ray ray_1, Hit hit) {
+    Surface _e3 = fetchSurface(hit.shape);
+    vec3 _e6 = outwardNormal(hit.shape, ray_1, hit.t);
+    bool _e11 = isDielectric(_e3);
+    bool turned = ((dot(_e6, ray_1.direction) > 0.0) && !(_e11));
+    Basis _e16 = basisAbout((turned ? -(_e6) : _e6));
+    vec3 _e26 = toLocal(_e16, -(ray_1.direction));
+    return Vertex((ray_1.start.point + (hit.t * ray_1.direction)), hit.shape, _e6, _e16, _e26, _e3);
+}
+
+Start onSurface(vec3 point, uint shape, bool seenFromInside) {
+    return Start(point, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point)));
+}
+
+Ray rayFrom(Vertex v_3, vec3 direction_2) {
+    bool inwards = (dot(direction_2, v_3.outward) < 0.0);
+    bool _e9 = isFlat(v_3.shape);
+    Start _e12 = onSurface(v_3.point, v_3.shape, (inwards && !(_e9)));
+    return Ray(_e12, direction_2);
+}
+
+vec3 litSide(Vertex v_4) {
+    bool _e6 = isDielectric(v_4.surface);
+    return (_e6 ? vec3(0.0) : v_4.basis.normal);
+}
+
+float misWeight(float own, float other) {
+    float ratio_4 = (other / own);
+    return (1.0 / (1.0 + (ratio_4 * ratio_4)));
+}
+
+float spotFalloff(Emitter e, vec3 toLight) {
+    float share = clamp(((-(dot(toLight, e.u)) - e.radius) / (e.cosInner - e.radius)), 0.0, 1.0);
+    return (share * share);
+}
+
+float estimatedIrradiance(Emitter e_1, vec3 point_1, vec3 normal) {
+    if ((e_1.kind == 6.0)) {
+        return e_1.power;
+    }
+    bool isQuad = (e_1.kind == 1.0);
+    bool isFar = (e_1.kind == 5.0);
+    vec3 middle_1 = (e_1.position + (isQuad ? (0.5 * (e_1.u + e_1.v)) : vec3(0.0)));
+    vec3 toLight_1 = (isFar ? -(e_1.u) : (middle_1 - point_1));
+    float distance2_ = dot(toLight_1, toLight_1);
+    float distance_6 = sqrt(distance2_);
+    float grown = max((distance_6 + e_1.reach), 1e-15);
+    float above = clamp(((dot(normal, toLight_1) + e_1.reach) / grown), 0.0, 1.0);
+    float cosine_11 = ((dot(normal, normal) == 0.0) ? 1.0 : above);
+    float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
+    float side_2 = ((e_1.oneSided == 1.0) ? max(height_1, 0.0) : abs(height_1));
+    float lampCosine = ((side_2 > 0.0) ? ((side_2 + e_1.reach) / grown) : 0.0);
+    float _e74 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_6, 1e-15))));
+    float share_1 = ((e_1.kind == 4.0) ? _e74 : (isQuad ? lampCosine : 1.0));
+    float square = (isQuad ? (distance2_ + (e_1.area / 3.1415927)) : max(distance2_, (e_1.area / 12.566371)));
+    return (((e_1.power * cosine_11) * share_1) / (isFar ? 1.0 : max(square, 1e-15)));
+}
+
+Emitter fetchEmitter(uint i_7) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_7)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_7)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_7)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_7)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_7)), 0);
+    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
+}
+
+Survey surveyEmitters(vec3 point_2, vec3 normal_1, float u, uint wanted) {
+    Survey s_3 = Survey(0.0, 0u, 0.0, 0.0);
+    float rest = 0.0;
+    uint i_8 = 0u;
+    rest = u;
+    while(true) {
+        uint _e13 = i_8;
+        Emitter _e14 = fetchEmitter(_e13);
+        float _e15 = estimatedIrradiance(_e14, point_2, normal_1);
+        float _e17 = s_3.total;
+        s_3.total = (_e17 + _e15);
+        float _e20 = s_3.total;
+        float share_2 = (_e15 / max(_e20, 1e-37));
+        float _e24 = rest;
+        bool take = (_e24 < share_2);
+        uint _e28 = s_3.chosen;
+        uint _e29 = i_8;
+        s_3.chosen = (take ? _e29 : _e28);
+        float _e33 = s_3.chosenWeight;
+        s_3.chosenWeight = (take ? _e15 : _e33);
+        float _e37 = s_3.wantedWeight;
+        uint _e38 = i_8;
+        s_3.wantedWeight = ((_e38 == wanted) ? _e15 : _e37);
+        float _e41 = rest;
+        float _e48 = rest;
+        rest = (take ? (_e48 / max(share_2, 1e-37)) : ((_e41 - share_2) / max((1.0 - share_2), 1e-7)));
+        uint _e54 = i_8;
+        i_8 = (_e54 + 1u);
+        uint _e56 = i_8;
+        uint _e59 = frame.emitterCount;
+        if ((_e56 >= _e59)) {
+            break;
+        }
+    }
+    Survey _e61 = s_3;
+    return _e61;
+}
+
+float choiceProbability(uint index, vec3 point_3, vec3 normal_2) {
+    uint _e5 = frame.emitterCount;
+    if ((_e5 <= 1u)) {
+        uint _e10 = frame.emitterCount;
+        return float(_e10);
+    }
+    Survey _e13 = surveyEmitters(point_3, normal_2, 0.0, index);
+    return (_e13.wantedWeight / max(_e13.total, 1e-37));
+}
+
+SphereView viewSphere(Emitter e_2, vec3 point_4) {
+    vec3 toCenter = (e_2.position - point_4);
+    float d_1 = length(toCenter);
+    float power = abs(((d_1 - e_2.radius) * (d_1 + e_2.radius)));
+    bool inside_1 = (d_1 <= e_2.radius);
+    float sine = min((e_2.radius / max(d_1, 1e-30)), 1.0);
+    float cosine_12 = (sqrt(power) / max(d_1, 1e-30));
+    return SphereView(toCenter, d_1, power, inside_1, (inside_1 ? 2.0 : ((sine * sine) / (1.0 + cosine_12))));
+}
+
+float conePdf(float width) {
+    return (1.0 / (6.2831855 * max(width, 1e-31)));
+}
+
+float spherePdf(Emitter e_3, vec3 point_5, vec3 direction_3) {
+    SphereView _e3 = viewSphere(e_3, point_5);
+    bool reached = (_e3.inside || (dot(direction_3, _e3.toCenter) > 0.0));
+    float _e11 = conePdf(_e3.width);
+    return (reached ? _e11 : 0.0);
+}
+
+float areaPdf(float area, float height, float distance_) {
+    float pdf = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf, 1e30);
+}
+
+float pdfOfView(QuadView q_2, float area_1, float distance_1) {
+    float _e4 = areaPdf(area_1, q_2.height, distance_1);
+    float pdf_1 = (q_2.bySolidAngle ? (1.0 / max(q_2.solidAngle, 0.01)) : _e4);
+    return (q_2.lit ? pdf_1 : 0.0);
+}
+
+float arctangent(float x) {
+    float a_1 = abs(x);
+    bool steep = (a_1 > 2.4142137);
+    bool middle_2 = ((a_1 > 0.41421357) && !(steep));
+    float r = (steep ? (-1.0 / max(a_1, 1.0)) : (middle_2 ? ((a_1 - 1.0) / (a_1 + 1.0)) : a_1));
+    float base = (steep ? 1.5707964 : (middle_2 ? 0.7853982 : 0.0));
+    float z_1 = (r * r);
+    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
+    return (sign(x) * (base + (((series * z_1) * r) + r)));
+}
+
+float stretch(float x_1, vec2 y, float h) {
+    vec2 r_1 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
+    float _e16 = arctangent(((x_1 * y.y) / (h * r_1.y)));
+    float _e22 = arctangent(((x_1 * y.x) / (h * r_1.x)));
+    return (_e16 - _e22);
+}
+
+QuadView viewQuad(Emitter e_4, vec3 point_6) {
+    vec3 corner = (e_4.position - point_6);
+    vec2 lengths = vec2(length(e_4.u), length(e_4.v));
+    vec3 axisX = (e_4.u / vec3(lengths.x));
+    vec3 axisY = (e_4.v / vec3(lengths.y));
+    vec3 normal_8 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_8);
+    float least = (1e-7 * (lengths.x + lengths.y));
+    float height_2 = max(abs(signedHeight), least);
+    bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
+    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high = (low + lengths);
+    vec2 y_5 = vec2(low.y, high.y);
+    float _e44 = stretch(low.x, y_5, height_2);
+    float _e46 = stretch(high.x, y_5, height_2);
+    float solidAngle = (_e46 - _e44);
+    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
+    vec3 axisZ = (normal_8 * ((signedHeight > 0.0) ? 1.0 : -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
+}
+
+float quadPdf(Emitter e_5, vec3 point_7, float distance_2) {
+    QuadView _e3 = viewQuad(e_5, point_7);
+    float _e5 = pdfOfView(_e3, e_5.area, distance_2);
+    return _e5;
+}
+
+BoxView viewBox(Emitter e_6, vec3 point_8) {
+    Extent _e4 = fetchExtent(uint(e_6.shape));
+    vec4 rotation = _e4.a;
+    vec3 _e8 = rotate(rotation, (point_8 - e_6.position));
+    bvec3 beyond = greaterThan(abs(_e8), e_6.u);
+    bool inside_2 = !(any(beyond));
+    vec3 areas = ((4.0 * e_6.u.yzx) * e_6.u.zxy);
+    vec3 faces = mix(vec3(0.0), areas, bvec3(beyond.x || bvec3(inside_2).x, beyond.y || bvec3(inside_2).y, beyond.z || bvec3(inside_2).z));
+    float area_2 = (((faces.x + faces.y) + faces.z) * (inside_2 ? 2.0 : 1.0));
+    return BoxView(rotation, _e8, faces, inside_2, area_2);
+}
+
+float boxPdf(Emitter e_7, vec3 point_9, vec3 direction_4, float distance_3, vec3 normal_3) {
+    BoxView _e5 = viewBox(e_7, point_9);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_4, normal_3))), distance_3);
+    return _e10;
+}
+
+bool isOnDisc(Emitter e_8, vec3 direction_5) {
+    vec3 chord = (direction_5 + e_8.u);
+    return ((3.1415927 * dot(chord, chord)) < e_8.area);
+}
+
+float directionalPdf(Emitter e_9, vec3 direction_6) {
+    bool _e7 = isOnDisc(e_9, direction_6);
+    return (_e7 ? (1.0 / max(e_9.area, 1e-31)) : 0.0);
+}
+
+float skyPdf(vec3 direction_7) {
+    return 0.07957747;
+}
+
+float emitterPdf(Emitter e_10, vec3 point_10, vec3 direction_8, float distance_4, vec3 normal_4) {
+    if ((e_10.kind == 0.0)) {
+        float _e8 = spherePdf(e_10, point_10, direction_8);
+        return _e8;
+    }
+    if ((e_10.kind == 1.0)) {
+        float _e12 = quadPdf(e_10, point_10, distance_4);
+        return _e12;
+    }
+    if ((e_10.kind == 2.0)) {
+        float _e16 = boxPdf(e_10, point_10, direction_8, distance_4, normal_4);
+        return _e16;
+    }
+    if ((e_10.kind == 5.0)) {
+        float _e20 = directionalPdf(e_10, direction_8);
+        return _e20;
+    }
+    if ((e_10.kind == 6.0)) {
+        float _e24 = skyPdf(direction_8);
+        return _e24;
+    }
+    return 0.0;
+}
+
+float foundWeight(Origin origin_3, uint index_1, Ray ray_2, float t_1, vec3 normal_5) {
+    if ((origin_3.pdf <= 0.0)) {
+        return 1.0;
+    }
+    float _e11 = choiceProbability(index_1, origin_3.point, origin_3.normal);
+    Emitter _e12 = fetchEmitter(index_1);
+    float _e15 = emitterPdf(_e12, origin_3.point, ray_2.direction, t_1, normal_5);
+    float pdf_2 = (_e11 * _e15);
+    float _e18 = misWeight(origin_3.pdf, pdf_2);
+    return _e18;
+}
+
+vec3 emitted(Vertex v_5, Origin origin_4, Ray ray_3, float t_2) {
+    bool hidden = (((uint(v_5.surface.code) & 16u) != 0u) && (dot(v_5.outward, ray_3.direction) > 0.0));
+    if ((hidden || all(equal(v_5.surface.emission, vec3(0.0))))) {
+        return vec3(0.0);
+    }
+    if ((v_5.surface.emitter < 0.0)) {
+        return v_5.surface.emission;
+    }
+    float _e38 = foundWeight(origin_4, uint(v_5.surface.emitter), ray_3, t_2, v_5.outward);
+    return (v_5.surface.emission * _e38);
+}
+
+vec3 sky(vec3 direction_9) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_9.y, 0.0));
+}
+
+vec3 radianceFromInfinity(Emitter e_11, vec3 direction_10) {
+    if ((e_11.kind == 6.0)) {
+        vec3 _e5 = sky(direction_10);
+        return _e5;
+    }
+    bool _e9 = isOnDisc(e_11, direction_10);
+    bool disc = ((e_11.kind == 5.0) && _e9);
+    return (disc ? e_11.radiance : vec3(0.0));
+}
+
+vec3 escaped(Origin origin_5, Ray ray_4) {
+    vec3 sum = vec3(0.0);
+    uint i_9 = 0u;
+    uint _e7 = frame.emitterCount;
+    if ((_e7 == 0u)) {
+        vec3 _e10 = sum;
+        return _e10;
+    }
+    while(true) {
+        uint _e13 = i_9;
+        Emitter _e14 = fetchEmitter(_e13);
+        vec3 _e16 = radianceFromInfinity(_e14, ray_4.direction);
+        if (any(greaterThan(_e16, vec3(0.0)))) {
+            vec3 _e21 = sum;
+            uint _e22 = i_9;
+            float _e26 = foundWeight(origin_5, _e22, ray_4, 1e30, vec3(0.0));
+            sum = (_e21 + (_e16 * _e26));
+        }
+        uint _e30 = i_9;
+        i_9 = (_e30 + 1u);
+        uint _e32 = i_9;
+        uint _e35 = frame.emitterCount;
+        if ((_e32 >= _e35)) {
+            break;
+        }
+    }
+    vec3 _e37 = sum;
+    return _e37;
+}
+
+EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_6, float u_1) {
+    uint _e5 = frame.emitterCount;
+    if ((_e5 <= 1u)) {
+        uint _e11 = frame.emitterCount;
+        return EmitterChoice(0u, float(_e11));
+    }
+    Survey _e15 = surveyEmitters(point_11, normal_6, u_1, 0u);
+    return EmitterChoice(_e15.chosen, (_e15.chosenWeight / max(_e15.total, 1e-37)));
+}
+
+vec3 turnTo(vec3 axis, vec3 v_6) {
+    float s_25 = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float a_2 = (-1.0 / (s_25 + axis.z));
+    float b_3 = ((axis.x * axis.y) * a_2);
+    vec3 x_11 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_2)), (s_25 * b_3), (-(s_25) * axis.x));
+    vec3 y_6 = vec3(b_3, (s_25 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    return (((v_6.x * x_11) + (v_6.y * y_6)) + (v_6.z * axis));
+}
+
+ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_2) {
+    float oneMinusCosine = (u_2.x * width_1);
+    float cosine_13 = (1.0 - oneMinusCosine);
+    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
+    float sine_1 = sqrt(max(sine2_, 0.0));
+    float phi = (6.2831855 * u_2.y);
+    vec3 _e21 = turnTo(axis_1, vec3((sine_1 * cos(phi)), (sine_1 * sin(phi)), cosine_13));
+    return ConeDirection(_e21, cosine_13, sine2_);
+}
+
+LightSample sampleSphere(Emitter e_12, vec3 point_12, vec2 u_3) {
+    SphereView _e3 = viewSphere(e_12, point_12);
+    vec3 axis_2 = ((_e3.distance_ < 1e-30) ? vec3(0.0, 0.0, 1.0) : (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_3);
+    float along = (_e3.distance_ * _e19.cosine);
+    float halfChord = sqrt(max(((e_12.radius * e_12.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float larger = (abs(along) + halfChord);
+    bool takeLarger = (_e3.inside && (along > 0.0));
+    float distance_7 = (takeLarger ? larger : (_e3.power / max(larger, 1e-30)));
+    float _e49 = conePdf(_e3.width);
+    return LightSample(_e19.direction, distance_7, e_12.radiance, _e49, false);
+}
+
+vec3 sphericalRectangle(QuadView q_3, vec2 u_4) {
+    float h_3 = q_3.height;
+    vec2 y_7 = vec2(q_3.low.y, q_3.high.y);
+    vec2 s_26 = (y_7 / sqrt(((y_7 * y_7) + vec2((h_3 * h_3)))));
+    float halfT = (0.5 * (q_3.start + (u_4.x * q_3.solidAngle)));
+    float p = cos(halfT);
+    float sine_2 = sin(halfT);
+    vec2 across = vec2(((s_26.y - s_26.x) * p), ((s_26.y + s_26.x) * sine_2));
+    float w_1 = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
+    float x_12 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
+    float d2_ = ((x_12 * x_12) + (h_3 * h_3));
+    vec2 ends = (y_7 * inversesqrt((vec2(d2_) + (y_7 * y_7))));
+    float v_10 = mix(ends.x, ends.y, u_4.y);
+    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_7.x, y_7.y);
+    return (((x_12 * q_3.axisX) + (atY * q_3.axisY)) + (h_3 * q_3.axisZ));
+}
+
+LightSample sampleQuad(Emitter e_13, vec3 point_13, vec2 u_5) {
+    QuadView _e3 = viewQuad(e_13, point_13);
+    vec3 onArea = ((_e3.corner + (u_5.x * e_13.u)) + (u_5.y * e_13.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_5);
+    vec3 toLight_2 = (_e3.bySolidAngle ? _e13 : onArea);
+    float distance_8 = max(length(toLight_2), _e3.height);
+    float _e23 = pdfOfView(_e3, e_13.area, distance_8);
+    return LightSample((toLight_2 / vec3(distance_8)), distance_8, e_13.radiance, _e23, false);
+}
+
+LightSample sampleBox(Emitter e_14, vec3 point_14, vec2 u_6) {
+    BoxView _e3 = viewBox(e_14, point_14);
+    float both = (_e3.faces.x + _e3.faces.y);
+    float at = (u_6.x * (both + _e3.faces.z));
+    bool onX = (at < _e3.faces.x);
+    bool onY = (!(onX) && (at < both));
+    float face = (onX ? _e3.faces.x : (onY ? _e3.faces.y : _e3.faces.z));
+    float within = clamp(((at - (onX ? 0.0 : (onY ? _e3.faces.x : both))) / face), 0.0, 0.99999994);
+    float s_27 = (_e3.inside ? fract((2.0 * within)) : within);
+    vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
+    float side_3 = (_e3.inside ? (within - 0.5) : dot(axis_3, _e3.point));
+    vec3 p_1 = vec3(((side_3 >= 0.0) ? 1.0 : -1.0), ((2.0 * s_27) - 1.0), ((2.0 * u_6.y) - 1.0));
+    vec3 onFace = ((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_14.u);
+    vec3 toLight_3 = (onFace - _e3.point);
+    float height_3 = abs(dot(axis_3, toLight_3));
+    float distance_9 = max(length(toLight_3), 1e-30);
+    float _e90 = areaPdf(_e3.area, height_3, distance_9);
+    float pdf_3 = ((height_3 > 0.0) ? _e90 : 0.0);
+    vec3 _e98 = rotateBack(_e3.rotation, (toLight_3 / vec3(distance_9)));
+    return LightSample(_e98, distance_9, e_14.radiance, pdf_3, false);
+}
+
+LightSample samplePoint(Emitter e_15, vec3 point_15) {
+    vec3 toLight_4 = (e_15.position - point_15);
+    float distance_10 = length(toLight_4);
+    float safe = max(distance_10, 1e-15);
+    return LightSample((toLight_4 / vec3(safe)), distance_10, (e_15.radiance / vec3((safe * safe))), ((distance_10 > 1e-15) ? 1.0 : 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_16, vec3 point_16) {
+    LightSample s_4 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_16, point_16);
+    s_4 = _e2;
+    vec3 _e5 = s_4.direction;
+    float _e6 = spotFalloff(e_16, _e5);
+    vec3 _e8 = s_4.radiance;
+    s_4.radiance = (_e8 * _e6);
+    float _e12 = s_4.pdf;
+    s_4.pdf = ((_e6 > 0.0) ? _e12 : 0.0);
+    LightSample _e17 = s_4;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_17, vec2 u_7) {
+    bool delta = (e_17.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_17.u), (e_17.area / 6.2831855), u_7);
+    return LightSample(_e10.direction, 1e30, e_17.radiance, (delta ? 1.0 : (1.0 / max(e_17.area, 1e-31))), delta);
+}
+
+LightSample sampleSky(vec2 u_8) {
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_8);
+    vec3 direction_17 = _e6.direction;
+    vec3 _e8 = sky(direction_17);
+    float _e9 = skyPdf(direction_17);
+    return LightSample(direction_17, 1e30, _e8, _e9, false);
+}
+
+LightSample sampleEmitter(Emitter e_18, vec3 point_17, vec2 u_9) {
+    if ((e_18.kind == 0.0)) {
+        LightSample _e6 = sampleSphere(e_18, point_17, u_9);
+        return _e6;
+    }
+    if ((e_18.kind == 1.0)) {
+        LightSample _e10 = sampleQuad(e_18, point_17, u_9);
+        return _e10;
+    }
+    if ((e_18.kind == 2.0)) {
+        LightSample _e14 = sampleBox(e_18, point_17, u_9);
+        return _e14;
+    }
+    if ((e_18.kind == 3.0)) {
+        LightSample _e18 = samplePoint(e_18, point_17);
+        return _e18;
+    }
+    if ((e_18.kind == 4.0)) {
+        LightSample _e22 = sampleSpot(e_18, point_17);
+        return _e22;
+    }
+    if ((e_18.kind == 5.0)) {
+        LightSample _e26 = sampleDirectional(e_18, u_9);
+        return _e26;
+    }
+    LightSample _e27 = sampleSky(u_9);
+    return _e27;
+}
+
+bool isThin(Surface s_5) {
+    return ((uint(s_5.code) & 7u) == 7u);
+}
+
+bool hasSmoothLobe(Surface s_6) {
+    bool _e8 = isThin(s_6);
+    bool clear = ((abs((s_6.eta.x - 1.0)) < 0.001) || _e8);
+    uint _e13 = kindOf(s_6);
+    return ((s_6.alpha < 0.001) || ((_e13 == dielectric) && clear));
+}
+
+vec3 schlick(vec3 f0_, float cosine) {
+    float m = (1.0 - cosine);
+    float m2_ = (m * m);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+}
+
+vec3 metallicRoughnessF0_(Surface s_7) {
+    return mix(vec3(0.04), s_7.baseColor, s_7.metallic);
+}
+
+vec3 metallicRoughnessDiffuse(Surface s_8, float cosine_1) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_1);
+    return (((1.0 - s_8.metallic) * (1.0 - _e7.x)) * s_8.baseColor);
+}
+
+float specularShare(Surface s_9, float cosine_2) {
+    vec3 _e2 = metallicRoughnessF0_(s_9);
+    vec3 _e3 = schlick(_e2, cosine_2);
+    float specular = dot(_e3, vec3(1.0));
+    vec3 _e7 = metallicRoughnessDiffuse(s_9, cosine_2);
+    float diffuse_1 = dot(_e7, vec3(1.0));
+    return (specular / max((specular + diffuse_1), 1e-20));
+}
+
+float facetShare(Surface s_10, float cosine_3) {
+    uint _e2 = kindOf(s_10);
+    float _e8 = specularShare(s_10, cosine_3);
+    return ((_e2 == metallicRoughness) ? _e8 : ((_e2 == diffuse) ? 0.0 : 1.0));
+}
+
+float indexRatio(Surface s_11, float z) {
+    return ((z < 0.0) ? (1.0 / s_11.eta.x) : s_11.eta.x);
+}
+
+float stretched(vec3 w, float alpha) {
+    return sqrt(((w.z * w.z) + ((alpha * alpha) * dot(w.xy, w.xy))));
+}
+
+float reflectionBound(vec3 wo, float alpha_1) {
+    float s_28 = (1.0 + length(wo.xy));
+    float s2_ = (s_28 * s_28);
+    float a2_ = (alpha_1 * alpha_1);
+    return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
+}
+
+float facetDensity(vec3 h_1, float alpha_2) {
+    float slope = ((dot(h_1.xy, h_1.xy) / (alpha_2 * alpha_2)) + (h_1.z * h_1.z));
+    return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
+}
+
+float dielectricFresnel(float cosine_4, float ratio) {
+    float inside2_ = (((ratio - 1.0) * (ratio + 1.0)) + (cosine_4 * cosine_4));
+    float inside_3 = sqrt(max(inside2_, 0.0));
+    float across_1 = ((cosine_4 - inside_3) / (cosine_4 + inside_3));
+    float along_1 = ((((ratio * ratio) * cosine_4) - inside_3) / (((ratio * ratio) * cosine_4) + inside_3));
+    return ((inside2_ > 0.0) ? (0.5 * ((across_1 * across_1) + (along_1 * along_1))) : 1.0);
+}
+
+float glassReflectance(float cosine_5, float ratio_1, bool thin) {
+    float _e3 = dielectricFresnel(cosine_5, ratio_1);
+    return (thin ? ((2.0 * _e3) / (1.0 + _e3)) : _e3);
+}
+
+vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k) {
+    float cosine2_ = (cosine_6 * cosine_6);
+    float sine2_1 = (1.0 - cosine2_);
+    vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
+    vec3 a_3 = sqrt(max((0.5 * (a2PlusB2_ + difference)), vec3(0.0)));
+    vec3 across_2 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_6) * a_3)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_6) * a_3)) + vec3(1e-20)));
+    vec3 sum_1 = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
+    vec3 part = (((2.0 * cosine_6) * sine2_1) * a_3);
+    return ((0.5 * across_2) * (vec3(1.0) + (((sum_1 - part) + vec3(1e-20)) / ((sum_1 + part) + vec3(1e-20)))));
+}
+
+vec3 conductorReflectance(Surface s_12, float cosine_7) {
+    float constants = dot((s_12.eta + s_12.k), vec3(1.0));
+    vec3 _e11 = conductorFresnel(cosine_7, s_12.eta, s_12.k);
+    return ((constants > 0.0) ? _e11 : s_12.baseColor);
+}
+
+vec3 facetReflectance(Surface s_13, float cosine_8, float ratio_2) {
+    uint _e3 = kindOf(s_13);
+    if ((_e3 == dielectric)) {
+        bool _e6 = isThin(s_13);
+        float _e7 = glassReflectance(cosine_8, ratio_2, _e6);
+        return vec3(_e7);
+    }
+    if ((_e3 == conductor)) {
+        vec3 _e11 = conductorReflectance(s_13, cosine_8);
+        return _e11;
+    }
+    vec3 _e12 = metallicRoughnessF0_(s_13);
+    vec3 _e13 = schlick(_e12, cosine_8);
+    return _e13;
+}
+
+float singleScatteringAlbedo(float cosine_9, float alpha_3) {
+    float x_13 = (cosine_9 / (cosine_9 + alpha_3));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_13 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_13 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_13 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_13 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_1 = (alpha_3 * alpha_3);
+    return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
+}
+
+vec3 compensation(Surface s_14, float cosine_10) {
+    uint _e2 = kindOf(s_14);
+    bool asked = (((uint(s_14.code) & 8u) != 0u) && ((_e2 == conductor) || (_e2 == metallicRoughness)));
+    if (!(asked)) {
+        return vec3(1.0);
+    }
+    float _e19 = singleScatteringAlbedo(cosine_10, s_14.alpha);
+    vec3 _e22 = facetReflectance(s_14, 1.0, 1.0);
+    return (vec3(1.0) + (_e22 * ((1.0 - _e19) / _e19)));
+}
+
+FacetLobe evaluateFacets(Surface s_15, vec3 wo_1, vec3 wi) {
+    bool crossing_1 = ((wo_1.z < 0.0) != (wi.z < 0.0));
+    float _e11 = indexRatio(s_15, wo_1.z);
+    vec3 m_1 = (wo_1 + (wi * (crossing_1 ? _e11 : 1.0)));
+    float m2_1 = max(dot(m_1, m_1), 1e-20);
+    vec3 h_4 = (m_1 * inversesqrt(m2_1));
+    float oh = dot(wo_1, h_4);
+    float ih = dot(wi, h_4);
+    float zo = abs(wo_1.z);
+    float zi = abs(wi.z);
+    float _e28 = stretched(wo_1, s_15.alpha);
+    float _e30 = stretched(wi, s_15.alpha);
+    uint _e31 = kindOf(s_15);
+    bool isGlass = (_e31 == dielectric);
+    float _e35 = reflectionBound(wo_1, s_15.alpha);
+    float bound_1 = (isGlass ? 1.0 : _e35);
+    bool faces_1 = ((((oh * h_4.z) * wo_1.z) >= 0.0) && (((ih * h_4.z) * wi.z) >= 0.0));
+    float _e57 = facetDensity(h_4, s_15.alpha);
+    float spread = ((crossing_1 ? (abs((oh * ih)) / m2_1) : 0.25) * (faces_1 ? (2.0 * _e57) : 0.0));
+    vec3 _e64 = facetReflectance(s_15, abs(oh), _e11);
+    vec3 passes = (crossing_1 ? (vec3(1.0) - _e64) : _e64);
+    float masked = (zi / max(((zi * _e28) + (zo * _e30)), 1e-20));
+    float chosen = ((isGlass ? passes.x : 1.0) * (crossing_1 ? (_e11 * _e11) : 1.0));
+    vec3 _e82 = compensation(s_15, zo);
+    return FacetLobe((((passes * _e82) * spread) * masked), ((spread * chosen) / ((bound_1 * zo) + _e28)), abs(oh));
+}
+
+vec4 evaluateBsdf(Surface s_16, vec3 wo_2, vec3 wi_1) {
+    vec4 value = vec4(0.0);
+    vec3 albedo = vec3(0.0);
+    uint _e3 = kindOf(s_16);
+    bool opaque = (_e3 != dielectric);
+    bool dark = (opaque && ((wo_2.z < 0.0) || (wi_1.z <= 0.0)));
+    bool _e14 = hasSmoothLobe(s_16);
+    if ((dark || (!(opaque) && _e14))) {
+        return vec4(0.0);
+    }
+    float _e21 = facetShare(s_16, wo_2.z);
+    albedo = s_16.baseColor;
+    if ((_e3 != diffuse)) {
+        FacetLobe _e29 = evaluateFacets(s_16, wo_2, wi_1);
+        value = (_e14 ? vec4(0.0) : vec4(_e29.value, (_e21 * _e29.pdf)));
+        vec3 _e40 = metallicRoughnessDiffuse(s_16, _e29.cosine);
+        albedo = ((_e3 == metallicRoughness) ? _e40 : vec3(0.0));
+    }
+    vec4 _e44 = value;
+    vec3 _e45 = albedo;
+    value = (_e44 + (vec4(_e45, (1.0 - _e21)) * (0.31830987 * max(wi_1.z, 0.0))));
+    vec4 _e59 = value;
+    return ((1.0 - s_16.reflectivity) * _e59);
+}
+
+float intersectSphere(vec3 origin_6, vec3 direction_11, vec3 center, float radius, float tMin_1, bool startsInside_1) {
+    vec3 toCenter_1 = (center - origin_6);
+    float along_2 = dot(toCenter_1, direction_11);
+    vec3 across_3 = (toCenter_1 - (along_2 * direction_11));
+    float discriminant = ((radius * radius) - dot(across_3, across_3));
+    float half_ = sqrt(max(discriminant, 0.0));
+    float near = (along_2 - half_);
+    float far = (along_2 + half_);
+    float t_6 = ((near > tMin_1) ? near : far);
+    return (startsInside_1 ? max(far, 0.0) : (((discriminant >= 0.0) && (t_6 > tMin_1)) ? t_6 : 1e30));
+}
+
+float hitSphere(uint i_10, Bounds bounds, Ray ray_5) {
+    float _e13 = intersectSphere(ray_5.start.point, ray_5.direction, bounds.center, bounds.radius, ray_5.start.tMin, (i_10 == ray_5.start.inside));
+    return ((i_10 == ray_5.start.leaves) ? 1e30 : _e13);
+}
+
+bool isTurned(vec4 q_4) {
+    return any(notEqual(q_4.xyz, vec3(0.0)));
+}
+
+float intersectBox(vec3 origin_7, vec3 direction_12, vec3 halfSize_2, float tMin_2, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_7, direction_12, halfSize_2);
+    float t_7 = ((_e5.near > tMin_2) ? _e5.near : _e5.far);
+    return (startsInside_2 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_7 > tMin_2)) ? t_7 : 1e30));
+}
+
+float hitBox(uint i_11, Bounds bounds_1, Ray ray_6) {
+    vec3 origin_8 = vec3(0.0);
+    vec3 direction_13 = vec3(0.0);
+    Extent _e3 = fetchExtent(i_11);
+    origin_8 = (ray_6.start.point - bounds_1.center);
+    direction_13 = ray_6.direction;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_8;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_8 = _e15;
+        vec3 _e17 = direction_13;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_13 = _e18;
+    }
+    vec3 _e19 = origin_8;
+    vec3 _e20 = direction_13;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_6.start.tMin, (i_11 == ray_6.start.inside));
+    return ((i_11 == ray_6.start.leaves) ? 1e30 : _e28);
+}
+
+float intersectQuad(vec3 origin_9, vec3 direction_14, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_3) {
+    vec3 normal_9 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_14, normal_9);
+    vec3 toCenter_2 = (center_1 - origin_9);
+    float t_8 = (dot(toCenter_2, normal_9) / ((speed == 0.0) ? 1e-30 : speed));
+    vec3 p_2 = ((t_8 * direction_14) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
+    return ((((t_8 > tMin_3) && (t_8 < 1e30)) && within_1) ? t_8 : 1e30);
+}
+
+float hitQuad(uint i_12, Bounds bounds_2, Ray ray_7) {
+    Extent _e3 = fetchExtent(i_12);
+    float _e14 = intersectQuad(ray_7.start.point, ray_7.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_7.start.tMin);
+    return ((i_12 == ray_7.start.leaves) ? 1e30 : _e14);
+}
+
+float intersectPlane(vec3 origin_10, vec3 direction_15, vec3 normal_7, float offset, float tMin_4) {
+    float speed_1 = dot(direction_15, normal_7);
+    float t_9 = ((offset - dot(origin_10, normal_7)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
+    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
+    bool eitherWay = ((t_9 > tMin_4) && (abs(speed_1) > 1e-12));
+    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_9, 0.0) : 1e30);
+}
+
+float hitPlane(uint i_13, Bounds bounds_3, Ray ray_8) {
+    float _e10 = intersectPlane(ray_8.start.point, ray_8.direction, bounds_3.center, bounds_3.radius, ray_8.start.tMin);
+    return ((i_13 == ray_8.start.leaves) ? 1e30 : _e10);
+}
+
+bool occluded(Ray ray_9, float distance_5, uint except) {
+    bool blocked = false;
+    uint i_14 = 0u;
+    uvec4 ends_1 = frame.shapeEnds;
+    uint _e10 = i_14;
+    if ((_e10 < ends_1.x)) {
+        while(true) {
+            bool _e13 = blocked;
+            uint _e14 = i_14;
+            uint _e15 = i_14;
+            Bounds _e16 = fetchBounds(_e15);
+            float _e17 = hitSphere(_e14, _e16, ray_9);
+            uint _e19 = i_14;
+            blocked = (_e13 || ((_e17 < distance_5) && (_e19 != except)));
+            uint _e24 = i_14;
+            i_14 = (_e24 + 1u);
+            uint _e26 = i_14;
+            if ((_e26 >= ends_1.x)) {
+                break;
+            }
+        }
+    }
+    uint _e29 = i_14;
+    if ((_e29 < ends_1.y)) {
+        while(true) {
+            bool _e32 = blocked;
+            uint _e33 = i_14;
+            uint _e34 = i_14;
+            Bounds _e35 = fetchBounds(_e34);
+            float _e36 = hitBox(_e33, _e35, ray_9);
+            uint _e38 = i_14;
+            blocked = (_e32 || ((_e36 < distance_5) && (_e38 != except)));
+            uint _e43 = i_14;
+            i_14 = (_e43 + 1u);
+            uint _e45 = i_14;
+            if ((_e45 >= ends_1.y)) {
+                break;
+            }
+        }
+    }
+    uint _e48 = i_14;
+    if ((_e48 < ends_1.z)) {
+        while(true) {
+            bool _e51 = blocked;
+            uint _e52 = i_14;
+            uint _e53 = i_14;
+            Bounds _e54 = fetchBounds(_e53);
+            float _e55 = hitQuad(_e52, _e54, ray_9);
+            uint _e57 = i_14;
+            blocked = (_e51 || ((_e55 < distance_5) && (_e57 != except)));
+            uint _e62 = i_14;
+            i_14 = (_e62 + 1u);
+            uint _e64 = i_14;
+            if ((_e64 >= ends_1.z)) {
+                break;
+            }
+        }
+    }
+    uint _e67 = i_14;
+    if ((_e67 < ends_1.w)) {
+        while(true) {
+            bool _e70 = blocked;
+            uint _e71 = i_14;
+            uint _e72 = i_14;
+            Bounds _e73 = fetchBounds(_e72);
+            float _e74 = hitPlane(_e71, _e73, ray_9);
+            blocked = (_e70 || (_e74 < distance_5));
+            uint _e78 = i_14;
+            i_14 = (_e78 + 1u);
+            uint _e80 = i_14;
+            if ((_e80 >= ends_1.w)) {
+                break;
+            }
+        }
+    }
+    bool _e83 = blocked;
+    return _e83;
+}
+
+vec3 sampledLight(Vertex v_7, vec3 u_10) {
+    vec3 _e3 = litSide(v_7);
+    EmitterChoice _e5 = chooseEmitter(v_7.point, _e3, u_10.x);
+    if ((_e5.probability <= 0.0)) {
+        return vec3(0.0);
+    }
+    Emitter _e12 = fetchEmitter(_e5.index);
+    LightSample _e15 = sampleEmitter(_e12, v_7.point, u_10.yz);
+    if ((_e15.pdf <= 0.0)) {
+        return vec3(0.0);
+    }
+    vec3 _e25 = toLocal(v_7.basis, _e15.direction);
+    vec4 _e26 = evaluateBsdf(v_7.surface, v_7.wo, _e25);
+    if (!(any(greaterThan((_e26.xyz * _e15.radiance), vec3(0.0))))) {
+        return vec3(0.0);
+    }
+    uint shape_2 = ((_e12.shape >= 0.0) ? uint(max(_e12.shape, 0.0)) : noShape);
+    Ray _e47 = rayFrom(v_7, _e15.direction);
+    bool _e49 = occluded(_e47, _e15.distance_, shape_2);
+    if (_e49) {
+        return vec3(0.0);
+    }
+    float pdf_4 = (_e15.pdf * _e5.probability);
+    bool alone = (_e15.delta || ((_e12.shape < 0.0) && (_e15.distance_ < 1e30)));
+    float _e68 = misWeight(pdf_4, _e26.w);
+    return ((_e26.xyz * _e15.radiance) * ((alone ? 1.0 : _e68) / pdf_4));
+}
+
+float max3_(vec3 v_8) {
+    return max(max(v_8.x, v_8.y), v_8.z);
+}
+
+Hit nearer(Hit hit_1, float t_3, uint shape_1) {
+    return Hit(min(t_3, hit_1.t), ((t_3 < hit_1.t) ? shape_1 : hit_1.shape));
+}
+
+Hit closestHit(Ray ray_10) {
+    Hit hit_2 = Hit(1e30, 4294967295u);
+    uint i_15 = 0u;
+    uvec4 ends_2 = frame.shapeEnds;
+    uint _e10 = i_15;
+    if ((_e10 < ends_2.x)) {
+        while(true) {
+            Hit _e13 = hit_2;
+            uint _e14 = i_15;
+            uint _e15 = i_15;
+            Bounds _e16 = fetchBounds(_e15);
+            float _e17 = hitSphere(_e14, _e16, ray_10);
+            uint _e18 = i_15;
+            Hit _e19 = nearer(_e13, _e17, _e18);
+            hit_2 = _e19;
+            uint _e21 = i_15;
+            i_15 = (_e21 + 1u);
+            uint _e23 = i_15;
+            if ((_e23 >= ends_2.x)) {
+                break;
+            }
+        }
+    }
+    uint _e26 = i_15;
+    if ((_e26 < ends_2.y)) {
+        while(true) {
+            Hit _e29 = hit_2;
+            uint _e30 = i_15;
+            uint _e31 = i_15;
+            Bounds _e32 = fetchBounds(_e31);
+            float _e33 = hitBox(_e30, _e32, ray_10);
+            uint _e34 = i_15;
+            Hit _e35 = nearer(_e29, _e33, _e34);
+            hit_2 = _e35;
+            uint _e37 = i_15;
+            i_15 = (_e37 + 1u);
+            uint _e39 = i_15;
+            if ((_e39 >= ends_2.y)) {
+                break;
+            }
+        }
+    }
+    uint _e42 = i_15;
+    if ((_e42 < ends_2.z)) {
+        while(true) {
+            Hit _e45 = hit_2;
+            uint _e46 = i_15;
+            uint _e47 = i_15;
+            Bounds _e48 = fetchBounds(_e47);
+            float _e49 = hitQuad(_e46, _e48, ray_10);
+            uint _e50 = i_15;
+            Hit _e51 = nearer(_e45, _e49, _e50);
+            hit_2 = _e51;
+            uint _e53 = i_15;
+            i_15 = (_e53 + 1u);
+            uint _e55 = i_15;
+            if ((_e55 >= ends_2.z)) {
+                break;
+            }
+        }
+    }
+    uint _e58 = i_15;
+    if ((_e58 < ends_2.w)) {
+        while(true) {
+            Hit _e61 = hit_2;
+            uint _e62 = i_15;
+            uint _e63 = i_15;
+            Bounds _e64 = fetchBounds(_e63);
+            float _e65 = hitPlane(_e62, _e64, ray_10);
+            uint _e66 = i_15;
+            Hit _e67 = nearer(_e61, _e65, _e66);
+            hit_2 = _e67;
+            uint _e69 = i_15;
+            i_15 = (_e69 + 1u);
+            uint _e71 = i_15;
+            if ((_e71 >= ends_2.w)) {
+                break;
+            }
+        }
+    }
+    Hit _e74 = hit_2;
+    return _e74;
+}
+
+uint pcg(uint x_2) {
+    uint s_29 = ((x_2 * 747796405u) + 2891336453u);
+    uint w_2 = (((s_29 >> ((s_29 >> 28u) + 4u)) ^ s_29) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
+}
+
+uint scramble(uint x_3, uint seed) {
+    uint y_1 = 0u;
+    y_1 = (x_3 ^ (x_3 * 1025551850u));
+    uint _e6 = y_1;
+    y_1 = ((_e6 + seed) * ((seed >> 16u) | 1u));
+    uint _e13 = y_1;
+    uint _e14 = y_1;
+    y_1 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_1;
+    uint _e19 = y_1;
+    return (_e18 ^ (_e19 * 1403136100u));
+}
+
+uint reverseHalves(uint x_4) {
+    uint y_2 = 0u;
+    y_2 = (((x_4 >> 1u) & 1431655765u) | ((x_4 & 1431655765u) << 1u));
+    uint _e11 = y_2;
+    uint _e16 = y_2;
+    y_2 = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y_2;
+    uint _e27 = y_2;
+    y_2 = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y_2;
+    uint _e38 = y_2;
+    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+}
+
+uint timesW(uint x_5) {
+    return (((x_5 & 21845u) << 1u) ^ (((x_5 >> 1u) & 21845u) * 3u));
+}
+
+uint timesW2_(uint x_6) {
+    uint _e1 = timesW(x_6);
+    return (x_6 ^ _e1);
+}
+
+uint pascalW(uint x_7) {
+    uint _e5 = timesW(((x_7 >> 2u) & 51u));
+    uint y_8 = (x_7 ^ _e5);
+    uint _e11 = timesW2_(((y_8 >> 4u) & 15u));
+    return (y_8 ^ _e11);
+}
+
+Group nextGroup(inout Sampler s_17) {
+    uint _e3 = s_17.key;
+    s_17.key = (_e3 + 1u);
+    uint _e7 = s_17.key;
+    uint _e8 = pcg(_e7);
+    uint _e10 = s_17.salt;
+    uint _e12 = pcg((_e8 ^ _e10));
+    uint _e14 = s_17.place;
+    uint _e15 = scramble(_e14, _e12);
+    uint _e17 = s_17.sample_;
+    uint _e18 = scramble(_e17, _e8);
+    uint _e21 = reverseHalves((_e18 & 65535u));
+    uint _e24 = pascalW((_e15 & 65535u));
+    return Group(_e21, _e24, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
+}
+
+float toUnit(uint reversed, uint scrambled) {
+    return (float(((reversed << 8u) | (scrambled >> 24u))) * 5.9604645e-8);
+}
+
+float next1d(inout Sampler s_18) {
+    Group _e1 = nextGroup(s_18);
+    uint _e6 = scramble((_e1.index ^ _e1.shift), _e1.seedA);
+    uint _e9 = reverseHalves((_e6 & 65535u));
+    float _e10 = toUnit(_e9, _e6);
+    return _e10;
+}
+
+uint pascal(uint x_8) {
+    uint y_3 = 0u;
+    y_3 = (x_8 ^ ((x_8 >> 1u) & 21845u));
+    uint _e7 = y_3;
+    uint _e8 = y_3;
+    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_3;
+    uint _e15 = y_3;
+    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_3;
+    uint _e22 = y_3;
+    return (_e21 ^ ((_e22 >> 8u) & 255u));
+}
+
+vec2 points2d(Group g) {
+    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
+    uint _e8 = timesW(g.shift);
+    uint _e10 = pascal((g.index ^ _e8));
+    uint _e12 = scramble(_e10, g.seedB);
+    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
+    float _e21 = toUnit((_e18 & 65535u), _e5);
+    float _e24 = toUnit((_e18 >> 16u), _e12);
+    return vec2(_e21, _e24);
+}
+
+vec2 next2d(inout Sampler s_19) {
+    Group _e1 = nextGroup(s_19);
+    vec2 _e2 = points2d(_e1);
+    return _e2;
+}
+
+bool isDelta(Surface s_20) {
+    uint _e1 = kindOf(s_20);
+    bool noDiffuse = ((_e1 >= conductor) || ((_e1 == metallicRoughness) && (s_20.metallic >= 1.0)));
+    bool _e14 = hasSmoothLobe(s_20);
+    return ((s_20.reflectivity >= 1.0) || (noDiffuse && _e14));
+}
+
+BsdfSample deltaSample(vec3 direction_16, float probability, vec3 weight) {
+    return BsdfSample(direction_16, probability, weight, true);
+}
+
+vec3 mirrored(vec3 wo_3) {
+    return vec3(-(wo_3.xy), wo_3.z);
+}
+
+vec3 sampleCosine(vec2 u_11) {
+    float radius_1 = sqrt(u_11.x);
+    float phi_1 = (6.2831855 * u_11.y);
+    return vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_11.x)));
+}
+
+vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_12) {
+    float _e8 = stretched(wo_4, alpha_4);
+    vec3 w_3 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
+    float phi_2 = (6.2831855 * u_12.x);
+    float drop = (u_12.y * (1.0 + (bound * w_3.z)));
+    float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_5 = (w_3 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_5.xy), max(h_5.z, 1e-7)));
+}
+
+vec3 sampleFacet(Surface s_21, vec3 wo_5, vec2 u_13) {
+    float side_4 = ((wo_5.z < 0.0) ? -1.0 : 1.0);
+    vec3 up = (wo_5 * side_4);
+    float _e11 = reflectionBound(up, s_21.alpha);
+    uint _e12 = kindOf(s_21);
+    float bound_2 = ((_e12 == dielectric) ? 1.0 : _e11);
+    vec3 _e20 = sampleVisibleNormal(up, max(s_21.alpha, 0.001), bound_2, u_13);
+    bool _e25 = hasSmoothLobe(s_21);
+    return ((_e25 ? vec3(0.0, 0.0, 1.0) : _e20) * side_4);
+}
+
+vec3 refracted(vec3 wo_6, vec3 h_2, float ratio_3) {
+    float cosine_14 = dot(wo_6, h_2);
+    float inside_4 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_14 * cosine_14)), 0.0));
+    return ((((cosine_14 - inside_4) * h_2) - wo_6) / vec3(ratio_3));
+}
+
+BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_14) {
+    vec3 wi_2 = vec3(0.0);
+    bool crossing = false;
+    if ((u_14.z < s_22.reflectivity)) {
+        vec3 _e6 = mirrored(wo_7);
+        BsdfSample _e10 = deltaSample(_e6, s_22.reflectivity, vec3(1.0));
+        return _e10;
+    }
+    float base_1 = (1.0 - s_22.reflectivity);
+    float choice = ((u_14.z - s_22.reflectivity) / base_1);
+    float _e19 = facetShare(s_22, wo_7.z);
+    uint _e20 = kindOf(s_22);
+    bool isGlass_1 = (_e20 == dielectric);
+    bool specular_1 = (choice < _e19);
+    vec3 _e25 = sampleCosine(u_14.xy);
+    wi_2 = _e25;
+    if (specular_1) {
+        vec3 _e30 = sampleFacet(s_22, wo_7, u_14.xy);
+        float oh_1 = max(dot(wo_7, _e30), 0.0);
+        float _e35 = indexRatio(s_22, wo_7.z);
+        vec3 _e36 = facetReflectance(s_22, oh_1, _e35);
+        crossing = (isGlass_1 && (choice >= _e36.x));
+        vec3 _e40 = refracted(wo_7, _e30, _e35);
+        bool _e42 = isThin(s_22);
+        vec3 through = (_e42 ? -(wo_7) : _e40);
+        bool _e48 = crossing;
+        wi_2 = (_e48 ? through : (((2.0 * oh_1) * _e30) - wo_7));
+        bool _e50 = hasSmoothLobe(s_22);
+        if (_e50) {
+            bool _e54 = crossing;
+            bool _e55 = isThin(s_22);
+            float bent = ((_e54 && !(_e55)) ? (1.0 / (_e35 * _e35)) : 1.0);
+            bool _e64 = crossing;
+            float probability_1 = (base_1 * (isGlass_1 ? (_e64 ? (1.0 - _e36.x) : _e36.x) : _e19));
+            vec3 _e68 = wi_2;
+            BsdfSample _e73 = deltaSample(_e68, probability_1, (isGlass_1 ? vec3(bent) : (_e36 / vec3(_e19))));
+            return _e73;
+        }
+    }
+    vec3 _e74 = wi_2;
+    vec4 _e75 = evaluateBsdf(s_22, wo_7, _e74);
+    float _e80 = wi_2.z;
+    bool crosses = ((wo_7.z < 0.0) != (_e80 < 0.0));
+    bool _e85 = crossing;
+    float pdf_5 = ((_e85 != crosses) ? 0.0 : _e75.w);
+    vec3 _e89 = wi_2;
+    return BsdfSample(_e89, pdf_5, ((pdf_5 > 0.0) ? (_e75.xyz / vec3(max(pdf_5, 1e-30))) : vec3(0.0)), false);
+}
+
+uint pascalW2_(uint x_9) {
+    uint y_4 = 0u;
+    uint _e5 = timesW2_(((x_9 >> 2u) & 13107u));
+    y_4 = (x_9 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
+    uint _e14 = timesW(((_e9 >> 4u) & 3855u));
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
+    uint _e17 = y_4;
+    uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
+    return (_e16 ^ _e22);
+}
+
+vec3 next3d(inout Sampler s_23) {
+    Group _e1 = nextGroup(s_23);
+    uint _e4 = timesW2_(_e1.shift);
+    uint _e6 = pascalW2_((_e1.index ^ _e4));
+    uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
+    vec2 _e13 = points2d(_e1);
+    uint _e16 = reverseHalves((_e12 & 65535u));
+    float _e17 = toUnit(_e16, _e12);
+    return vec3(_e13, _e17);
+}
+
+vec3 toWorld(Basis b_1, vec3 v_9) {
+    return (((v_9.x * b_1.tangent) + (v_9.y * b_1.bitangent)) + (v_9.z * b_1.normal));
+}
+
+vec3 trace(Ray first, inout Sampler s_24) {
+    Ray ray_11 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
+    Origin origin_11 = Origin(vec3(0.0), vec3(0.0), 0.0);
+    vec3 throughput = vec3(1.0);
+    vec3 radiance = vec3(0.0);
+    uint depth = 1u;
+    ray_11 = first;
+    while(true) {
+        Ray _e18 = ray_11;
+        Hit _e19 = closestHit(_e18);
+        if ((_e19.shape == noShape)) {
+            vec3 _e23 = radiance;
+            vec3 _e24 = throughput;
+            Origin _e25 = origin_11;
+            Ray _e26 = ray_11;
+            vec3 _e27 = escaped(_e25, _e26);
+            radiance = (_e23 + (_e24 * _e27));
+            break;
+        }
+        Ray _e30 = ray_11;
+        Vertex _e31 = vertexAt(_e30, _e19);
+        bool _e33 = isDielectric(_e31.surface);
+        bool _e35 = isThin(_e31.surface);
+        bool inside_5 = ((_e33 && !(_e35)) && (_e31.wo.z < 0.0));
+        vec3 _e43 = throughput;
+        throughput = (_e43 * exp((-((inside_5 ? _e31.surface.absorption : vec3(0.0))) * _e19.t)));
+        vec3 _e54 = radiance;
+        vec3 _e55 = throughput;
+        Origin _e56 = origin_11;
+        Ray _e57 = ray_11;
+        vec3 _e59 = emitted(_e31, _e56, _e57, _e19.t);
+        radiance = (_e54 + (_e55 * _e59));
+        uint _e62 = depth;
+        uint _e65 = frame.maxDepth;
+        if ((_e62 == _e65)) {
+            break;
+        }
+        float _e67 = next1d(s_24);
+        vec2 _e68 = next2d(s_24);
+        vec3 lightNumbers = vec3(_e67, _e68);
+        bool _e71 = isDelta(_e31.surface);
+        if (!(_e71)) {
+            vec3 _e73 = radiance;
+            vec3 _e74 = throughput;
+            vec3 _e75 = sampledLight(_e31, lightNumbers);
+            radiance = (_e73 + (_e74 * _e75));
+        }
+        vec3 _e80 = next3d(s_24);
+        BsdfSample _e81 = sampleBsdf(_e31.surface, _e31.wo, _e80);
+        vec3 _e82 = throughput;
+        throughput = (_e82 * _e81.weight);
+        vec3 _e87 = toWorld(_e31.basis, _e81.direction);
+        vec3 _e89 = litSide(_e31);
+        origin_11 = Origin(_e31.point, _e89, (_e81.delta ? 0.0 : _e81.pdf));
+        Ray _e95 = rayFrom(_e31, _e87);
+        ray_11 = _e95;
+        vec3 _e96 = throughput;
+        float _e97 = max3_(_e96);
+        uint _e100 = depth;
+        float survival = ((_e100 < rouletteDepth) ? 1.0 : min(_e97, 0.95));
+        float _e105 = next1d(s_24);
+        vec3 _e109 = throughput;
+        float _e110 = max3_(_e109);
+        if ((((_e81.pdf <= 0.0) || (_e110 <= 0.0)) || (_e105 >= survival))) {
+            break;
+        }
+        vec3 _e116 = throughput;
+        throughput = (_e116 / vec3(survival));
+        uint _e120 = depth;
+        depth = (_e120 + 1u);
+    }
+    vec3 _e122 = radiance;
+    return _e122;
+}
+
+uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed_1) {
+    uint _e5 = pcg(seed_1);
+    uint _e7 = pcg((sampleIndex + _e5));
+    uint _e9 = pcg((pixel.y + _e7));
+    uint _e11 = pcg((pixel.x + _e9));
+    return _e11;
+}
+
+uint spread0_(uint x_10) {
+    uint y_9 = ((x_10 | (x_10 << 2u)) & 51u);
+    return ((y_9 | (y_9 << 1u)) & 85u);
+}
+
+Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
+    uint _e5 = frame.independent;
+    bool independent = (_e5 != 0u);
+    uint _e15 = pixelHash((independent ? pixel_1 : (pixel_1 >> uvec2(4u))), (independent ? sampleIndex_1 : (sampleIndex_1 >> 16u)), seed_2);
+    uint _e19 = spread0_((pixel_1.x & 15u));
+    uint _e23 = spread0_((pixel_1.y & 15u));
+    uint place = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
+    uint used = (independent ? 0u : _e32);
+    uint _e37 = pcg((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+}
+
+vec3 pinholeDirection(vec2 filmPoint) {
+    float _e6 = frame.width;
+    float x_14 = (((2.0 * filmPoint.x) / _e6) - 1.0);
+    float _e15 = frame.height;
+    float y_10 = (1.0 - ((2.0 * filmPoint.y) / _e15));
+    vec3 _e21 = frame.forward;
+    vec3 _e24 = frame.right;
+    vec3 _e29 = frame.up;
+    return normalize(((_e21 + (x_14 * _e24)) + (y_10 * _e29)));
+}
+
+Start atEye() {
+    return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
+}
+
+void main() {
+    vec4 fragment = gl_FragCoord;
+    Sampler s = Sampler(0u, 0u, 0u, 0u);
+    Film film = Film(vec4(0.0), vec4(0.0));
+    uvec2 pixel_2 = uvec2(fragment.xy);
+    uint _e5 = frame.sampleIndex;
+    uint _e8 = frame.seed;
+    Sampler _e9 = startSampler(pixel_2, _e5, _e8);
+    s = _e9;
+    vec2 _e13 = next2d(s);
+    vec3 _e15 = pinholeDirection((floor(fragment.xy) + _e13));
+    Start _e16 = atEye();
+    vec3 _e18 = trace(Ray(_e16, _e15), s);
+    uint _e27 = frame.sampleIndex;
+    if ((_e27 > 0u)) {
+        vec4 _e32 = texelFetch(previousFilm, ivec2(pixel_2), 0);
+        vec4 _e35 = texelFetch(previousSquares, ivec2(pixel_2), 0);
+        film = Film(_e32, _e35);
+    }
+    vec4 _e38 = film.sums;
+    vec4 _e43 = film.squares;
+    Film _tmp_return = Film((_e38 + vec4(_e18, 1.0)), (_e43 + vec4((_e18 * _e18), 0.0)));
+    _fs2p_location0 = _tmp_return.sums;
+    _fs2p_location1 = _tmp_return.squares;
+    return;
+}
+

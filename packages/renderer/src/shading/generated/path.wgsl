@@ -1,0 +1,1558 @@
+// Linked from integrator/path/path.wesl by `npm run shaders`. Do not edit.
+// From this depth on paths end by chance.
+const rouletteDepth = 4u;
+
+// What a ray meets, as its BSDF sees it.
+struct Vertex {
+  point: vec3f,
+  shape: u32,
+  // Out of solids.
+  outward: vec3f,
+  // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
+  basis: Basis,
+  wo: vec3f,
+  surface: Surface,
+}
+
+
+// How the present ray came about: enough to know with which density light sampling would have found what it meets.
+struct Origin {
+  point: vec3f,
+  // Of the surface that it left; zero where both sides can be lit.
+  normal: vec3f,
+  // Of its direction by the BSDF, per steradian; 0: only the BSDF could find it.
+  pdf: f32,
+}
+
+
+fn isDielectric(s: Surface) -> bool {
+  return kindOf(s) == dielectric;
+}
+
+fn vertexAt(ray: Ray, hit: Hit) -> Vertex {
+  let surface = fetchSurface(hit.shape);
+  let outward = outwardNormal(hit.shape, ray, hit.t);
+  let turned = (dot(outward, ray.direction) > 0.0) & !isDielectric(surface);
+  let basis = basisAbout(select(outward, -outward, turned));
+  return Vertex(ray.start.point + hit.t * ray.direction, hit.shape, outward, basis, toLocal(basis, -ray.direction), surface);
+}
+
+fn rayFrom(v: Vertex, direction: vec3f) -> Ray {
+  let inwards = dot(direction, v.outward) < 0.0;
+  return Ray(onSurface(v.point, v.shape, inwards & !isFlat(v.shape)), direction);
+}
+
+// Side that light must come from to count: none is excluded where light goes through.
+fn litSide(v: Vertex) -> vec3f {
+  return select(v.basis.normal, vec3f(0.0), isDielectric(v.surface));
+}
+
+// Power heuristic, for one sample of each kind.
+fn misWeight(own: f32, other: f32) -> f32 {
+  let ratio = other / own;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+// Weight of light of emitter `index` that the present ray found by its BSDF.
+fn foundWeight(origin: Origin, index: u32, ray: Ray, t: f32, normal: vec3f) -> f32 {
+  if (origin.pdf <= 0.0) {
+    return 1.0;
+  }
+  let pdf = choiceProbability(index, origin.point, origin.normal) * emitterPdf(fetchEmitter(index), origin.point, ray.direction, t, normal);
+  return misWeight(origin.pdf, pdf);
+}
+
+// Light of the surface itself.
+fn emitted(v: Vertex, origin: Origin, ray: Ray, t: f32) -> vec3f {
+  let hidden = ((u32(v.surface.code) & 16u) != 0u) & (dot(v.outward, ray.direction) > 0.0);
+  if (hidden | all(v.surface.emission == vec3f(0.0))) {
+    return vec3f(0.0);
+  }
+  if (v.surface.emitter < 0.0) {
+    return v.surface.emission;
+  }
+  return v.surface.emission * foundWeight(origin, u32(v.surface.emitter), ray, t, v.outward);
+}
+
+// Light of what is infinitely far: sky, sun.
+fn escaped(origin: Origin, ray: Ray) -> vec3f {
+  var sum = vec3f(0.0);
+  if (frame.emitterCount == 0u) {
+    return sum;
+  }
+  var i = 0u;
+  loop {
+    let radiance = radianceFromInfinity(fetchEmitter(i), ray.direction);
+    if (any(radiance > vec3f(0.0))) {
+      sum += radiance * foundWeight(origin, i, ray, miss, vec3f(0.0));
+    }
+    i++;
+    if (i >= frame.emitterCount) {
+      break;
+    }
+  }
+  return sum;
+}
+
+// Light of one point of one emitter, chosen by the three random numbers.
+fn sampledLight(v: Vertex, u: vec3f) -> vec3f {
+  let choice = chooseEmitter(v.point, litSide(v), u.x);
+  if (choice.probability <= 0.0) {
+    return vec3f(0.0);
+  }
+  let e = fetchEmitter(choice.index);
+  let light = sampleEmitter(e, v.point, u.yz);
+  if (light.pdf <= 0.0) {
+    return vec3f(0.0);
+  }
+  let f = evaluateBsdf(v.surface, v.wo, toLocal(v.basis, light.direction));
+  if (!any(f.rgb * light.radiance > vec3f(0.0))) {
+    return vec3f(0.0);
+  }
+  let shape = select(noShape, u32(max(e.shape, 0.0)), e.shape >= 0.0);
+  if (occluded(rayFrom(v, light.direction), light.distance, shape)) {
+    return vec3f(0.0);
+  }
+  let pdf = light.pdf * choice.probability;
+  // A light that rays cannot meet is found by light sampling only.
+  let alone = light.delta | ((e.shape < 0.0) & (light.distance < miss));
+  return f.rgb * light.radiance * (select(misWeight(pdf, f.a), 1.0, alone) / pdf);
+}
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+fn trace(first: Ray, s: ptr<function, Sampler>) -> vec3f {
+  var ray = first;
+  var origin = Origin(vec3f(0.0), vec3f(0.0), 0.0);
+  var throughput = vec3f(1.0);
+  var radiance = vec3f(0.0);
+  var depth = 1u;
+  loop {
+    let hit = closestHit(ray);
+    if (hit.shape == noShape) {
+      radiance += throughput * escaped(origin, ray);
+      break;
+    }
+    let v = vertexAt(ray, hit);
+    let inside = isDielectric(v.surface) & !isThin(v.surface) & (v.wo.z < 0.0);
+    throughput *= exp(-select(vec3f(0.0), v.surface.absorption, inside) * hit.t);
+    radiance += throughput * emitted(v, origin, ray, hit.t);
+    if (depth == frame.maxDepth) {
+      break;
+    }
+    let lightNumbers = vec3f(next1d(s), next2d(s));
+    if (!isDelta(v.surface)) {
+      radiance += throughput * sampledLight(v, lightNumbers);
+    }
+    let bsdf = sampleBsdf(v.surface, v.wo, next3d(s));
+    throughput *= bsdf.weight;
+    let direction = toWorld(v.basis, bsdf.direction);
+    origin = Origin(v.point, litSide(v), select(bsdf.pdf, 0.0, bsdf.delta));
+    ray = rayFrom(v, direction);
+    let survival = select(min(max3(throughput), 0.95), 1.0, depth < rouletteDepth);
+    let roulette = next1d(s);
+    if ((bsdf.pdf <= 0.0) | (max3(throughput) <= 0.0) | (roulette >= survival)) {
+      break;
+    }
+    throughput /= survival;
+    depth++;
+  }
+  return radiance;
+}
+
+struct Film {
+  // RGB sums, and in alpha how many samples.
+  @location(0) sums: vec4f,
+  @location(1) squares: vec4f,
+}
+
+
+@fragment fn path(@builtin(position) fragment: vec4f) -> Film {
+  let pixel = vec2u(fragment.xy);
+  var s = startSampler(pixel, frame.sampleIndex, frame.seed);
+  let direction = pinholeDirection(floor(fragment.xy) + next2d(&s));
+  let radiance = trace(Ray(atEye(), direction), &s);
+  var film = Film(vec4f(0.0), vec4f(0.0));
+  if (frame.sampleIndex > 0u) {
+    film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
+  }
+  return Film(film.sums + vec4f(radiance, 1.0), film.squares + vec4f(radiance * radiance, 0.0));
+}
+
+// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+struct Basis {
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+}
+
+
+struct Surface {
+  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
+  baseColor: vec3f,
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp
+  code: f32,
+  // radiance sent out
+  emission: vec3f,
+  // share of the perfect mirror layer over the base
+  reflectivity: f32,
+  // conductor: index of refraction per channel; dielectric: the index in all three
+  eta: vec3f,
+  // GGX width, roughness^2; 0: smooth
+  alpha: f32,
+  // conductor: extinction coefficient per channel
+  k: vec3f,
+  // metallicRoughness: share of metal
+  metallic: f32,
+  // dielectric: Beer-Lambert coefficient, 1 / metre
+  absorption: vec3f,
+  // index of the emitter that this shape is; -1: none
+  emitter: f32,
+}
+
+
+fn kindOf(s: Surface) -> u32 {
+  return u32(s.code) & 3u;
+}
+
+const dielectric = 3u;
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
+fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
+  let bounds = fetchBounds(i);
+  let origin = ray.start.point - bounds.center;
+  if (isSphere(i)) {
+    return normalize(origin + t * ray.direction);
+  }
+  if (isPlane(i)) {
+    return bounds.center;
+  }
+  let extent = fetchExtent(i);
+  if (isFlat(i)) {
+    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  }
+  let inside = i == ray.start.inside;
+  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
+  return rotateBack(extent.a, normal);
+}
+
+fn basisAbout(n: vec3f) -> Basis {
+  let side = select(-1.0, 1.0, n.z >= 0.0);
+  let a = -1.0 / (side + n.z);
+  let b = n.x * n.y * a;
+  return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
+}
+
+fn toLocal(b: Basis, v: vec3f) -> vec3f {
+  return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
+}
+
+struct Ray {
+  start: Start,
+  direction: vec3f,
+}
+
+
+// Where a ray starts, whichever way it then goes.
+struct Start {
+  point: vec3f,
+  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
+  leaves: u32,
+  // The solid that the ray starts inside of: only its far side counts.
+  inside: u32,
+  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
+  tMin: f32,
+}
+
+
+struct Hit {
+  t: f32,
+  shape: u32,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
+}
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = (s.near > tMin) & !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  if (crossed.x == t) {
+    return vec3f(side.x, 0.0, 0.0);
+  }
+  if (crossed.y == t) {
+    return vec3f(0.0, side.y, 0.0);
+  }
+  return vec3f(0.0, 0.0, side.z);
+}
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+struct Frame {
+  // camera r times tan(fov / 2) times aspect
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times tan(fov / 2)
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
+}
+
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction, origin);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+// On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
+fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
+  return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+fn choiceProbability(index: u32, point: vec3f, normal: vec3f) -> f32 {
+  if (frame.emitterCount <= 1u) {
+    return f32(frame.emitterCount);
+  }
+  let s = surveyEmitters(point, normal, 0.0, index);
+  return s.wantedWeight / max(s.total, 1e-37);
+}
+
+// The density with which sampleEmitter gives that direction. The ray met the emitter's shape `distance` away, with that outward
+// normal; for light from infinity neither counts.
+fn emitterPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  if (e.kind == sphereKind) {
+    return spherePdf(e, point, direction);
+  }
+  if (e.kind == quadKind) {
+    return quadPdf(e, point, distance);
+  }
+  if (e.kind == boxKind) {
+    return boxPdf(e, point, direction, distance, normal);
+  }
+  if (e.kind == directionalKind) {
+    return directionalPdf(e, direction);
+  }
+  if (e.kind == skyKind) {
+    return skyPdf(direction);
+  }
+  return 0.0;
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
+// One loop for choosing and for asking, so that both see the same numbers. Weighted reservoir sampling (Chao 1982) with one random
+// number: whatever of u decided is stretched to [0, 1) again.
+fn surveyEmitters(point: vec3f, normal: vec3f, u: f32, wanted: u32) -> Survey {
+  var s = Survey(0.0, 0u, 0.0, 0.0);
+  var rest = u;
+  var i = 0u;
+  loop {
+    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+    s.total += weight;
+    let share = weight / max(s.total, 1e-37);
+    let take = rest < share;
+    s.chosen = select(s.chosen, i, take);
+    s.chosenWeight = select(s.chosenWeight, weight, take);
+    s.wantedWeight = select(s.wantedWeight, weight, i == wanted);
+    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+    i++;
+    if (i >= frame.emitterCount) {
+      break;
+    }
+  }
+  return s;
+}
+
+struct Survey {
+  total: f32,
+  chosen: u32,
+  chosenWeight: f32,
+  wantedWeight: f32,
+}
+
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  if (e.kind == skyKind) {
+    return e.power;
+  }
+  let isQuad = e.kind == quadKind;
+  let isFar = e.kind == directionalKind;
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
+}
+
+const skyKind = 6.0;
+
+const quadKind = 1.0;
+
+const directionalKind = 5.0;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const pi = 3.14159265359;
+
+struct Emitter {
+  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  radius: f32,
+  // other edge of a quad
+  v: vec3f,
+  // cosine of the inner angle of a spot
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+}
+
+
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
+
+const boxKind = 2.0;
+
+// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
+fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
+  let view = viewSphere(e, point);
+  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
+  return select(0.0, conePdf(view.width), reached);
+}
+
+fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
+  let toCenter = e.position - point;
+  let d = length(toCenter);
+  let power = abs((d - e.radius) * (d + e.radius));
+  let inside = d <= e.radius;
+  let sine = min(e.radius / max(d, 1e-30), 1.0);
+  let cosine = sqrt(power) / max(d, 1e-30);
+  // 1 - cos = sin^2 / (1 + cos)
+  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
+}
+
+fn conePdf(width: f32) -> f32 {
+  return 1.0 / (2.0 * pi * max(width, 1e-31));
+}
+
+struct SphereView {
+  toCenter: vec3f,
+  distance: f32,
+  // |distance^2 - radius^2|
+  power: f32,
+  inside: bool,
+  // 1 - cosine of the cone's half angle.
+  width: f32,
+}
+
+
+fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
+  return pdfOfView(viewQuad(e, point), e.area, distance);
+}
+
+fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
+  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
+  return select(0.0, pdf, q.lit);
+}
+
+fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
+  let corner = e.position - point;
+  let lengths = vec2f(length(e.u), length(e.v));
+  let axisX = e.u / lengths.x;
+  let axisY = e.v / lengths.y;
+  let normal = normalize(cross(axisX, axisY));
+  let signedHeight = dot(corner, normal);
+  // From the plane itself a quad is a line.
+  let least = 1e-7 * (lengths.x + lengths.y);
+  let height = max(abs(signedHeight), least);
+  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
+  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
+  let high = low + lengths;
+  let y = vec2f(low.y, high.y);
+  let start = stretch(low.x, y, height);
+  let solidAngle = stretch(high.x, y, height) - start;
+  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
+  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
+  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
+}
+
+// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
+fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
+  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
+  return min(pdf, largestPdf);
+}
+
+// Rectangles that fill less than this, in steradians, are sampled by area.
+const smallSolidAngle = 0.01;
+
+struct QuadView {
+  // From the point.
+  corner: vec3f,
+  // Unit, along u and v, and from the point to the plane.
+  axisX: vec3f,
+  axisY: vec3f,
+  axisZ: vec3f,
+  // The corner's coordinates and the edges' lengths.
+  low: vec2f,
+  high: vec2f,
+  height: f32,
+  // T(x0) and T(x1) - T(x0).
+  start: f32,
+  solidAngle: f32,
+  // Shines at the point.
+  lit: bool,
+  bySolidAngle: bool,
+}
+
+
+// Above all real densities, so that what divides by one stays finite.
+const largestPdf = 1e30;
+
+// T(x)
+fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
+  let r = sqrt(x * x + y * y + h * h);
+  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
+}
+
+// The arc tangent to 2 units in the last place (Moshier's Cephes, atanf). GPUs' own may be off by 1e-4, and solid angles are
+// differences of such angles.
+fn arctangent(x: f32) -> f32 {
+  let a = abs(x);
+  let steep = a > 2.414213562;
+  let middle = (a > 0.4142135624) & !steep;
+  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
+  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  return sign(x) * (base + (series * z * r + r));
+}
+
+fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  return areaPdf(viewBox(e, point).area, distance * abs(dot(direction, normal)), distance);
+}
+
+fn viewBox(e: Emitter, point: vec3f) -> BoxView {
+  let rotation = fetchExtent(u32(e.shape)).a;
+  let p = rotate(rotation, point - e.position);
+  let beyond = abs(p) > e.u;
+  let inside = !any(beyond);
+  let areas = 4.0 * e.u.yzx * e.u.zxy;
+  let faces = select(vec3f(0.0), areas, beyond | vec3<bool>(inside));
+  let area = (faces.x + faces.y + faces.z) * select(1.0, 2.0, inside);
+  return BoxView(rotation, p, faces, inside, area);
+}
+
+struct BoxView {
+  // World to box.
+  rotation: vec4f,
+  // The point in the box's own axes.
+  point: vec3f,
+  // Area, per axis, of the face (from inside: of each of the two faces) that is seen.
+  faces: vec3f,
+  inside: bool,
+  // Of all that is seen.
+  area: f32,
+}
+
+
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
+}
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
+
+fn skyPdf(direction: vec3f) -> f32 {
+  return 1.0 / (4.0 * pi);
+}
+
+// What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
+fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
+  if (e.kind == skyKind) {
+    return sky(direction);
+  }
+  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
+  return select(vec3f(0.0), e.radiance, disc);
+}
+
+const miss = 1e30;
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  if (frame.emitterCount <= 1u) {
+    return EmitterChoice(0u, f32(frame.emitterCount));
+  }
+  let s = surveyEmitters(point, normal, u, 0u);
+  return EmitterChoice(s.chosen, s.chosenWeight / max(s.total, 1e-37));
+}
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  if (e.kind == sphereKind) {
+    return sampleSphere(e, point, u);
+  }
+  if (e.kind == quadKind) {
+    return sampleQuad(e, point, u);
+  }
+  if (e.kind == boxKind) {
+    return sampleBox(e, point, u);
+  }
+  if (e.kind == pointKind) {
+    return samplePoint(e, point);
+  }
+  if (e.kind == spotKind) {
+    return sampleSpot(e, point);
+  }
+  if (e.kind == directionalKind) {
+    return sampleDirectional(e, u);
+  }
+  return sampleSky(u);
+}
+
+// rgb: f |cos wi|; a: the density with which sampleBsdf gives wi. Delta lobes give 0.
+fn evaluateBsdf(s: Surface, wo: vec3f, wi: vec3f) -> vec4f {
+  let kind = kindOf(s);
+  let opaque = kind != dielectric;
+  let dark = opaque & ((wo.z < 0.0) | (wi.z <= 0.0));
+  let smoothLobe = hasSmoothLobe(s);
+  if (dark | ((!opaque) & smoothLobe)) {
+    return vec4f(0.0);
+  }
+  let share = facetShare(s, wo.z);
+  var value = vec4f(0.0);
+  var albedo = s.baseColor;
+  if (kind != diffuse) {
+    let facets = evaluateFacets(s, wo, wi);
+    value = select(vec4f(facets.value, share * facets.pdf), vec4f(0.0), smoothLobe);
+    albedo = select(vec3f(0.0), metallicRoughnessDiffuse(s, facets.cosine), kind == metallicRoughness);
+  }
+  value += vec4f(albedo, 1.0 - share) * (invPi * max(wi.z, 0.0));
+  return (1.0 - s.reflectivity) * value;
+}
+
+fn occluded(ray: Ray, distance: f32, except: u32) -> bool {
+  let ends = frame.shapeEnds;
+  var blocked = false;
+  var i = 0u;
+  if (i < ends.x) {
+    loop {
+      blocked = blocked | ((hitSphere(i, fetchBounds(i), ray) < distance) & (i != except));
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
+  }
+  if (i < ends.y) {
+    loop {
+      blocked = blocked | ((hitBox(i, fetchBounds(i), ray) < distance) & (i != except));
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
+  }
+  if (i < ends.z) {
+    loop {
+      blocked = blocked | ((hitQuad(i, fetchBounds(i), ray) < distance) & (i != except));
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
+  }
+  if (i < ends.w) {
+    loop {
+      blocked = blocked | (hitPlane(i, fetchBounds(i), ray) < distance);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
+  }
+  return blocked;
+}
+
+struct EmitterChoice {
+  index: u32,
+  // 0: no light reaches the point.
+  probability: f32,
+}
+
+
+const pointKind = 3.0;
+
+fn sampleSky(u: vec2f) -> LightSample {
+  let direction = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
+  return LightSample(direction, miss, sky(direction), skyPdf(direction), false);
+}
+
+fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let view = viewSphere(e, point);
+  let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
+  let ray = sampleCone(axis, view.width, u);
+  let along = view.distance * ray.cosine;
+  let halfChord = sqrt(max(e.radius * e.radius - view.distance * view.distance * ray.sine2, 0.0));
+  // The product of the ray's two distances to the sphere is the point's power (Euclid III.36): the smaller of them by division.
+  let larger = abs(along) + halfChord;
+  let takeLarger = view.inside & (along > 0.0);
+  let distance = select(view.power / max(larger, 1e-30), larger, takeLarger);
+  return LightSample(ray.direction, distance, e.radiance, conePdf(view.width), false);
+}
+
+fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
+  let oneMinusCosine = u.x * width;
+  let cosine = 1.0 - oneMinusCosine;
+  let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
+  let sine = sqrt(max(sine2, 0.0));
+  let phi = 2.0 * pi * u.y;
+  let direction = turnTo(axis, vec3f(sine * cos(phi), sine * sin(phi), cosine));
+  return ConeDirection(direction, cosine, sine2);
+}
+
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
+}
+
+
+// v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
+  let s = select(-1.0, 1.0, axis.z >= 0.0);
+  let a = -1.0 / (s + axis.z);
+  let b = axis.x * axis.y * a;
+  let x = vec3f(1.0 + s * axis.x * axis.x * a, s * b, -s * axis.x);
+  let y = vec3f(b, s + axis.y * axis.y * a, -axis.y);
+  return v.x * x + v.y * y + v.z * axis;
+}
+
+struct ConeDirection {
+  direction: vec3f,
+  cosine: f32,
+  sine2: f32,
+}
+
+
+fn sampleQuad(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let q = viewQuad(e, point);
+  let onArea = q.corner + u.x * e.u + u.y * e.v;
+  let toLight = select(onArea, sphericalRectangle(q, u), q.bySolidAngle);
+  let distance = max(length(toLight), q.height);
+  return LightSample(toLight / distance, distance, e.radiance, pdfOfView(q, e.area, distance), false);
+}
+
+// From the point to the rectangle, uniform in solid angle.
+fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
+  let h = q.height;
+  let y = vec2f(q.low.y, q.high.y);
+  let s = y / sqrt(y * y + h * h);
+  let halfT = 0.5 * (q.start + u.x * q.solidAngle);
+  let p = cos(halfT);
+  let sine = sin(halfT);
+  let across = vec2f((s.y - s.x) * p, (s.y + s.x) * sine);
+  let w = 2.0 * sine * p * inverseSqrt(max(dot(across, across), 1e-30));
+  let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
+  // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
+  let d2 = x * x + h * h;
+  let ends = y * inverseSqrt(d2 + y * y);
+  let v = mix(ends.x, ends.y, u.y);
+  let atY = clamp(v * sqrt(d2) * inverseSqrt(max(1.0 - v * v, 1e-12)), y.x, y.y);
+  return x * q.axisX + atY * q.axisY + h * q.axisZ;
+}
+
+fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let b = viewBox(e, point);
+  let both = b.faces.x + b.faces.y;
+  let at = u.x * (both + b.faces.z);
+  let onX = at < b.faces.x;
+  let onY = !onX & (at < both);
+  let face = select(select(b.faces.z, b.faces.y, onY), b.faces.x, onX);
+  // What is left of u.x within the face; from inside its halves are the two sides.
+  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / face, 0.0, 0.99999994);
+  let s = select(within, fract(2.0 * within), b.inside);
+  let axis = vec3f(select(0.0, 1.0, onX), select(0.0, 1.0, onY), select(1.0, 0.0, onX | onY));
+  let side = select(dot(axis, b.point), within - 0.5, b.inside);
+  let p = vec3f(select(-1.0, 1.0, side >= 0.0), 2.0 * s - 1.0, 2.0 * u.y - 1.0);
+  let onFace = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u;
+  let toLight = onFace - b.point;
+  let height = abs(dot(axis, toLight));
+  let distance = max(length(toLight), 1e-30);
+  let pdf = select(0.0, areaPdf(b.area, height, distance), height > 0.0);
+  return LightSample(rotateBack(b.rotation, toLight / distance), distance, e.radiance, pdf, false);
+}
+
+fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
+  let toLight = e.position - point;
+  let distance = length(toLight);
+  let safe = max(distance, 1e-15);
+  return LightSample(toLight / safe, distance, e.radiance / (safe * safe), select(0.0, 1.0, distance > 1e-15), true);
+}
+
+fn sampleSpot(e: Emitter, point: vec3f) -> LightSample {
+  var s = samplePoint(e, point);
+  let falloff = spotFalloff(e, s.direction);
+  s.radiance *= falloff;
+  s.pdf = select(0.0, s.pdf, falloff > 0.0);
+  return s;
+}
+
+fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
+  let delta = e.area == 0.0;
+  let ray = sampleCone(-e.u, e.area / (2.0 * pi), u);
+  return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
+}
+
+// Whether what reflects or refracts does so like a mirror. A thin pane always does: the two faces undo each other's bend.
+fn hasSmoothLobe(s: Surface) -> bool {
+  let clear = (abs(s.eta.x - 1.0) < leastContrast) | isThin(s);
+  return (s.alpha < smoothAlpha) | ((kindOf(s) == dielectric) & clear);
+}
+
+// Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
+fn facetShare(s: Surface, cosine: f32) -> f32 {
+  let kind = kindOf(s);
+  return select(select(1.0, 0.0, kind == diffuse), specularShare(s, cosine), kind == metallicRoughness);
+}
+
+// Kinds, as Surface.code numbers them.
+const diffuse = 0u;
+
+// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
+const invPi = 0.31830988618;
+
+fn evaluateFacets(s: Surface, wo: vec3f, wi: vec3f) -> FacetLobe {
+  let crossing = (wo.z < 0.0) != (wi.z < 0.0);
+  let ratio = indexRatio(s, wo.z);
+  let m = wo + wi * select(1.0, ratio, crossing);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  let zo = abs(wo.z);
+  let zi = abs(wi.z);
+  let so = stretched(wo, s.alpha);
+  let si = stretched(wi, s.alpha);
+  let isGlass = kindOf(s) == dielectric;
+  let bound = select(reflectionBound(wo, s.alpha), 1.0, isGlass);
+  // Facets do not turn their back on one direction while the surface does not.
+  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
+  let f = facetReflectance(s, abs(oh), ratio);
+  let passes = select(f, 1.0 - f, crossing);
+  let masked = zi / max(zi * so + zo * si, 1e-20);
+  let chosen = select(1.0, passes.x, isGlass) * select(1.0, ratio * ratio, crossing);
+  return FacetLobe(passes * compensation(s, zo) * spread * masked, spread * chosen / (bound * zo + so), abs(oh));
+}
+
+// Albedo of the diffuse part for light that meets facets at this cosine.
+fn metallicRoughnessDiffuse(s: Surface, cosine: f32) -> vec3f {
+  return (1.0 - s.metallic) * (1.0 - schlick(vec3f(dielectricF0), cosine).x) * s.baseColor;
+}
+
+const metallicRoughness = 1u;
+
+// Index behind the boundary over the index on the side of a direction with this z.
+fn indexRatio(s: Surface, z: f32) -> f32 {
+  return select(s.eta.x, 1.0 / s.eta.x, z < 0.0);
+}
+
+// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
+fn stretched(w: vec3f, alpha: f32) -> f32 {
+  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
+}
+
+// Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
+// Eto and Tokuyoshi, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023, k of equation 5.
+fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
+  let s = 1.0 + length(wo.xy);
+  let s2 = s * s;
+  let a2 = alpha * alpha;
+  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
+}
+
+// D(h): facets around the half vector per area and solid angle.
+fn facetDensity(h: vec3f, alpha: f32) -> f32 {
+  let slope = dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z;
+  return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Share of light that a facet reflects, met at this cosine.
+fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
+  let kind = kindOf(s);
+  if (kind == dielectric) {
+    return vec3f(glassReflectance(cosine, ratio, isThin(s)));
+  }
+  if (kind == conductor) {
+    return conductorReflectance(s, cosine);
+  }
+  return schlick(metallicRoughnessF0(s), cosine);
+}
+
+// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
+// in m, the half vector before it gets length 1; `ratio` is the index on wi's side over that on wo's side.
+struct FacetLobe {
+  value: vec3f,
+  pdf: f32,
+  // dot(wo, h)
+  cosine: f32,
+}
+
+
+// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
+// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
+fn compensation(s: Surface, cosine: f32) -> vec3f {
+  let kind = kindOf(s);
+  let asked = ((u32(s.code) & 8u) != 0u) & ((kind == conductor) | (kind == metallicRoughness));
+  if (!asked) {
+    return vec3f(1.0);
+  }
+  let albedo = singleScatteringAlbedo(cosine, s.alpha);
+  return 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo);
+}
+
+const conductor = 2u;
+
+// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
+fn schlick(f0: vec3f, cosine: f32) -> vec3f {
+  let m = 1.0 - cosine;
+  let m2 = m * m;
+  return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+fn metallicRoughnessF0(s: Surface) -> vec3f {
+  return mix(vec3f(dielectricF0), s.baseColor, s.metallic);
+}
+
+// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
+fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
+  let r = dielectricFresnel(cosine, ratio);
+  return select(r, 2.0 * r / (1.0 + r), thin);
+}
+
+fn isThin(s: Surface) -> bool {
+  return (u32(s.code) & 7u) == 7u;
+}
+
+// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
+// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
+fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
+  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
+  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
+  let inside = sqrt(max(inside2, 0.0));
+  let across = (cosine - inside) / (cosine + inside);
+  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
+  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
+}
+
+// Without measured constants (eta and k black) the base colour comes back at every angle.
+fn conductorReflectance(s: Surface, cosine: f32) -> vec3f {
+  let constants = dot(s.eta + s.k, vec3f(1.0));
+  return select(s.baseColor, conductorFresnel(cosine, s.eta, s.k), constants > 0.0);
+}
+
+// Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
+// Fresnel equations").
+fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
+  let cosine2 = cosine * cosine;
+  let sine2 = 1.0 - cosine2;
+  let difference = eta * eta - k * k - sine2;
+  let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
+  let a = sqrt(max(0.5 * (a2PlusB2 + difference), vec3f(0.0)));
+  // least: an index of 0, or of 1 along the surface, is no division by 0.
+  let across = (a2PlusB2 + cosine2 - 2.0 * cosine * a + least0) / (a2PlusB2 + cosine2 + 2.0 * cosine * a + least0);
+  let sum = cosine2 * a2PlusB2 + sine2 * sine2;
+  let part = 2.0 * cosine * sine2 * a;
+  return 0.5 * across * (1.0 + (sum - part + least0) / (sum + part + least0));
+}
+
+const least0 = 1e-20;
+
+const dielectricF0 = 0.04;
+
+// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
+// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
+// loss near the horizon is a function of that ratio alone as alpha goes to 0.
+fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
+  let x = cosine / (cosine + alpha);
+  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
+  let a2 = alpha * alpha;
+  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+}
+
+// An index closer to 1 than this bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
+const leastContrast = 1e-3;
+
+// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
+// Written so that nothing is divided by a cosine: grazing directions need no special case.
+// Narrower than this a highlight is a mirror's: 32-bit floats no longer hold the facet's slope well enough for a density.
+const smoothAlpha = 1e-3;
+
+// How often to sample the GGX lobe: about its share of the light that comes back from wo.
+fn specularShare(s: Surface, cosine: f32) -> f32 {
+  let specular = dot(schlick(metallicRoughnessF0(s), cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(s, cosine), vec3f(1.0));
+  return specular / max(specular + diffuse, 1e-20);
+}
+
+// Distances along the ray to shape i of that kind, or `miss`.
+fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
+}
+
+fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  var origin = ray.start.point - bounds.center;
+  var direction = ray.direction;
+  if (isTurned(extent.a)) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
+  }
+  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
+fn isTurned(q: vec4f) -> bool {
+  return any(q.xyz != vec3f(0.0));
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
+}
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
+}
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
+
+struct Sampler {
+  // Goes up by one with each group of dimensions.
+  key: u32,
+  salt: u32,
+  // Last 16 bits of the sample index, reversed.
+  sample: u32,
+  // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
+  place: u32,
+}
+
+
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
+fn closestHit(ray: Ray) -> Hit {
+  var hit = Hit(miss, noShape);
+  let ends = frame.shapeEnds;
+  var i = 0u;
+  if (i < ends.x) {
+    loop {
+      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
+  }
+  if (i < ends.y) {
+    loop {
+      hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
+  }
+  if (i < ends.z) {
+    loop {
+      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
+  }
+  if (i < ends.w) {
+    loop {
+      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
+  }
+  return hit;
+}
+
+fn next1d(s: ptr<function, Sampler>) -> f32 {
+  let g = nextGroup(s);
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  return toUnit(reverseHalves(x & 0xffffu), x);
+}
+
+fn next2d(s: ptr<function, Sampler>) -> vec2f {
+  return points2d(nextGroup(s));
+}
+
+// Only delta lobes: light sampling is in vain.
+fn isDelta(s: Surface) -> bool {
+  let kind = kindOf(s);
+  let noDiffuse = (kind >= conductor) | ((kind == metallicRoughness) & (s.metallic >= 1.0));
+  return (s.reflectivity >= 1.0) | (noDiffuse & hasSmoothLobe(s));
+}
+
+// u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleBsdf(s: Surface, wo: vec3f, u: vec3f) -> BsdfSample {
+  if (u.z < s.reflectivity) {
+    return deltaSample(mirrored(wo), s.reflectivity, vec3f(1.0));
+  }
+  let base = 1.0 - s.reflectivity;
+  // What is left of u.z is uniform again, and once more below.
+  let choice = (u.z - s.reflectivity) / base;
+  let share = facetShare(s, wo.z);
+  let isGlass = kindOf(s) == dielectric;
+  let specular = choice < share;
+  var wi = sampleCosine(u.xy);
+  var crossing = false;
+  if (specular) {
+    let h = sampleFacet(s, wo, u.xy);
+    let oh = max(dot(wo, h), 0.0);
+    let ratio = indexRatio(s, wo.z);
+    let f = facetReflectance(s, oh, ratio);
+    crossing = isGlass & (choice >= f.x);
+    let through = select(refracted(wo, h, ratio), -wo, isThin(s));
+    wi = select(2.0 * oh * h - wo, through, crossing);
+    if (hasSmoothLobe(s)) {
+      let bent = select(1.0, 1.0 / (ratio * ratio), crossing & !isThin(s));
+      let probability = base * select(share, select(f.x, 1.0 - f.x, crossing), isGlass);
+      return deltaSample(wi, probability, select(f / share, vec3f(bent), isGlass));
+    }
+  }
+  let value = evaluateBsdf(s, wo, wi);
+  // A facet may send light to the wrong side: it is lost, as in single scattering.
+  let crosses = (wo.z < 0.0) != (wi.z < 0.0);
+  let pdf = select(value.a, 0.0, crossing != crosses);
+  return BsdfSample(wi, pdf, select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0), false);
+}
+
+fn next3d(s: ptr<function, Sampler>) -> vec3f {
+  let g = nextGroup(s);
+  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
+  return vec3f(points2d(g), toUnit(reverseHalves(z & 0xffffu), z));
+}
+
+fn toWorld(b: Basis, v: vec3f) -> vec3f {
+  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
+}
+
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
+}
+
+fn nextGroup(s: ptr<function, Sampler>) -> Group {
+  (*s).key = (*s).key + 1u;
+  let a = pcg((*s).key);
+  let b = pcg(a ^ (*s).salt);
+  let place = scramble((*s).place, b);
+  let index = reverseHalves(scramble((*s).sample, a) & 0xffffu);
+  // Beyond the four digits that arrange the tile: bits that differ from pixel to pixel.
+  let shift = pascalW(place & 0xffffu);
+  return Group(index, shift, (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+}
+
+// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
+// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
+// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+fn scramble(x: u32, seed: u32) -> u32 {
+  var y = x ^ (x * 0x3d20adeau);
+  y = (y + seed) * ((seed >> 16u) | 1u);
+  y ^= y * 0x05526c56u;
+  return y ^ (y * 0x53a22864u);
+}
+
+// From digits with the first in bit 0: 16 of them turned round, then 8 that need no order.
+fn toUnit(reversed: u32, scrambled: u32) -> f32 {
+  return f32((reversed << 8u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
+fn reverseHalves(x: u32) -> u32 {
+  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
+  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
+  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
+  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of the first four digits (pairs of bits).
+fn pascalW(x: u32) -> u32 {
+  let y = x ^ timesW((x >> 2u) & 0x33u);
+  return y ^ timesW2((y >> 4u) & 0x0fu);
+}
+
+// One padded sequence: what all its dimensions have in common.
+struct Group {
+  // Shuffled sample index.
+  index: u32,
+  // What sets this pixel apart from its neighbours.
+  shift: u32,
+  seedA: u32,
+  seedB: u32,
+}
+
+
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a.
+fn timesW(x: u32) -> u32 {
+  return ((x & 0x5555u) << 1u) ^ (((x >> 1u) & 0x5555u) * 3u);
+}
+
+fn timesW2(x: u32) -> u32 {
+  return x ^ timesW(x);
+}
+
+fn points2d(g: Group) -> vec2f {
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
+  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
+  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: u32) -> u32 {
+  var y = x ^ ((x >> 1u) & 0x5555u);
+  y ^= (y >> 2u) & 0x3333u;
+  y ^= (y >> 4u) & 0x0f0fu;
+  return y ^ ((y >> 8u) & 0x00ffu);
+}
+
+// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
+fn sampleCosine(u: vec2f) -> vec3f {
+  let radius = sqrt(u.x);
+  let phi = 6.28318530718 * u.y;
+  return vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x));
+}
+
+// A direction that evaluateBsdf gives no density: of a mirror.
+fn deltaSample(direction: vec3f, probability: f32, weight: vec3f) -> BsdfSample {
+  return BsdfSample(direction, probability, weight, true);
+}
+
+// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
+fn mirrored(wo: vec3f) -> vec3f {
+  return vec3f(-wo.xy, wo.z);
+}
+
+struct BsdfSample {
+  direction: vec3f,
+  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
+  pdf: f32,
+  // f |cos| / pdf
+  weight: vec3f,
+  delta: bool,
+}
+
+
+// A facet that wo sees, turned to wo's side.
+fn sampleFacet(s: Surface, wo: vec3f, u: vec2f) -> vec3f {
+  let side = select(1.0, -1.0, wo.z < 0.0);
+  let up = wo * side;
+  let bound = select(reflectionBound(up, s.alpha), 1.0, kindOf(s) == dielectric);
+  return select(sampleVisibleNormal(up, max(s.alpha, smoothAlpha), bound, u), vec3f(0.0, 0.0, 1.0), hasSmoothLobe(s)) * side;
+}
+
+// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
+fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
+  let cosine = dot(wo, h);
+  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
+  return ((cosine - inside) * h - wo) / ratio;
+}
+
+// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
+// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
+fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
+  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
+  let phi = 6.28318530718 * u.x;
+  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
+  let drop = u.y * (1.0 + bound * w.z);
+  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
+  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
+  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
+}
+
+// The same with w^2 in place of w, eight digits.
+fn pascalW2(x: u32) -> u32 {
+  var y = x ^ timesW2((x >> 2u) & 0x3333u);
+  y ^= timesW((y >> 4u) & 0x0f0fu);
+  return y ^ timesW2((y >> 8u) & 0x00ffu);
+}
+
+fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
+  // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
+  let independent = frame.independent != 0u;
+  let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
+  let place = spread0(pixel.x & 15u) | (spread0(pixel.y & 15u) << 1u);
+  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
+  let used = select(reversed, 0u, independent);
+  return Sampler(hash, pcg(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+}
+
+fn pinholeDirection(filmPoint: vec2f) -> vec3f {
+  let x = 2.0 * filmPoint.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
+  return normalize(frame.forward + x * frame.right + y * frame.up);
+}
+
+fn atEye() -> Start {
+  return Start(vec3f(0.0), noShape, noShape, 0.0);
+}
+
+@group(0) @binding(2) var previousFilm: texture_2d<f32>;
+
+@group(0) @binding(3) var previousSquares: texture_2d<f32>;
+
+fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
+  return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
+}
+
+// Bits 0 to 3 of x to the even places.
+fn spread0(x: u32) -> u32 {
+  let y = (x | (x << 2u)) & 0x33u;
+  return (y | (y << 1u)) & 0x55u;
+}

@@ -1,0 +1,774 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+struct EmitterChoice {
+    uint index;
+    float probability;
+};
+struct Frame {
+    vec3 right;
+    float width;
+    vec3 up;
+    float height;
+    vec3 forward;
+    uint lightCount;
+    vec3 horizon;
+    uint sampleIndex;
+    vec3 zenith;
+    uint seed;
+    vec2 jitter;
+    vec2 dividers;
+    uvec4 shapeEnds;
+    uint occluderEnd;
+    uint seenLightEnd;
+    uint emitterCount;
+    uint maxDepth;
+    uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct Survey {
+    float total;
+    uint chosen;
+    float chosenWeight;
+    float wantedWeight;
+};
+struct Emitter {
+    vec3 position;
+    float kind;
+    vec3 u;
+    float radius;
+    vec3 v;
+    float cosInner;
+    vec3 radiance;
+    float area;
+    float shape;
+    float oneSided;
+    float power;
+    float reach;
+};
+struct LightSample {
+    vec3 direction;
+    float distance_;
+    vec3 radiance;
+    float pdf;
+    bool delta;
+};
+struct SphereView {
+    vec3 toCenter;
+    float distance_;
+    float power;
+    bool inside;
+    float width;
+};
+struct ConeDirection {
+    vec3 direction;
+    float cosine;
+    float sine2_;
+};
+struct QuadView {
+    vec3 corner;
+    vec3 axisX;
+    vec3 axisY;
+    vec3 axisZ;
+    vec2 low;
+    vec2 high;
+    float height;
+    float start;
+    float solidAngle;
+    bool lit;
+    bool bySolidAngle;
+};
+struct BoxView {
+    vec4 rotation;
+    vec3 point;
+    vec3 faces;
+    bool inside;
+    float area;
+};
+struct Extent {
+    vec4 a;
+    vec4 b;
+};
+struct Start {
+    vec3 point;
+    uint leaves;
+    uint inside;
+    float tMin;
+};
+struct Ray {
+    Start start;
+    vec3 direction;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
+};
+const uint directionAndPdf = 0u;
+const uint radianceAndDistance = 1u;
+const uint pdfOfSample = 2u;
+const uint pdfOfDirection = 3u;
+const uint choice = 4u;
+const uint noShape = 4294967295u;
+
+uniform highp sampler2D questions;
+
+layout(std140) uniform FrameBlock { Frame frame; };
+
+uniform highp sampler2D sceneTable;
+
+layout(location = 0) out vec4 _fs2p_location0;
+
+float spotFalloff(Emitter e, vec3 toLight) {
+    float share = clamp(((-(dot(toLight, e.u)) - e.radius) / (e.cosInner - e.radius)), 0.0, 1.0);
+    return (share * share);
+}
+
+float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
+    if ((e_1.kind == 6.0)) {
+        return e_1.power;
+    }
+    bool isQuad = (e_1.kind == 1.0);
+    bool isFar = (e_1.kind == 5.0);
+    vec3 middle = (e_1.position + (isQuad ? (0.5 * (e_1.u + e_1.v)) : vec3(0.0)));
+    vec3 toLight_1 = (isFar ? -(e_1.u) : (middle - point));
+    float distance2_ = dot(toLight_1, toLight_1);
+    float distance_5 = sqrt(distance2_);
+    float grown = max((distance_5 + e_1.reach), 1e-15);
+    float above = clamp(((dot(normal_1, toLight_1) + e_1.reach) / grown), 0.0, 1.0);
+    float cosine = ((dot(normal_1, normal_1) == 0.0) ? 1.0 : above);
+    float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
+    float side = ((e_1.oneSided == 1.0) ? max(height_1, 0.0) : abs(height_1));
+    float lampCosine = ((side > 0.0) ? ((side + e_1.reach) / grown) : 0.0);
+    float _e74 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_5, 1e-15))));
+    float share_1 = ((e_1.kind == 4.0) ? _e74 : (isQuad ? lampCosine : 1.0));
+    float square = (isQuad ? (distance2_ + (e_1.area / 3.1415927)) : max(distance2_, (e_1.area / 12.566371)));
+    return (((e_1.power * cosine) * share_1) / (isFar ? 1.0 : max(square, 1e-15)));
+}
+
+Emitter fetchEmitter(uint i) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(14u, i)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(15u, i)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(16u, i)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(17u, i)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(18u, i)), 0);
+    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w);
+}
+
+Survey surveyEmitters(vec3 point_1, vec3 normal_2, float u, uint wanted) {
+    Survey s = Survey(0.0, 0u, 0.0, 0.0);
+    float rest = 0.0;
+    uint i_1 = 0u;
+    rest = u;
+    while(true) {
+        uint _e13 = i_1;
+        Emitter _e14 = fetchEmitter(_e13);
+        float _e15 = estimatedIrradiance(_e14, point_1, normal_2);
+        float _e17 = s.total;
+        s.total = (_e17 + _e15);
+        float _e20 = s.total;
+        float share_2 = (_e15 / max(_e20, 1e-37));
+        float _e24 = rest;
+        bool take = (_e24 < share_2);
+        uint _e28 = s.chosen;
+        uint _e29 = i_1;
+        s.chosen = (take ? _e29 : _e28);
+        float _e33 = s.chosenWeight;
+        s.chosenWeight = (take ? _e15 : _e33);
+        float _e37 = s.wantedWeight;
+        uint _e38 = i_1;
+        s.wantedWeight = ((_e38 == wanted) ? _e15 : _e37);
+        float _e41 = rest;
+        float _e48 = rest;
+        rest = (take ? (_e48 / max(share_2, 1e-37)) : ((_e41 - share_2) / max((1.0 - share_2), 1e-7)));
+        uint _e54 = i_1;
+        i_1 = (_e54 + 1u);
+        uint _e56 = i_1;
+        uint _e59 = frame.emitterCount;
+        if ((_e56 >= _e59)) {
+            break;
+        }
+    }
+    Survey _e61 = s;
+    return _e61;
+}
+
+EmitterChoice chooseEmitter(vec3 point_2, vec3 normal_3, float u_1) {
+    uint _e5 = frame.emitterCount;
+    if ((_e5 <= 1u)) {
+        uint _e11 = frame.emitterCount;
+        return EmitterChoice(0u, float(_e11));
+    }
+    Survey _e15 = surveyEmitters(point_2, normal_3, u_1, 0u);
+    return EmitterChoice(_e15.chosen, (_e15.chosenWeight / max(_e15.total, 1e-37)));
+}
+
+float choiceProbability(uint index, vec3 point_3, vec3 normal_4) {
+    uint _e5 = frame.emitterCount;
+    if ((_e5 <= 1u)) {
+        uint _e10 = frame.emitterCount;
+        return float(_e10);
+    }
+    Survey _e13 = surveyEmitters(point_3, normal_4, 0.0, index);
+    return (_e13.wantedWeight / max(_e13.total, 1e-37));
+}
+
+SphereView viewSphere(Emitter e_2, vec3 point_4) {
+    vec3 toCenter = (e_2.position - point_4);
+    float d_1 = length(toCenter);
+    float power = abs(((d_1 - e_2.radius) * (d_1 + e_2.radius)));
+    bool inside = (d_1 <= e_2.radius);
+    float sine = min((e_2.radius / max(d_1, 1e-30)), 1.0);
+    float cosine_1 = (sqrt(power) / max(d_1, 1e-30));
+    return SphereView(toCenter, d_1, power, inside, (inside ? 2.0 : ((sine * sine) / (1.0 + cosine_1))));
+}
+
+vec3 turnTo(vec3 axis, vec3 v) {
+    float s_2 = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (s_2 + axis.z));
+    float b = ((axis.x * axis.y) * a);
+    vec3 x_2 = vec3((1.0 + (((s_2 * axis.x) * axis.x) * a)), (s_2 * b), (-(s_2) * axis.x));
+    vec3 y_1 = vec3(b, (s_2 + ((axis.y * axis.y) * a)), -(axis.y));
+    return (((v.x * x_2) + (v.y * y_1)) + (v.z * axis));
+}
+
+ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
+    float oneMinusCosine = (u_2.x * width);
+    float cosine_2 = (1.0 - oneMinusCosine);
+    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
+    float sine_1 = sqrt(max(sine2_, 0.0));
+    float phi = (6.2831855 * u_2.y);
+    vec3 _e21 = turnTo(axis_1, vec3((sine_1 * cos(phi)), (sine_1 * sin(phi)), cosine_2));
+    return ConeDirection(_e21, cosine_2, sine2_);
+}
+
+float conePdf(float width_1) {
+    return (1.0 / (6.2831855 * max(width_1, 1e-31)));
+}
+
+LightSample sampleSphere(Emitter e_3, vec3 point_5, vec2 u_3) {
+    SphereView _e3 = viewSphere(e_3, point_5);
+    vec3 axis_2 = ((_e3.distance_ < 1e-30) ? vec3(0.0, 0.0, 1.0) : (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_3);
+    float along = (_e3.distance_ * _e19.cosine);
+    float halfChord = sqrt(max(((e_3.radius * e_3.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float larger = (abs(along) + halfChord);
+    bool takeLarger = (_e3.inside && (along > 0.0));
+    float distance_6 = (takeLarger ? larger : (_e3.power / max(larger, 1e-30)));
+    float _e49 = conePdf(_e3.width);
+    return LightSample(_e19.direction, distance_6, e_3.radiance, _e49, false);
+}
+
+float arctangent(float x) {
+    float a_1 = abs(x);
+    bool steep = (a_1 > 2.4142137);
+    bool middle_1 = ((a_1 > 0.41421357) && !(steep));
+    float r = (steep ? (-1.0 / max(a_1, 1.0)) : (middle_1 ? ((a_1 - 1.0) / (a_1 + 1.0)) : a_1));
+    float base = (steep ? 1.5707964 : (middle_1 ? 0.7853982 : 0.0));
+    float z = (r * r);
+    float series = ((((((0.080537446 * z) - 0.13877685) * z) + 0.19977711) * z) - 0.3333295);
+    return (sign(x) * (base + (((series * z) * r) + r)));
+}
+
+float stretch(float x_1, vec2 y, float h) {
+    vec2 r_1 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
+    float _e16 = arctangent(((x_1 * y.y) / (h * r_1.y)));
+    float _e22 = arctangent(((x_1 * y.x) / (h * r_1.x)));
+    return (_e16 - _e22);
+}
+
+QuadView viewQuad(Emitter e_4, vec3 point_6) {
+    vec3 corner = (e_4.position - point_6);
+    vec2 lengths = vec2(length(e_4.u), length(e_4.v));
+    vec3 axisX = (e_4.u / vec3(lengths.x));
+    vec3 axisY = (e_4.v / vec3(lengths.y));
+    vec3 normal_8 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_8);
+    float least = (1e-7 * (lengths.x + lengths.y));
+    float height_2 = max(abs(signedHeight), least);
+    bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
+    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high = (low + lengths);
+    vec2 y_2 = vec2(low.y, high.y);
+    float _e44 = stretch(low.x, y_2, height_2);
+    float _e46 = stretch(high.x, y_2, height_2);
+    float solidAngle = (_e46 - _e44);
+    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
+    vec3 axisZ = (normal_8 * ((signedHeight > 0.0) ? 1.0 : -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
+}
+
+vec3 sphericalRectangle(QuadView q, vec2 u_4) {
+    float h_1 = q.height;
+    vec2 y_3 = vec2(q.low.y, q.high.y);
+    vec2 s_3 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_1 * h_1)))));
+    float halfT = (0.5 * (q.start + (u_4.x * q.solidAngle)));
+    float p = cos(halfT);
+    float sine_2 = sin(halfT);
+    vec2 across = vec2(((s_3.y - s_3.x) * p), ((s_3.y + s_3.x) * sine_2));
+    float w = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
+    float x_3 = clamp(((h_1 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
+    float d2_ = ((x_3 * x_3) + (h_1 * h_1));
+    vec2 ends = (y_3 * inversesqrt((vec2(d2_) + (y_3 * y_3))));
+    float v_3 = mix(ends.x, ends.y, u_4.y);
+    float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_3.x, y_3.y);
+    return (((x_3 * q.axisX) + (atY * q.axisY)) + (h_1 * q.axisZ));
+}
+
+float areaPdf(float area, float height, float distance_) {
+    float pdf = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf, 1e30);
+}
+
+float pdfOfView(QuadView q_1, float area_1, float distance_1) {
+    float _e4 = areaPdf(area_1, q_1.height, distance_1);
+    float pdf_1 = (q_1.bySolidAngle ? (1.0 / max(q_1.solidAngle, 0.01)) : _e4);
+    return (q_1.lit ? pdf_1 : 0.0);
+}
+
+LightSample sampleQuad(Emitter e_5, vec3 point_7, vec2 u_5) {
+    QuadView _e3 = viewQuad(e_5, point_7);
+    vec3 onArea = ((_e3.corner + (u_5.x * e_5.u)) + (u_5.y * e_5.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_5);
+    vec3 toLight_2 = (_e3.bySolidAngle ? _e13 : onArea);
+    float distance_7 = max(length(toLight_2), _e3.height);
+    float _e23 = pdfOfView(_e3, e_5.area, distance_7);
+    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_5.radiance, _e23, false);
+}
+
+Extent fetchExtent(uint i_2) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
+    return Extent(t0_1.xyzw, t1_1.xyzw);
+}
+
+vec3 rotate(vec4 q_2, vec3 v_1) {
+    vec3 t_2 = (2.0 * cross(q_2.xyz, v_1));
+    return ((v_1 + (q_2.w * t_2)) + cross(q_2.xyz, t_2));
+}
+
+BoxView viewBox(Emitter e_6, vec3 point_8) {
+    Extent _e4 = fetchExtent(uint(e_6.shape));
+    vec4 rotation = _e4.a;
+    vec3 _e8 = rotate(rotation, (point_8 - e_6.position));
+    bvec3 beyond = greaterThan(abs(_e8), e_6.u);
+    bool inside_1 = !(any(beyond));
+    vec3 areas = ((4.0 * e_6.u.yzx) * e_6.u.zxy);
+    vec3 faces = mix(vec3(0.0), areas, bvec3(beyond.x || bvec3(inside_1).x, beyond.y || bvec3(inside_1).y, beyond.z || bvec3(inside_1).z));
+    float area_2 = (((faces.x + faces.y) + faces.z) * (inside_1 ? 2.0 : 1.0));
+    return BoxView(rotation, _e8, faces, inside_1, area_2);
+}
+
+vec3 rotateBack(vec4 q_3, vec3 v_2) {
+    vec3 _e6 = rotate(vec4(-(q_3.xyz), q_3.w), v_2);
+    return _e6;
+}
+
+LightSample sampleBox(Emitter e_7, vec3 point_9, vec2 u_6) {
+    BoxView _e3 = viewBox(e_7, point_9);
+    float both = (_e3.faces.x + _e3.faces.y);
+    float at = (u_6.x * (both + _e3.faces.z));
+    bool onX = (at < _e3.faces.x);
+    bool onY = (!(onX) && (at < both));
+    float face = (onX ? _e3.faces.x : (onY ? _e3.faces.y : _e3.faces.z));
+    float within = clamp(((at - (onX ? 0.0 : (onY ? _e3.faces.x : both))) / face), 0.0, 0.99999994);
+    float s_4 = (_e3.inside ? fract((2.0 * within)) : within);
+    vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
+    float side_1 = (_e3.inside ? (within - 0.5) : dot(axis_3, _e3.point));
+    vec3 p_1 = vec3(((side_1 >= 0.0) ? 1.0 : -1.0), ((2.0 * s_4) - 1.0), ((2.0 * u_6.y) - 1.0));
+    vec3 onFace = ((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_7.u);
+    vec3 toLight_3 = (onFace - _e3.point);
+    float height_3 = abs(dot(axis_3, toLight_3));
+    float distance_8 = max(length(toLight_3), 1e-30);
+    float _e90 = areaPdf(_e3.area, height_3, distance_8);
+    float pdf_2 = ((height_3 > 0.0) ? _e90 : 0.0);
+    vec3 _e98 = rotateBack(_e3.rotation, (toLight_3 / vec3(distance_8)));
+    return LightSample(_e98, distance_8, e_7.radiance, pdf_2, false);
+}
+
+LightSample samplePoint(Emitter e_8, vec3 point_10) {
+    vec3 toLight_4 = (e_8.position - point_10);
+    float distance_9 = length(toLight_4);
+    float safe = max(distance_9, 1e-15);
+    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_8.radiance / vec3((safe * safe))), ((distance_9 > 1e-15) ? 1.0 : 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_9, vec3 point_11) {
+    LightSample s_1 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_9, point_11);
+    s_1 = _e2;
+    vec3 _e5 = s_1.direction;
+    float _e6 = spotFalloff(e_9, _e5);
+    vec3 _e8 = s_1.radiance;
+    s_1.radiance = (_e8 * _e6);
+    float _e12 = s_1.pdf;
+    s_1.pdf = ((_e6 > 0.0) ? _e12 : 0.0);
+    LightSample _e17 = s_1;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_10, vec2 u_7) {
+    bool delta = (e_10.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_10.u), (e_10.area / 6.2831855), u_7);
+    return LightSample(_e10.direction, 1e30, e_10.radiance, (delta ? 1.0 : (1.0 / max(e_10.area, 1e-31))), delta);
+}
+
+vec3 sky(vec3 direction) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction.y, 0.0));
+}
+
+float skyPdf(vec3 direction_1) {
+    return 0.07957747;
+}
+
+LightSample sampleSky(vec2 u_8) {
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_8);
+    vec3 direction_15 = _e6.direction;
+    vec3 _e8 = sky(direction_15);
+    float _e9 = skyPdf(direction_15);
+    return LightSample(direction_15, 1e30, _e8, _e9, false);
+}
+
+LightSample sampleEmitter(Emitter e_11, vec3 point_12, vec2 u_9) {
+    if ((e_11.kind == 0.0)) {
+        LightSample _e6 = sampleSphere(e_11, point_12, u_9);
+        return _e6;
+    }
+    if ((e_11.kind == 1.0)) {
+        LightSample _e10 = sampleQuad(e_11, point_12, u_9);
+        return _e10;
+    }
+    if ((e_11.kind == 2.0)) {
+        LightSample _e14 = sampleBox(e_11, point_12, u_9);
+        return _e14;
+    }
+    if ((e_11.kind == 3.0)) {
+        LightSample _e18 = samplePoint(e_11, point_12);
+        return _e18;
+    }
+    if ((e_11.kind == 4.0)) {
+        LightSample _e22 = sampleSpot(e_11, point_12);
+        return _e22;
+    }
+    if ((e_11.kind == 5.0)) {
+        LightSample _e26 = sampleDirectional(e_11, u_9);
+        return _e26;
+    }
+    LightSample _e27 = sampleSky(u_9);
+    return _e27;
+}
+
+Start onSurface(vec3 point_13, uint shape, bool seenFromInside) {
+    return Start(point_13, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_13)));
+}
+
+bool isSphere(uint i_3) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_3 < _e4);
+}
+
+float intersectSphere(vec3 origin, vec3 direction_2, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter_1 = (center - origin);
+    float along_1 = dot(toCenter_1, direction_2);
+    vec3 across_1 = (toCenter_1 - (along_1 * direction_2));
+    float discriminant = ((radius * radius) - dot(across_1, across_1));
+    float half_ = sqrt(max(discriminant, 0.0));
+    float near = (along_1 - half_);
+    float far = (along_1 + half_);
+    float t_3 = ((near > tMin) ? near : far);
+    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_3 > tMin)) ? t_3 : 1e30));
+}
+
+float hitSphere(uint i_4, Bounds bounds, Ray ray) {
+    float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_4 == ray.start.inside));
+    return ((i_4 == ray.start.leaves) ? 1e30 : _e13);
+}
+
+bool isBox(uint i_5) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return ((i_5 >= _e4) && (i_5 < _e9));
+}
+
+bool isTurned(vec4 q_4) {
+    return any(notEqual(q_4.xyz, vec3(0.0)));
+}
+
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_2, vec3 direction_3, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_3, origin_2);
+    vec3 middle_2 = (-(origin_2) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle_2 - reach);
+    vec3 leave = (middle_2 + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+float intersectBox(vec3 origin_3, vec3 direction_4, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_4, halfSize_1);
+    float t_4 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
+    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_4 > tMin_1)) ? t_4 : 1e30));
+}
+
+float hitBox(uint i_6, Bounds bounds_1, Ray ray_1) {
+    vec3 origin_4 = vec3(0.0);
+    vec3 direction_5 = vec3(0.0);
+    Extent _e3 = fetchExtent(i_6);
+    origin_4 = (ray_1.start.point - bounds_1.center);
+    direction_5 = ray_1.direction;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_4;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_4 = _e15;
+        vec3 _e17 = direction_5;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_5 = _e18;
+    }
+    vec3 _e19 = origin_4;
+    vec3 _e20 = direction_5;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_6 == ray_1.start.inside));
+    return ((i_6 == ray_1.start.leaves) ? 1e30 : _e28);
+}
+
+bool isQuad0_(uint i_7) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_7 < _e4);
+}
+
+float intersectQuad(vec3 origin_5, vec3 direction_6, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_9 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_6, normal_9);
+    vec3 toCenter_2 = (center_1 - origin_5);
+    float t_5 = (dot(toCenter_2, normal_9) / ((speed == 0.0) ? 1e-30 : speed));
+    vec3 p_2 = ((t_5 * direction_6) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
+    return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within_1) ? t_5 : 1e30);
+}
+
+float hitQuad(uint i_8, Bounds bounds_2, Ray ray_2) {
+    Extent _e3 = fetchExtent(i_8);
+    float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
+    return ((i_8 == ray_2.start.leaves) ? 1e30 : _e14);
+}
+
+float intersectPlane(vec3 origin_6, vec3 direction_7, vec3 normal_5, float offset, float tMin_3) {
+    float speed_1 = dot(direction_7, normal_5);
+    float t_6 = ((offset - dot(origin_6, normal_5)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
+    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
+    bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
+    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
+}
+
+float hitPlane(uint i_9, Bounds bounds_3, Ray ray_3) {
+    float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
+    return ((i_9 == ray_3.start.leaves) ? 1e30 : _e10);
+}
+
+float hitShape(uint i_10, Bounds bounds_4, Ray ray_4) {
+    bool _e3 = isSphere(i_10);
+    if (_e3) {
+        float _e4 = hitSphere(i_10, bounds_4, ray_4);
+        return _e4;
+    }
+    bool _e5 = isBox(i_10);
+    if (_e5) {
+        float _e6 = hitBox(i_10, bounds_4, ray_4);
+        return _e6;
+    }
+    bool _e7 = isQuad0_(i_10);
+    if (_e7) {
+        float _e8 = hitQuad(i_10, bounds_4, ray_4);
+        return _e8;
+    }
+    float _e9 = hitPlane(i_10, bounds_4, ray_4);
+    return _e9;
+}
+
+Bounds fetchBounds(uint i_11) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(0u, i_11)), 0);
+    return Bounds(t0_2.xyz, t0_2.w);
+}
+
+bool isPlane(uint i_12) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_12 >= _e4);
+}
+
+bool isFlat(uint i_13) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_13 >= _e4);
+}
+
+vec3 boxNormal(vec3 origin_7, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_7, direction_8, halfSize_2);
+    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
+    vec3 crossed = (entering ? _e5.enter : _e5.leave);
+    float t_7 = (entering ? _e5.near : _e5.far);
+    vec3 side_2 = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    if ((crossed.x == t_7)) {
+        return vec3(side_2.x, 0.0, 0.0);
+    }
+    if ((crossed.y == t_7)) {
+        return vec3(0.0, side_2.y, 0.0);
+    }
+    return vec3(0.0, 0.0, side_2.z);
+}
+
+vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
+    Bounds _e3 = fetchBounds(i_14);
+    vec3 origin_8 = (ray_5.start.point - _e3.center);
+    bool _e8 = isSphere(i_14);
+    if (_e8) {
+        return normalize((origin_8 + (t_1 * ray_5.direction)));
+    }
+    bool _e13 = isPlane(i_14);
+    if (_e13) {
+        return _e3.center;
+    }
+    Extent _e15 = fetchExtent(i_14);
+    bool _e16 = isFlat(i_14);
+    if (_e16) {
+        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
+    }
+    bool inside_2 = (i_14 == ray_5.start.inside);
+    vec3 _e27 = rotate(_e15.a, origin_8);
+    vec3 _e30 = rotate(_e15.a, ray_5.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_2);
+    vec3 _e37 = rotateBack(_e15.a, _e35);
+    return _e37;
+}
+
+float spherePdf(Emitter e_12, vec3 point_14, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_12, point_14);
+    bool reached = (_e3.inside || (dot(direction_9, _e3.toCenter) > 0.0));
+    float _e11 = conePdf(_e3.width);
+    return (reached ? _e11 : 0.0);
+}
+
+float quadPdf(Emitter e_13, vec3 point_15, float distance_2) {
+    QuadView _e3 = viewQuad(e_13, point_15);
+    float _e5 = pdfOfView(_e3, e_13.area, distance_2);
+    return _e5;
+}
+
+float boxPdf(Emitter e_14, vec3 point_16, vec3 direction_10, float distance_3, vec3 normal_6) {
+    BoxView _e5 = viewBox(e_14, point_16);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_6))), distance_3);
+    return _e10;
+}
+
+bool isOnDisc(Emitter e_15, vec3 direction_11) {
+    vec3 chord = (direction_11 + e_15.u);
+    return ((3.1415927 * dot(chord, chord)) < e_15.area);
+}
+
+float directionalPdf(Emitter e_16, vec3 direction_12) {
+    bool _e7 = isOnDisc(e_16, direction_12);
+    return (_e7 ? (1.0 / max(e_16.area, 1e-31)) : 0.0);
+}
+
+float emitterPdf(Emitter e_17, vec3 point_17, vec3 direction_13, float distance_4, vec3 normal_7) {
+    if ((e_17.kind == 0.0)) {
+        float _e8 = spherePdf(e_17, point_17, direction_13);
+        return _e8;
+    }
+    if ((e_17.kind == 1.0)) {
+        float _e12 = quadPdf(e_17, point_17, distance_4);
+        return _e12;
+    }
+    if ((e_17.kind == 2.0)) {
+        float _e16 = boxPdf(e_17, point_17, direction_13, distance_4, normal_7);
+        return _e16;
+    }
+    if ((e_17.kind == 5.0)) {
+        float _e20 = directionalPdf(e_17, direction_13);
+        return _e20;
+    }
+    if ((e_17.kind == 6.0)) {
+        float _e24 = skyPdf(direction_13);
+        return _e24;
+    }
+    return 0.0;
+}
+
+vec3 radianceFromInfinity(Emitter e_18, vec3 direction_14) {
+    if ((e_18.kind == 6.0)) {
+        vec3 _e5 = sky(direction_14);
+        return _e5;
+    }
+    bool _e9 = isOnDisc(e_18, direction_14);
+    bool disc = ((e_18.kind == 5.0) && _e9);
+    return (disc ? e_18.radiance : vec3(0.0));
+}
+
+void main() {
+    vec4 fragment = gl_FragCoord;
+    float t = 1e30;
+    vec3 normal = vec3(0.0);
+    uvec2 pixel = uvec2(fragment.xy);
+    vec4 a_2 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
+    vec4 b_1 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    uint question = uint(b_1.w);
+    uint index_1 = uint(a_2.w);
+    if ((question == choice)) {
+        EmitterChoice _e40 = chooseEmitter(a_2.xyz, c.xyz, b_1.x);
+        float _e47 = choiceProbability(_e40.index, a_2.xyz, c.xyz);
+        float _e50 = choiceProbability(index_1, a_2.xyz, c.xyz);
+        _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e47, _e50);
+        return;
+    }
+    Emitter _e52 = fetchEmitter(index_1);
+    LightSample _e55 = sampleEmitter(_e52, a_2.xyz, b_1.xy);
+    if ((question == directionAndPdf)) {
+        _fs2p_location0 = vec4(_e55.direction, _e55.pdf);
+        return;
+    }
+    if ((question == radianceAndDistance)) {
+        _fs2p_location0 = vec4(_e55.radiance, _e55.distance_);
+        return;
+    }
+    vec3 direction_16 = ((question == pdfOfSample) ? _e55.direction : c.xyz);
+    if ((_e52.shape >= 0.0)) {
+        uint shape_1 = uint(_e52.shape);
+        Start _e84 = onSurface(a_2.xyz, noShape, false);
+        Ray ray_6 = Ray(_e84, direction_16);
+        Bounds _e86 = fetchBounds(shape_1);
+        float _e87 = hitShape(shape_1, _e86, ray_6);
+        t = _e87;
+        float _e88 = t;
+        vec3 _e91 = outwardNormal(shape_1, ray_6, min(_e88, 1e30));
+        normal = _e91;
+        float _e92 = t;
+        if ((_e92 >= 1e30)) {
+            _fs2p_location0 = vec4(0.0, 1e30, _e55.pdf, float(_e55.delta));
+            return;
+        }
+    }
+    float _e102 = t;
+    vec3 _e103 = normal;
+    float _e104 = emitterPdf(_e52, a_2.xyz, direction_16, _e102, _e103);
+    float _e105 = t;
+    vec3 _e106 = radianceFromInfinity(_e52, direction_16);
+    _fs2p_location0 = vec4(_e104, _e105, length(_e106), float(_e55.delta));
+    return;
+}
+

@@ -1,0 +1,826 @@
+// Linked from tests/emitter-probe.wesl by `npm run shaders`. Do not edit.
+@group(0) @binding(2) var questions: texture_2d<f32>;
+
+// The questions, as emitters/probe.ts numbers them.
+const directionAndPdf = 0u;
+
+const radianceAndDistance = 1u;
+
+const pdfOfSample = 2u;
+
+const pdfOfDirection = 3u;
+
+const choice = 4u;
+
+@fragment fn emitterProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
+  let pixel = vec2u(fragment.xy);
+  let a = textureLoad(questions, vec2u(3u * pixel.x, pixel.y), 0);
+  let b = textureLoad(questions, vec2u(3u * pixel.x + 1u, pixel.y), 0);
+  let c = textureLoad(questions, vec2u(3u * pixel.x + 2u, pixel.y), 0);
+  let question = u32(b.w);
+  let index = u32(a.w);
+  if (question == choice) {
+    let chosen = chooseEmitter(a.xyz, c.xyz, b.x);
+    return vec4f(f32(chosen.index), chosen.probability, choiceProbability(chosen.index, a.xyz, c.xyz), choiceProbability(index, a.xyz, c.xyz));
+  }
+  let e = fetchEmitter(index);
+  let s = sampleEmitter(e, a.xyz, b.xy);
+  if (question == directionAndPdf) {
+    return vec4f(s.direction, s.pdf);
+  }
+  if (question == radianceAndDistance) {
+    return vec4f(s.radiance, s.distance);
+  }
+  // A ray in that direction, as the integrator casts it.
+  let direction = select(c.xyz, s.direction, question == pdfOfSample);
+  var t = miss;
+  var normal = vec3f(0.0);
+  if (e.shape >= 0.0) {
+    let shape = u32(e.shape);
+    let ray = Ray(onSurface(a.xyz, noShape, false), direction);
+    t = hitShape(shape, fetchBounds(shape), ray);
+    normal = outwardNormal(shape, ray, min(t, miss));
+    if (t >= miss) {
+      return vec4f(0.0, miss, s.pdf, f32(s.delta));
+    }
+  }
+  return vec4f(emitterPdf(e, a.xyz, direction, t, normal), t, length(radianceFromInfinity(e, direction)), f32(s.delta));
+}
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  if (e.kind == sphereKind) {
+    return sampleSphere(e, point, u);
+  }
+  if (e.kind == quadKind) {
+    return sampleQuad(e, point, u);
+  }
+  if (e.kind == boxKind) {
+    return sampleBox(e, point, u);
+  }
+  if (e.kind == pointKind) {
+    return samplePoint(e, point);
+  }
+  if (e.kind == spotKind) {
+    return sampleSpot(e, point);
+  }
+  if (e.kind == directionalKind) {
+    return sampleDirectional(e, u);
+  }
+  return sampleSky(u);
+}
+
+const miss = 1e30;
+
+// The density with which sampleEmitter gives that direction. The ray met the emitter's shape `distance` away, with that outward
+// normal; for light from infinity neither counts.
+fn emitterPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  if (e.kind == sphereKind) {
+    return spherePdf(e, point, direction);
+  }
+  if (e.kind == quadKind) {
+    return quadPdf(e, point, distance);
+  }
+  if (e.kind == boxKind) {
+    return boxPdf(e, point, direction, distance, normal);
+  }
+  if (e.kind == directionalKind) {
+    return directionalPdf(e, direction);
+  }
+  if (e.kind == skyKind) {
+    return skyPdf(direction);
+  }
+  return 0.0;
+}
+
+// What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
+fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
+  if (e.kind == skyKind) {
+    return sky(direction);
+  }
+  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
+  return select(vec3f(0.0), e.radiance, disc);
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  if (frame.emitterCount <= 1u) {
+    return EmitterChoice(0u, f32(frame.emitterCount));
+  }
+  let s = surveyEmitters(point, normal, u, 0u);
+  return EmitterChoice(s.chosen, s.chosenWeight / max(s.total, 1e-37));
+}
+
+fn choiceProbability(index: u32, point: vec3f, normal: vec3f) -> f32 {
+  if (frame.emitterCount <= 1u) {
+    return f32(frame.emitterCount);
+  }
+  let s = surveyEmitters(point, normal, 0.0, index);
+  return s.wantedWeight / max(s.total, 1e-37);
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+// One loop for choosing and for asking, so that both see the same numbers. Weighted reservoir sampling (Chao 1982) with one random
+// number: whatever of u decided is stretched to [0, 1) again.
+fn surveyEmitters(point: vec3f, normal: vec3f, u: f32, wanted: u32) -> Survey {
+  var s = Survey(0.0, 0u, 0.0, 0.0);
+  var rest = u;
+  var i = 0u;
+  loop {
+    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+    s.total += weight;
+    let share = weight / max(s.total, 1e-37);
+    let take = rest < share;
+    s.chosen = select(s.chosen, i, take);
+    s.chosenWeight = select(s.chosenWeight, weight, take);
+    s.wantedWeight = select(s.wantedWeight, weight, i == wanted);
+    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+    i++;
+    if (i >= frame.emitterCount) {
+      break;
+    }
+  }
+  return s;
+}
+
+struct EmitterChoice {
+  index: u32,
+  // 0: no light reaches the point.
+  probability: f32,
+}
+
+
+struct Frame {
+  // camera r times tan(fov / 2) times aspect
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times tan(fov / 2)
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
+}
+
+
+struct Survey {
+  total: f32,
+  chosen: u32,
+  chosenWeight: f32,
+  wantedWeight: f32,
+}
+
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  if (e.kind == skyKind) {
+    return e.power;
+  }
+  let isQuad = e.kind == quadKind;
+  let isFar = e.kind == directionalKind;
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
+const skyKind = 6.0;
+
+const quadKind = 1.0;
+
+const directionalKind = 5.0;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const pi = 3.14159265359;
+
+struct Emitter {
+  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  radius: f32,
+  // other edge of a quad
+  v: vec3f,
+  // cosine of the inner angle of a spot
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+struct Ray {
+  start: Start,
+  direction: vec3f,
+}
+
+
+// On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
+fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
+  return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+// The same for a shape of any kind.
+fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  if (isSphere(i)) {
+    return hitSphere(i, bounds, ray);
+  }
+  if (isBox(i)) {
+    return hitBox(i, bounds, ray);
+  }
+  if (isQuad0(i)) {
+    return hitQuad(i, bounds, ray);
+  }
+  return hitPlane(i, bounds, ray);
+}
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
+}
+
+// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
+fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
+  let bounds = fetchBounds(i);
+  let origin = ray.start.point - bounds.center;
+  if (isSphere(i)) {
+    return normalize(origin + t * ray.direction);
+  }
+  if (isPlane(i)) {
+    return bounds.center;
+  }
+  let extent = fetchExtent(i);
+  if (isFlat(i)) {
+    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  }
+  let inside = i == ray.start.inside;
+  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
+  return rotateBack(extent.a, normal);
+}
+
+// Where a ray starts, whichever way it then goes.
+struct Start {
+  point: vec3f,
+  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
+  leaves: u32,
+  // The solid that the ray starts inside of: only its far side counts.
+  inside: u32,
+  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
+  tMin: f32,
+}
+
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn isBox(i: u32) -> bool {
+  return (i >= frame.shapeEnds.x) & (i < frame.shapeEnds.y);
+}
+
+fn isQuad0(i: u32) -> bool {
+  return i < frame.shapeEnds.z;
+}
+
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+// Distances along the ray to shape i of that kind, or `miss`.
+fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
+}
+
+fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  var origin = ray.start.point - bounds.center;
+  var direction = ray.direction;
+  if (isTurned(extent.a)) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
+  }
+  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
+fn isTurned(q: vec4f) -> bool {
+  return any(q.xyz != vec3f(0.0));
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
+}
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction, origin);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
+}
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = (s.near > tMin) & !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  if (crossed.x == t) {
+    return vec3f(side.x, 0.0, 0.0);
+  }
+  if (crossed.y == t) {
+    return vec3f(0.0, side.y, 0.0);
+  }
+  return vec3f(0.0, 0.0, side.z);
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
+
+const boxKind = 2.0;
+
+const pointKind = 3.0;
+
+fn sampleSky(u: vec2f) -> LightSample {
+  let direction = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
+  return LightSample(direction, miss, sky(direction), skyPdf(direction), false);
+}
+
+fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let view = viewSphere(e, point);
+  let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
+  let ray = sampleCone(axis, view.width, u);
+  let along = view.distance * ray.cosine;
+  let halfChord = sqrt(max(e.radius * e.radius - view.distance * view.distance * ray.sine2, 0.0));
+  // The product of the ray's two distances to the sphere is the point's power (Euclid III.36): the smaller of them by division.
+  let larger = abs(along) + halfChord;
+  let takeLarger = view.inside & (along > 0.0);
+  let distance = select(view.power / max(larger, 1e-30), larger, takeLarger);
+  return LightSample(ray.direction, distance, e.radiance, conePdf(view.width), false);
+}
+
+fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
+  let toCenter = e.position - point;
+  let d = length(toCenter);
+  let power = abs((d - e.radius) * (d + e.radius));
+  let inside = d <= e.radius;
+  let sine = min(e.radius / max(d, 1e-30), 1.0);
+  let cosine = sqrt(power) / max(d, 1e-30);
+  // 1 - cos = sin^2 / (1 + cos)
+  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
+}
+
+fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
+  let oneMinusCosine = u.x * width;
+  let cosine = 1.0 - oneMinusCosine;
+  let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
+  let sine = sqrt(max(sine2, 0.0));
+  let phi = 2.0 * pi * u.y;
+  let direction = turnTo(axis, vec3f(sine * cos(phi), sine * sin(phi), cosine));
+  return ConeDirection(direction, cosine, sine2);
+}
+
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
+}
+
+
+fn conePdf(width: f32) -> f32 {
+  return 1.0 / (2.0 * pi * max(width, 1e-31));
+}
+
+struct SphereView {
+  toCenter: vec3f,
+  distance: f32,
+  // |distance^2 - radius^2|
+  power: f32,
+  inside: bool,
+  // 1 - cosine of the cone's half angle.
+  width: f32,
+}
+
+
+// v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
+  let s = select(-1.0, 1.0, axis.z >= 0.0);
+  let a = -1.0 / (s + axis.z);
+  let b = axis.x * axis.y * a;
+  let x = vec3f(1.0 + s * axis.x * axis.x * a, s * b, -s * axis.x);
+  let y = vec3f(b, s + axis.y * axis.y * a, -axis.y);
+  return v.x * x + v.y * y + v.z * axis;
+}
+
+struct ConeDirection {
+  direction: vec3f,
+  cosine: f32,
+  sine2: f32,
+}
+
+
+fn sampleQuad(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let q = viewQuad(e, point);
+  let onArea = q.corner + u.x * e.u + u.y * e.v;
+  let toLight = select(onArea, sphericalRectangle(q, u), q.bySolidAngle);
+  let distance = max(length(toLight), q.height);
+  return LightSample(toLight / distance, distance, e.radiance, pdfOfView(q, e.area, distance), false);
+}
+
+fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
+  let corner = e.position - point;
+  let lengths = vec2f(length(e.u), length(e.v));
+  let axisX = e.u / lengths.x;
+  let axisY = e.v / lengths.y;
+  let normal = normalize(cross(axisX, axisY));
+  let signedHeight = dot(corner, normal);
+  // From the plane itself a quad is a line.
+  let least = 1e-7 * (lengths.x + lengths.y);
+  let height = max(abs(signedHeight), least);
+  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
+  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
+  let high = low + lengths;
+  let y = vec2f(low.y, high.y);
+  let start = stretch(low.x, y, height);
+  let solidAngle = stretch(high.x, y, height) - start;
+  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
+  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
+  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
+}
+
+// From the point to the rectangle, uniform in solid angle.
+fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
+  let h = q.height;
+  let y = vec2f(q.low.y, q.high.y);
+  let s = y / sqrt(y * y + h * h);
+  let halfT = 0.5 * (q.start + u.x * q.solidAngle);
+  let p = cos(halfT);
+  let sine = sin(halfT);
+  let across = vec2f((s.y - s.x) * p, (s.y + s.x) * sine);
+  let w = 2.0 * sine * p * inverseSqrt(max(dot(across, across), 1e-30));
+  let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
+  // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
+  let d2 = x * x + h * h;
+  let ends = y * inverseSqrt(d2 + y * y);
+  let v = mix(ends.x, ends.y, u.y);
+  let atY = clamp(v * sqrt(d2) * inverseSqrt(max(1.0 - v * v, 1e-12)), y.x, y.y);
+  return x * q.axisX + atY * q.axisY + h * q.axisZ;
+}
+
+fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
+  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
+  return select(0.0, pdf, q.lit);
+}
+
+// T(x)
+fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
+  let r = sqrt(x * x + y * y + h * h);
+  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
+}
+
+struct QuadView {
+  // From the point.
+  corner: vec3f,
+  // Unit, along u and v, and from the point to the plane.
+  axisX: vec3f,
+  axisY: vec3f,
+  axisZ: vec3f,
+  // The corner's coordinates and the edges' lengths.
+  low: vec2f,
+  high: vec2f,
+  height: f32,
+  // T(x0) and T(x1) - T(x0).
+  start: f32,
+  solidAngle: f32,
+  // Shines at the point.
+  lit: bool,
+  bySolidAngle: bool,
+}
+
+
+// Rectangles that fill less than this, in steradians, are sampled by area.
+const smallSolidAngle = 0.01;
+
+// The arc tangent to 2 units in the last place (Moshier's Cephes, atanf). GPUs' own may be off by 1e-4, and solid angles are
+// differences of such angles.
+fn arctangent(x: f32) -> f32 {
+  let a = abs(x);
+  let steep = a > 2.414213562;
+  let middle = (a > 0.4142135624) & !steep;
+  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
+  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  return sign(x) * (base + (series * z * r + r));
+}
+
+// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
+fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
+  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
+  return min(pdf, largestPdf);
+}
+
+// Above all real densities, so that what divides by one stays finite.
+const largestPdf = 1e30;
+
+fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let b = viewBox(e, point);
+  let both = b.faces.x + b.faces.y;
+  let at = u.x * (both + b.faces.z);
+  let onX = at < b.faces.x;
+  let onY = !onX & (at < both);
+  let face = select(select(b.faces.z, b.faces.y, onY), b.faces.x, onX);
+  // What is left of u.x within the face; from inside its halves are the two sides.
+  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / face, 0.0, 0.99999994);
+  let s = select(within, fract(2.0 * within), b.inside);
+  let axis = vec3f(select(0.0, 1.0, onX), select(0.0, 1.0, onY), select(1.0, 0.0, onX | onY));
+  let side = select(dot(axis, b.point), within - 0.5, b.inside);
+  let p = vec3f(select(-1.0, 1.0, side >= 0.0), 2.0 * s - 1.0, 2.0 * u.y - 1.0);
+  let onFace = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u;
+  let toLight = onFace - b.point;
+  let height = abs(dot(axis, toLight));
+  let distance = max(length(toLight), 1e-30);
+  let pdf = select(0.0, areaPdf(b.area, height, distance), height > 0.0);
+  return LightSample(rotateBack(b.rotation, toLight / distance), distance, e.radiance, pdf, false);
+}
+
+fn viewBox(e: Emitter, point: vec3f) -> BoxView {
+  let rotation = fetchExtent(u32(e.shape)).a;
+  let p = rotate(rotation, point - e.position);
+  let beyond = abs(p) > e.u;
+  let inside = !any(beyond);
+  let areas = 4.0 * e.u.yzx * e.u.zxy;
+  let faces = select(vec3f(0.0), areas, beyond | vec3<bool>(inside));
+  let area = (faces.x + faces.y + faces.z) * select(1.0, 2.0, inside);
+  return BoxView(rotation, p, faces, inside, area);
+}
+
+struct BoxView {
+  // World to box.
+  rotation: vec4f,
+  // The point in the box's own axes.
+  point: vec3f,
+  // Area, per axis, of the face (from inside: of each of the two faces) that is seen.
+  faces: vec3f,
+  inside: bool,
+  // Of all that is seen.
+  area: f32,
+}
+
+
+fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
+  let toLight = e.position - point;
+  let distance = length(toLight);
+  let safe = max(distance, 1e-15);
+  return LightSample(toLight / safe, distance, e.radiance / (safe * safe), select(0.0, 1.0, distance > 1e-15), true);
+}
+
+fn sampleSpot(e: Emitter, point: vec3f) -> LightSample {
+  var s = samplePoint(e, point);
+  let falloff = spotFalloff(e, s.direction);
+  s.radiance *= falloff;
+  s.pdf = select(0.0, s.pdf, falloff > 0.0);
+  return s;
+}
+
+fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
+  let delta = e.area == 0.0;
+  let ray = sampleCone(-e.u, e.area / (2.0 * pi), u);
+  return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
+}
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+fn skyPdf(direction: vec3f) -> f32 {
+  return 1.0 / (4.0 * pi);
+}
+
+// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
+fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
+  let view = viewSphere(e, point);
+  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
+  return select(0.0, conePdf(view.width), reached);
+}
+
+fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
+  return pdfOfView(viewQuad(e, point), e.area, distance);
+}
+
+fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  return areaPdf(viewBox(e, point).area, distance * abs(dot(direction, normal)), distance);
+}
+
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
+}
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
