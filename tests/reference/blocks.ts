@@ -104,26 +104,30 @@ export function blocksOfBatches(films: readonly Film[], cut: Cut): BlockMeans {
 }
 
 /** How much the neighbourhood's variance counts beside a block's own. */
-const NEIGHBOURS = 0.5;
+const NEIGHBOURS = 1;
 
 /**
  * Where light comes in rare bright samples (caustics), a block that met none of them has a mean that is too small and an error
- * that is far too small, and would seem certain of its mistake. So a variance below the mean variance of the 3 × 3 blocks
- * around is pulled towards it. A variance above stays: a block may be as noisy as it shows itself, and no error is ever made
- * smaller here.
+ * that is far too small, and would seem certain of its mistake. So a variance below that of its neighbourhood is pulled towards it:
+ * the largest of the 3 × 3 blocks around but for three, as a lamp's edge through these says nothing about the others. A variance above
+ * stays: a block may be as noisy as it shows itself, and no error is ever made smaller here.
  */
 function steadied(blocks: BlockMeans): BlockMeans {
   const { columns, rows, variance } = blocks;
   const pulled = variance.map((own, k) => {
     const [x, y] = [Math.floor(k / 3) % columns, Math.floor(k / 3 / columns)];
-    let [sum, count] = [0, 0];
+    const around: number[] = [];
     for (let j = Math.max(y - 1, 0); j <= Math.min(y + 1, rows - 1); j++)
-      for (let i = Math.max(x - 1, 0); i <= Math.min(x + 1, columns - 1); i++, count++)
-        sum += variance[(j * columns + i) * 3 + (k % 3)]!;
-    return Math.max(own, (own + (NEIGHBOURS * sum) / count) / (1 + NEIGHBOURS));
+      for (let i = Math.max(x - 1, 0); i <= Math.min(x + 1, columns - 1); i++)
+        around.push(variance[(j * columns + i) * 3 + (k % 3)]!);
+    return Math.max(own, (own + NEIGHBOURS * typical(around)) / (1 + NEIGHBOURS));
   });
   return { ...blocks, variance: pulled };
 }
+
+/** The largest but for three. */
+const typical = (values: readonly number[]): number =>
+  values.toSorted((a, b) => b - a)[Math.min(3, values.length - 1)]!;
 
 /** One film with the samples of all. */
 export function mergeFilms(films: readonly Film[]): Film {
