@@ -1,0 +1,28 @@
+/**
+ * For developers: writes the scene of a reference renderer, a "neutral scene" JSON, as a scene file of ours.
+ *
+ *     npx tsx scripts/convert-reference.ts NEUTRAL.json [scene.json]
+ *
+ * Without a second name the scene goes to standard output. What our format cannot say exactly is an error; all of them
+ * are told, with exit code 4.
+ */
+import { readFileSync, writeFileSync } from 'node:fs';
+import { writeScene } from '../packages/renderer/src/scene-file/index.ts';
+import { ConversionError, convertScene } from './reference/convert-scene.ts';
+
+const [from, to] = process.argv.slice(2);
+if (!from) {
+  console.error('Which file? npx tsx scripts/convert-reference.ts NEUTRAL.json [scene.json]');
+  process.exit(2);
+}
+try {
+  const { scene, width, height } = convertScene(JSON.parse(readFileSync(from, 'utf8')));
+  const text = writeScene(scene);
+  if (to) writeFileSync(to, text);
+  else process.stdout.write(text);
+  console.error(`${scene.name}: a picture of ${width} × ${height}.`);
+} catch (error) {
+  if (!(error instanceof ConversionError || error instanceof SyntaxError)) throw error;
+  console.error(`${from} cannot be converted:\n${error.message}`);
+  process.exit(4);
+}

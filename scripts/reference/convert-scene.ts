@@ -1,0 +1,173 @@
+/** Neutral scenes in our format: exactly, or not at all. */
+import * as v from 'valibot';
+import type { Color, Scene } from '../../packages/renderer/src/scene/scene.ts';
+import { parseScene } from '../../packages/renderer/src/scene-file/index.ts';
+import { convertMaterial } from './convert-material.ts';
+import { type NeutralLight, type NeutralPrimitive, type NeutralScene, neutralScene } from './neutral-scene.ts';
+import { placeBox, placeQuad, placeSphere, Refusal } from './transform.ts';
+
+export interface Converted {
+  readonly scene: Scene;
+  /** Size of the picture, which a scene of ours does not say. */
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Everything that stands in the way of a conversion, each with its place in the file. */
+export class ConversionError extends Error {
+  readonly problems: readonly string[];
+  constructor(problems: readonly string[]) {
+    super(problems.join('\n'));
+    this.problems = problems;
+  }
+}
+
+/** Throws a `ConversionError` if `json` is no neutral scene or one that our format cannot say exactly. */
+export function convertScene(json: unknown): Converted {
+  const read = v.safeParse(neutralScene, json);
+  if (!read.success) throw new ConversionError(read.issues.map((i) => `${v.getDotPath(i) ?? '(file)'}: ${i.message}`));
+  const neutral = read.output;
+  const problems = new Problems();
+  checkCamera(neutral, problems);
+  const file = {
+    version: 1,
+    name: neutral.name,
+    description: neutral.description,
+    camera: cameraOf(neutral.camera),
+    sky: skyOf(neutral.lights, problems),
+    materials: convertAll(Object.entries(neutral.materials), 'materials', convertMaterial, problems),
+    shapes: shapesOf(neutral, problems),
+    lights: lightsOf(neutral.lights, problems),
+    render: {
+      integrator: 'path',
+      maxDepth: neutral.max_depth,
+      exposure: Math.log2(neutral.image.view_exposure),
+    },
+  };
+  problems.throwIfAny();
+  const parsed = parseScene(file);
+  if (!parsed.ok) throw new ConversionError(parsed.problems.map(({ path, message }) => `${path}: ${message}`));
+  return { scene: parsed.scene, width: neutral.image.width, height: neutral.image.height };
+}
+
+class Problems {
+  readonly #list: string[] = [];
+  add(place: string, message: string): void {
+    this.#list.push(`${place}: ${message}`);
+  }
+  /** What `make` gives, or nothing, and a problem at this place, when it refuses. */
+  attempt<Result>(place: string, make: () => Result): Result | undefined {
+    try {
+      return make();
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      this.add(place, error.message);
+    }
+  }
+  throwIfAny(): void {
+    if (this.#list.length > 0) throw new ConversionError(this.#list);
+  }
+}
+
+/** A map of what becomes of each; keys stay, in order. */
+function convertAll<From, To>(
+  entries: readonly (readonly [string, From])[],
+  place: string,
+  convert: (from: From) => To,
+  problems: Problems,
+): Record<string, To> {
+  const made = entries.map(
+    ([name, from]) => [name, problems.attempt(`${place}.${name}`, () => convert(from))] as const,
+  );
+  return Object.fromEntries(made.filter((entry): entry is [string, To & {}] => entry[1] !== undefined));
+}
+
+const cameraOf = ({ eye, target, up, vfov_deg }: NeutralScene['camera']) => ({
+  eye,
+  target,
+  up,
+  verticalFov: vfov_deg,
+});
+
+function checkCamera({ camera, image }: NeutralScene, problems: Problems): void {
+  const { width, height, filter } = image;
+  if (filter !== 'box') problems.add('image.filter', `"${filter}": only "box", one pixel wide, is known`);
+  if (Math.abs(camera.aspect - width / height) > 1e-6)
+    problems.add('camera.aspect', `${camera.aspect} where the picture is ${width} × ${height}: ours has square pixels`);
+}
+
+function skyOf(lights: readonly NeutralLight[], problems: Problems): Color {
+  const constants = lights.filter((light) => light.type === 'constant');
+  if (constants.length > 1) problems.add('lights', 'more than one constant light: ours has one sky');
+  return constants[0]?.radiance ?? [0, 0, 0];
+}
+
+/** Names such as "box 2": neutral primitives have none. */
+function numbered<Thing extends { readonly type: string }>(things: readonly Thing[], suffix = ''): [string, Thing][] {
+  const count = new Map<string, number>();
+  return things.map((thing) => {
+    const n = (count.get(thing.type) ?? 0) + 1;
+    count.set(thing.type, n);
+    return [`${thing.type}${suffix} ${n}`, thing];
+  });
+}
+
+function shapesOf({ primitives, materials }: NeutralScene, problems: Problems) {
+  const transparent = (name: string) => ['dielectric', 'rough_dielectric'].includes(materials[name]?.type ?? '');
+  const convert = (p: NeutralPrimitive) => {
+    if (p.type === 'quad' && transparent(p.material))
+      throw new Refusal('a dielectric quad: a solid body has an inside');
+    return convertShape(p);
+  };
+  return convertAll(numbered(primitives), 'primitives', convert, problems);
+}
+
+function convertShape(p: NeutralPrimitive) {
+  switch (p.type) {
+    case 'sphere':
+      return { type: p.type, ...placeSphere(p.center, p.radius, p.transform), material: p.material };
+    case 'box':
+      return { type: p.type, ...placeBox(p.min, p.max, p.transform), material: p.material };
+    case 'quad':
+      return { type: p.type, ...placeQuad(p.corner, p.u, p.v, p.transform), material: p.material };
+    default:
+      throw new Refusal(`shapes of type "${p.type}": not yet`);
+  }
+}
+
+function lightsOf(lights: readonly NeutralLight[], problems: Problems) {
+  const others = lights.filter((light) => light.type !== 'constant');
+  return convertAll(numbered(others, ' light'), 'lights', convertLight, problems);
+}
+
+function convertLight(light: NeutralLight) {
+  switch (light.type) {
+    case 'sphere': {
+      const { strength, color } = brightness(light.radiance);
+      return { type: 'sphere', center: light.center, radius: light.radius, radiance: strength, diffuse: color };
+    }
+    case 'quad': {
+      const { corner, u, v: side, radiance } = light;
+      const { strength, color } = brightness(radiance);
+      return { type: 'quad', corner, u, v: side, radiance: strength, color };
+    }
+    case 'point': {
+      const { strength, color } = brightness(light.intensity);
+      return { type: 'point', position: light.position, intensity: strength, color };
+    }
+    case 'directional': {
+      const { strength, color } = brightness(light.irradiance);
+      return { type: 'directional', direction: light.direction, irradiance: strength, color };
+    }
+    default:
+      throw new Refusal(`lights of type "${light.type}": not yet`);
+  }
+}
+
+/** The largest channel, and the colour as shares of it. */
+function brightness(radiance: Color): { strength: number; color: Color } {
+  const strength = Math.max(...radiance);
+  if (strength <= 0) return { strength: 0, color: [1, 1, 1] };
+  const [r, g, b] = radiance;
+  return { strength, color: [r / strength, g / strength, b / strength] };
+}

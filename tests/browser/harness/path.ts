@@ -1,0 +1,81 @@
+/** Films of the path integrator: the one place where tests and `npm run proof` meet it. */
+
+import type { FilmTracer } from '../../../packages/renderer/src/headless/index.ts';
+import { GpuFilmTracer, openWebGl2, openWebGpu } from '../../../packages/renderer/src/headless/index.ts';
+import type { Scene } from '../../../packages/renderer/src/scene/scene.ts';
+import type { GpuBackend } from './parity.ts';
+
+export interface PathRange {
+  readonly width: number;
+  readonly height: number;
+  /** Samples a pixel, `firstSample` … `firstSample + samples − 1` of the sequence that `seed` begins. */
+  readonly samples: number;
+  readonly firstSample: number;
+  readonly seed: number;
+}
+
+/** Linear RGB triples, row 0 on top: over the samples of each pixel the sums of radiance and of its square; and samples a pixel. */
+export interface PathFilm {
+  readonly sum: Float32Array;
+  readonly sumOfSquares: Float32Array;
+  readonly count: Float32Array;
+}
+
+const tracers = new Map<GpuBackend, Promise<FilmTracer>>();
+function tracerOn(backend: GpuBackend): Promise<FilmTracer> {
+  let tracer = tracers.get(backend);
+  if (!tracer) {
+    const device = backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas'));
+    tracers.set(backend, (tracer = device.then((d) => GpuFilmTracer.create(d))));
+  }
+  return tracer;
+}
+
+export async function renderPath(backend: GpuBackend, scene: Scene, range: PathRange): Promise<PathFilm> {
+  const { width, height, samples, firstSample, seed } = range;
+  const tracer = await tracerOn(backend);
+  const { maxDepth, maxReflections, lightSamples } = scene.render;
+  const settings = { integrator: 'path', maxDepth, maxReflections, lightSamples, seed } as const;
+  await tracer.begin({ scene, settings, width, height, area: { x: 0, y: 0, width, height } });
+  const sums = await tracer.trace(firstSample, samples, null);
+  const texels = width * height;
+  const channels = (layer: number) =>
+    Float32Array.from({ length: texels * 3 }, (_, i) => sums[(layer * texels + Math.floor(i / 3)) * 4 + (i % 3)]!);
+  return {
+    sum: channels(0),
+    sumOfSquares: channels(1),
+    count: Float32Array.from({ length: texels }, (_, p) => sums[p * 4 + 3]!),
+  };
+}
+
+export interface PathBatches {
+  readonly width: number;
+  readonly height: number;
+  /** Samples a pixel in each batch. */
+  readonly samples: number;
+  readonly batches: number;
+  /** Of the first batch; the others have those that follow. */
+  readonly seed: number;
+}
+
+/** Films with independent seeds, as text that `page.evaluate` returns quickly: decodeFilms in tests/browser/films.ts reads it. */
+export async function pathFilms(backend: GpuBackend, scene: Scene, settings: PathBatches): Promise<EncodedFilm[]> {
+  const { batches, seed, ...rest } = settings;
+  const films: EncodedFilm[] = [];
+  for (let n = 0; n < batches; n++) {
+    const film = await renderPath(backend, scene, { ...rest, firstSample: 0, seed: seed + n });
+    const { sum, sumOfSquares, count } = film;
+    films.push({ sum: encode(sum), sumOfSquares: encode(sumOfSquares), count: encode(count) });
+  }
+  return films;
+}
+
+/** The bytes of each array, base64. */
+export type EncodedFilm = Readonly<Record<keyof PathFilm, string>>;
+
+function encode(floats: Float32Array): string {
+  const bytes = new Uint8Array(floats.buffer);
+  let text = '';
+  for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+  return btoa(text);
+}
