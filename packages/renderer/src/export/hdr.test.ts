@@ -69,7 +69,7 @@ test.each([
   ['#?OTHER\n\n-Y 1 +X 1\n', 'HDR first line'],
   ['#?RGBE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n', 'another FORMAT'],
   ['#?RGBE\n\n+X 1 -Y 1\n', 'HDR line of sizes'],
-  ['#?RGBE\n\n-Y 9999 +X 9999\n', 'HDR pixels has 0 bytes left'],
+  ['#?RGBE\n\n-Y 9999 +X 9999\n', 'HDR pixel data has 0 bytes left'],
   ['#?RGBE\n\n-Y 1 +X 1\n\x01\x01\x01\x05', 'runs of the old kind'],
   ['#?RGBE\n\n-Y 1 +X 8\n\x02\x02\x00\x09'.padEnd(60, '\x08'), 'a line of 9 pixels'],
 ])('%j is refused', (text, message) => {

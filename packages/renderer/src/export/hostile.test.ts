@@ -91,8 +91,8 @@ test('an error names the part, what was found and what is allowed', () => {
     expect({ part, found, allowed }).toEqual({
       part: 'PFM line of sizes',
       found: '0 bytes left',
-      allowed: 'the 1 bytes that it needs',
+      allowed: 'the 1 byte that it needs',
     });
-    expect(message).toBe('The PFM line of sizes has 0 bytes left. Allowed is this: the 1 bytes that it needs.');
+    expect(message).toBe('The PFM line of sizes has 0 bytes left. Allowed is this: the 1 byte that it needs.');
   }
 });

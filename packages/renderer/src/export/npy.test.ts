@@ -43,7 +43,7 @@ test.each([
   [npy('<c8', '(1, 1)', []), 'NPY head has another type of number'],
   [npy('constructor', '(1, 1)', []), 'NPY head has another type of number'],
   [npy('<f4', '(99999, 99999, 99999)', []), 'numbers. Allowed is this: at most 536870912 of them'],
-  [npy('<f4', '(9999, 9999)', []), 'NPY numbers has 0 bytes left'],
+  [npy('<f4', '(9999, 9999)', []), 'NPY data has 0 bytes left'],
   [npy('<f4', '(0, 5)', []), '1 to 65536 pixels a side'],
   [npy('<f4', '(2,)', [0, 0, 0, 0, 0, 0, 0, 0]), '1 dimensions'],
 ])('case %# is refused', (bytes, message) => {
