@@ -2,7 +2,7 @@
  * Everything that lives on one device: the passes, the film, the packed scene. Made anew when a device was lost. One film
  * sample is a visible list of calls: pack, trace in short submits, show.
  */
-import { Display } from './display/display.ts';
+import { Display, type Look } from './display/display.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, Pass, TableTexture, UniformBuffer } from './gpu/device.ts';
@@ -164,10 +164,10 @@ export class Stages {
     this.#warm = true;
   }
 
-  /** Puts the newest whole picture on the canvas; false when there is none. `exposure` in stops. */
-  show(exposure: number): boolean {
+  /** Puts the newest whole picture on the canvas; false when there is none. */
+  show(look: Look): boolean {
     const { picture } = this.film;
-    if (picture) this.#display.show(picture.texture, picture.width, picture.height, exposure);
+    if (picture) this.#display.show(picture.texture, picture.width, picture.height, look);
     return picture !== null;
   }
 }

@@ -6,6 +6,7 @@ import type { RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
 import type { Camera, Scene } from './scene/scene.ts';
+import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
 import { cameraFault } from './scene/well-formed.ts';
 import { requireScene } from './scene-file/require-scene.ts';
 
@@ -15,6 +16,7 @@ export const DEFAULT_SETTINGS: RendererSettings = {
   maxReflections: 5,
   lightSamples: 9,
   exposure: 0,
+  toneMapping: 'none',
   resolutionScale: 1,
   adaptive: true,
   targetFps: 60,
@@ -26,7 +28,7 @@ export const DEFAULT_SETTINGS: RendererSettings = {
 /** Longest step of the animation in one frame, seconds: a tab that slept goes on where it was. */
 const LONGEST_STEP = 0.25;
 /** Settings that only the display uses, or only the loop: the film stays valid. */
-const NOT_IN_FILM = new Set<keyof RendererSettings>(['exposure', 'adaptive', 'targetFps', 'maxSamples']);
+const NOT_IN_FILM = new Set<keyof RendererSettings>(['exposure', 'toneMapping', 'adaptive', 'targetFps', 'maxSamples']);
 
 const wholeIn = (least: number, most: number) => (n: number) => Number.isInteger(n) && n >= least && n <= most;
 const isReflections = wholeIn(0, SCENE_LIMITS.maxReflections);
@@ -42,6 +44,7 @@ const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) =>
   maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
   lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
   exposure: [(n) => Math.abs(n) <= 32, 'stops from -32 to 32'],
+  toneMapping: [(name) => TONE_MAPPINGS.includes(name), `one of ${TONE_MAPPINGS.join(', ')}`],
   resolutionScale: [(n) => n >= 0.1 && n <= 1, 'a number from 0.1 to 1'],
   adaptive: [(b) => typeof b === 'boolean', 'true or false'],
   targetFps: [(n) => n === 30 || n === 60, '30 or 60'],
@@ -118,8 +121,7 @@ export class View {
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
-    const { integrator, maxDepth, maxReflections, lightSamples, exposure } = scene.render;
-    this.#settings = { ...this.#settings, integrator, maxDepth, maxReflections, lightSamples, exposure };
+    this.#settings = { ...this.#settings, ...scene.render };
     this.#changedByHand();
   }
 

@@ -114,7 +114,7 @@ export const STRUCTS = {
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
-    spare: field('f32', 'unused'),
+    toneMapping: field('u32', 'position in TONE_MAPPINGS'),
     filmSize: field('vec2f', 'pixels'),
   },
 } as const satisfies Record<string, Fields>;

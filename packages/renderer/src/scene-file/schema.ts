@@ -2,6 +2,7 @@ import * as v from 'valibot';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import { METALS } from '../scene/metals.ts';
 import type { Color, MaterialType } from '../scene/scene.ts';
+import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
 import { choice, color, direction, integer, kind, number, object, point, share, text, triple } from './values.ts';
 
 /** The structure of a scene file, with its defaults: the one source for reading, writing and the editors' JSON Schema. */
@@ -198,6 +199,7 @@ const render = object(renderRule, {
   lightSamples: v.optional(integer('sample points on each light', 1, SCENE_LIMITS.lightSamples), 9),
   maxDepth: v.optional(integer('segments of a path, -1 = no limit', -1, SCENE_LIMITS.maxDepth), -1),
   exposure: v.optional(number('the exposure in stops', -32, 32), 0),
+  toneMapping: v.optional(choice('how bright light is fitted to the screen', TONE_MAPPINGS), 'none'),
 });
 
 const versionRule = 'the version of the file format, which is 1';

@@ -184,9 +184,13 @@ export interface RenderSettings {
   readonly maxDepth: number;
   /** Stops: the picture is multiplied by 2^exposure. */
   readonly exposure: number;
+  /** How bright light is fitted to the screen, after exposure; display/tone-map.ts. */
+  readonly toneMapping: ToneMapping;
 }
 
 export type Integrator = 'classic' | 'path';
+/** `none`: clipped. `aces`: Hill's fit, as bright as in three.js. `agx`: Blender's, base look. `neutral`: Khronos PBR Neutral. */
+export type ToneMapping = 'none' | 'aces' | 'agx' | 'neutral';
 
 export interface Scene {
   readonly version: 1;

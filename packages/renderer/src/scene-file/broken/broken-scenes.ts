@@ -94,6 +94,7 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['null as lights', (s) => (s.lights = null), ['/lights']],
   ['too many reflections', (s) => (s.render = { maxReflections: 65 }), ['/render/maxReflections']],
   ['half a light sample', (s) => (s.render = { lightSamples: 1.5 }), ['/render/lightSamples']],
+  ['an unknown tone mapping', (s) => (s.render = { toneMapping: 'ACES' }), ['/render/toneMapping']],
   ['an unknown integrator', (s) => (s.render = { integrator: 'magic' }), ['/render/integrator']],
 ];
 
