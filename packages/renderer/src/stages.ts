@@ -8,7 +8,7 @@ import type { FrameController } from './frame-controller.ts';
 import type { Device, Pass, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { type ClassicInputs, createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
-import { packFrame } from './packed-scene/pack-frame.ts';
+import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
 import { createBlock } from './packed-scene/write-struct.ts';
 import type { RendererSettings } from './renderer-types.ts';
@@ -87,7 +87,8 @@ export class Stages {
   begin(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
     this.film.restart(width, height);
-    const packed = packScene(shot.scene, shot.camera.eye, this.#packed);
+    const reach = viewReach(shot.camera, width / height);
+    const packed = packScene(shot.scene, shot.camera.eye, this.#packed, reach);
     this.#packed = packed;
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();

@@ -4,6 +4,7 @@
  */
 import type { RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
+import { PROJECTIONS, wholeCamera } from './scene/camera.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
 import type { Camera, Scene } from './scene/scene.ts';
 import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
@@ -72,11 +73,18 @@ function checkSettings(settings: Partial<RendererSettings>): void {
 
 const isTriple = (v: unknown) => Array.isArray(v) && v.length === 3 && v.every(Number.isFinite);
 
+const isIn = (n: number, least: number) => typeof n === 'number' && n >= least && n <= 1e9;
+
 function checkCamera(camera: Camera): void {
   const { eye, target, up, verticalFov } = camera;
   if (![eye, target, up].every(isTriple) || !(verticalFov > 0 && verticalFov < 180))
     throw new TypeError(
       'A camera needs eye, target and up, each of three finite numbers, and a verticalFov between 0 and 180 degrees.',
+    );
+  const { projection, viewHeight, aperture, focusDistance } = wholeCamera(camera);
+  if (!PROJECTIONS.includes(projection) || !isIn(viewHeight, 1e-6) || !isIn(aperture, 0) || !isIn(focusDistance, 0))
+    throw new TypeError(
+      `A camera's projection is one of ${PROJECTIONS.join(', ')}; its viewHeight is from 1e-6, its aperture and focusDistance are from 0 to 1e9 metres.`,
     );
   const fault = cameraFault(camera);
   if (fault)

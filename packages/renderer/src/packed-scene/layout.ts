@@ -93,9 +93,9 @@ export const STRUCTS = {
     spare0: field('f32', 'unused'),
   },
   Frame: {
-    right: field('vec3f', 'camera r times tan(fov / 2) times aspect'),
+    right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
     width: field('f32', 'film pixels'),
-    up: field('vec3f', 'camera u times tan(fov / 2)'),
+    up: field('vec3f', 'camera u times half the height of what is seen'),
     height: field('f32', 'film pixels'),
     forward: field('vec3f', 'camera f'),
     lightCount: field('u32', 'lights in use'),
@@ -111,6 +111,13 @@ export const STRUCTS = {
     emitterCount: field('u32', 'emitters of the path integrator'),
     maxDepth: field('u32', 'path segments from the camera on; 0xffffffff: no limit'),
     panels: field({ array: 'vec4u', length: PANELS }, 'per panel: max reflections, light samples, unused, unused'),
+    projection: field('u32', 'position in PROJECTIONS'),
+    aperture: field('f32', 'radius of the lens, metres'),
+    focusDistance: field('f32', 'from the eye to the plane that is sharp, metres'),
+    planesCutView: field(
+      'u32',
+      '1: rays of the camera start on both sides of a plane, so that planes have no side of the eye',
+    ),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),

@@ -3,9 +3,10 @@ import { inCube, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testScene } from '../../../../tests/fixtures/scenes.ts';
 import { cameraFrame, rayThrough, sampleOffset } from '../reference/camera.ts';
 import { add, addScaled, cross, dot, length, normalize, scale, subtract } from '../reference/vec3.ts';
+import { cameraAxes } from '../scene/camera.ts';
 import type { Camera, Vec3 } from '../scene/scene.ts';
 import { fieldOffset, structSize } from './layout.ts';
-import { cameraAxes, type FrameSettings, filmJitter, packFrame } from './pack-frame.ts';
+import { type FrameSettings, filmJitter, packFrame } from './pack-frame.ts';
 import { packScene } from './pack-scene.ts';
 import { createBlock } from './write-struct.ts';
 

@@ -18,9 +18,18 @@ export interface PackedScene {
   readonly lightCount: number;
   /** Index past the last light that camera and mirrors see. */
   readonly seenLightEnd: number;
+  /** Whether rays of the camera start on both sides of some plane. */
+  readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
   readonly shapeNames: readonly string[];
 }
+
+/** Where rays of the camera start: anywhere on the parallelogram eye ± right ± up. */
+export interface ViewReach {
+  readonly right: Vec3;
+  readonly up: Vec3;
+}
+const AT_EYE: ViewReach = { right: [0, 0, 0], up: [0, 0, 0] };
 
 const KINDS = ['sphere', 'box', 'quad', 'plane'] as const;
 const ROW_BYTES = TABLE_WIDTH * 16;
@@ -35,7 +44,7 @@ const cross = (a: Vec3, b: Vec3): Vec3 => [
 const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 
 /** `reuse`: a packed scene that is no longer needed; its memory is taken when it is large enough. */
-export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedScene {
+export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene, reach: ViewReach = AT_EYE): PackedScene {
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
@@ -44,7 +53,8 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeStruct(table, name, row * ROW_BYTES + tableColumn(name) * 16, values);
 
-  const casts = ([, plane]: [string, Shape]) => castsShadow(plane as Plane, eye, lights);
+  const casts = ([, plane]: [string, Shape]) =>
+    castsShadow(plane as Plane, eye, lights) || cuts(plane as Plane, eye, reach);
   const planes = sorted[3]!;
   sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
   const ordered = sorted.flat();
@@ -66,6 +76,7 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedS
     shapeEnds,
     occluderEnd,
     lightCount: lights.length,
+    planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
     shapeNames: ordered.map(([name]) => name),
   };
@@ -81,6 +92,16 @@ function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly Spher
   const height = (p: Vec3) => dot(normal, subtract(p, point)) / length;
   const side = Math.sign(height(eye));
   return !lights.every((l) => height(l.center) * side > l.radius);
+}
+
+/**
+ * Whether the plane goes through where the camera's rays start, and not only through the eye. It then has no side that all paths
+ * are on: the kernels take both of its sides for real (intersect/plane.wesl), and it may cast shadows. Rare: a floor that an
+ * orthographic view reaches below, a wall closer than a lens is wide.
+ */
+function cuts({ point, normal }: Plane, eye: Vec3, { right, up }: ViewReach): boolean {
+  const reach = Math.abs(dot(normal, right)) + Math.abs(dot(normal, up));
+  return reach > 0 && Math.abs(dot(normal, subtract(eye, point))) <= reach;
 }
 
 type ShapeValues = StructValues<'Bounds'> & StructValues<'Extent'>;
