@@ -163,6 +163,15 @@ describe('time', () => {
   });
 });
 
+test('a camera may leave out its projection and lens, not have wrong ones', () => {
+  const view = viewOf(still);
+  const { eye, target, up, verticalFov } = still.camera;
+  view.camera = { eye, target, up, verticalFov };
+  for (const part of [{ projection: 'fisheye' }, { viewHeight: 0 }, { aperture: -1 }, { focusDistance: Number.NaN }])
+    expect(() => (view.camera = { ...still.camera, ...part } as typeof still.camera)).toThrow(TypeError);
+  expect(view.camera).toEqual({ eye, target, up, verticalFov });
+});
+
 test('what is no scene is refused and the old one stays', () => {
   const view = viewOf(still);
   const { revision, scene } = view;

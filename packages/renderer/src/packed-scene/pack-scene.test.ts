@@ -49,6 +49,21 @@ test('shapes are sorted by kind and keep the order of the file within a kind', (
   expect(packed.rows).toBe(6);
 });
 
+test('a plane through where the camera may start has no side of the eye, and may cast shadows', () => {
+  const floor = testScene({ floor: plane([0, 0, 0], [0, 2, 0]) }, { a: testLight({ center: [0, 5, 0] }) });
+  const pack = (up: Vec3) => packScene(floor, [0, 1, 0], undefined, { right: [3, 0, 0], up });
+  for (const [up, cut] of [
+    [[0, 0.9, 0], false],
+    [[0, -1.1, 0], true],
+    [[0, 0, 9], false],
+  ] as [Vec3, boolean][]) {
+    const packed = pack(up);
+    expect([packed.planesCutView, packed.occluderEnd]).toEqual([cut, cut ? 1 : 0]);
+  }
+  const throughEye = packScene(floor, [0, 0, 0]);
+  expect(throughEye.planesCutView, 'a pinhole in the plane').toBe(false);
+});
+
 test('an empty scene and one of lights only are packed too', () => {
   const empty = packScene(testScene({}, {}), [0, 0, 0]);
   expect([empty.rows, empty.lightCount, ...empty.shapeEnds, empty.occluderEnd]).toEqual([1, 0, 0, 0, 0, 0, 0]);
