@@ -179,13 +179,13 @@ function shooter(page: Page, origin: string): Shooter {
       const bytes = new Uint8Array(pixels.buffer);
       let text = '';
       for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
-      return { width, height, samples: pixels[3], base64: btoa(text), exposure: renderer.settings.exposure };
+      return { width, height, samples: pixels[3], base64: btoa(text), look: renderer.settings };
     }, view);
     if (film.width !== width || film.height !== height || film.samples !== filmSamples) {
       throw new Error(`A film of ${film.width} × ${film.height} with ${film.samples} samples came for ${wanted}.`);
     }
     const floats = new Float32Array(Uint8Array.from(Buffer.from(film.base64, 'base64')).buffer);
-    return { width, height, rgba: filmToSrgb(floats, film.exposure) };
+    return { width, height, rgba: filmToSrgb(floats, film.look.exposure, film.look.toneMapping) };
   };
 }
 

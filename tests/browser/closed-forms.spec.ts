@@ -11,7 +11,14 @@ const SIZE = { width: 16, height: 16, batches: 16 };
 const SEED = 70;
 
 const floor: Quad = { type: 'quad', corner: [-50, 0, 50], u: [100, 0, 0], v: [0, 0, -100], material: 'white' };
-const RENDER = { integrator: 'path', maxReflections: 0, lightSamples: 1, maxDepth: 2, exposure: 0 } as const;
+const RENDER = {
+  integrator: 'path',
+  maxReflections: 0,
+  lightSamples: 1,
+  maxDepth: 2,
+  exposure: 0,
+  toneMapping: 'none',
+} as const;
 const black = testMaterial({ baseColor: [0, 0, 0] });
 
 /** From low above the floor, so that nothing stands between. */

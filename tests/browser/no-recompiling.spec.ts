@@ -35,6 +35,7 @@ async function everyControl(page: Page): Promise<void> {
   for (const mode of ['Reflections 1 · 2 · 10', 'Light samples 1 · 9 · 64', 'Off'])
     await choose(page, 'Side by side', mode);
   await page.getByRole('slider', { name: 'Exposure' }).fill('1');
+  for (const value of ['ACES', 'AgX', 'Neutral', 'None']) await choose(page, 'Tone mapping', value);
   await page.getByRole('slider', { name: 'Time' }).fill('1');
   await page.getByRole('slider', { name: 'Resolution scale' }).fill('0.5');
   await choose(page, 'Target', '30 fps');
@@ -49,9 +50,26 @@ async function everySetting(): Promise<void> {
   const renderer = window.mirrorball.renderer!;
   const panel = (maxReflections: number, lightSamples: number) => ({ maxReflections, lightSamples });
   for (const settings of [
-    { maxReflections: 64, lightSamples: 2, seed: 3, exposure: -1, adaptive: true, targetFps: 30, maxSamples: 2 },
+    {
+      maxReflections: 64,
+      lightSamples: 2,
+      seed: 3,
+      exposure: -1,
+      toneMapping: 'agx',
+      adaptive: true,
+      targetFps: 30,
+      maxSamples: 2,
+    },
     { comparison: { panels: [panel(0, 1), panel(2, 25), panel(5, 4)], dividers: [0.2, 0.9] } },
-    { comparison: null, maxReflections: 1, lightSamples: 1, resolutionScale: 0.3, targetFps: 60, adaptive: false },
+    {
+      comparison: null,
+      toneMapping: 'none',
+      maxReflections: 1,
+      lightSamples: 1,
+      resolutionScale: 0.3,
+      targetFps: 60,
+      adaptive: false,
+    },
   ] as const) {
     renderer.set(settings as Parameters<typeof renderer.set>[0]);
     await renderer.render();

@@ -38,6 +38,7 @@ test('Tab reaches every control, and the picture', async ({ page }) => {
   }
   const stops = await tabStops(page);
   const wanted = ['Hide controls', 'Scene', 'Open a scene file…', 'Reflections', 'Samples per light', 'Exposure'];
+  wanted.push('Tone mapping');
   wanted.push('Side by side', 'Play', 'Step 1/60 s', 'Time', 'Speed', 'Reset view', 'Keys and gestures');
   wanted.push('Drawn by', 'Resolution scale', 'Target', 'Lower resolution in motion when slow', 'Language', 'Theme');
   for (const name of wanted) expect(stops, `Tab reaches “${name}”`).toContain(name);

@@ -53,6 +53,19 @@ for (const backend of backends) {
       await expect
         .poll(async () => difference(before, await lookAtPicture(page)), 'it gets darker')
         .toBeGreaterThan(10);
+      for (const [name, toneMapping] of [
+        ['ACES', 'aces'],
+        ['AgX', 'agx'],
+        ['Neutral', 'neutral'],
+        ['None', 'none'],
+      ] as const) {
+        const look = await lookAtPicture(page);
+        await choose(page, 'Tone mapping', name);
+        await expectState(page, (state) => state.settings.toneMapping, toneMapping);
+        await expect
+          .poll(async () => difference(look, await lookAtPicture(page)), `${name} looks different`)
+          .toBeGreaterThan(3);
+      }
     });
 
     test('comparison: strips with dividers that move', async ({ page }) => {

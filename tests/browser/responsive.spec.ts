@@ -55,7 +55,7 @@ for (const backend of backends)
       await settled(page);
     });
 
-    test('a finished picture costs nothing more; exposure shows it again without tracing', async ({
+    test('a finished picture costs nothing more; exposure and tone mapping show it again without tracing', async ({
       page,
       openStudio,
     }) => {
@@ -68,6 +68,8 @@ for (const backend of backends)
       const before = await page.evaluate(() => window.gpuHooks.presented);
       await page.evaluate(() => window.mirrorball.renderer!.set({ exposure: -2 }));
       await expect.poll(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 1);
+      await page.evaluate(() => window.mirrorball.renderer!.set({ toneMapping: 'aces' }));
+      await expect.poll(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 2);
       expect((await hooks(page)).draws, 'nothing was traced').toBe(draws);
     });
 

@@ -18,6 +18,7 @@ export function takeScene(next: { id: string; scene: Scene; fileName?: string })
     state.reflections.value = next.scene.render.maxReflections;
     state.lightSamples.value = next.scene.render.lightSamples;
     state.exposure.value = next.scene.render.exposure;
+    state.toneMapping.value = next.scene.render.toneMapping;
     state.viewMoved.value = false;
     state.time.value = 0;
   });

@@ -52,6 +52,13 @@ describe('orbit', () => {
   });
 });
 
+test('an orthographic view is enlarged instead of approached, and shifted by its own height', () => {
+  const flat: Camera = { ...camera, projection: 'orthographic', viewHeight: 6 };
+  expect(dolly(flat, 0.5)).toEqual({ ...flat, viewHeight: 3 });
+  const moved = minus(pan(flat, 0, 0.5).eye, flat.eye);
+  expect(dot(moved, screenAxes(flat).up)).toBeCloseTo(3, 9);
+});
+
 describe('pan', () => {
   test('keeps the direction and the distance', () => {
     const shifted = pan(camera, 0.3, -0.7);

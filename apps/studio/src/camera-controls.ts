@@ -50,10 +50,21 @@ export function orbit(camera: Camera, yaw: number, pitch: number): Camera {
   return fromPolar(camera, at.yaw + yaw, clamp(at.pitch + pitch, -MAX_PITCH, MAX_PITCH), at.distance);
 }
 
-/** Brings the eye nearer to the target (factor < 1) or farther from it, never through it. */
+/**
+ * Brings the eye nearer to the target (factor < 1) or farther from it, never through it. An orthographic view does not depend on the
+ * distance: there the picture takes in less or more.
+ */
 export function dolly(camera: Camera, factor: number): Camera {
+  if (camera.projection === 'orthographic')
+    return { ...camera, viewHeight: clamp(viewHeightOf(camera) * factor, MIN_DISTANCE, MAX_DISTANCE) };
   const at = polar(camera);
   return fromPolar(camera, at.yaw, at.pitch, clamp(at.distance * factor, MIN_DISTANCE, MAX_DISTANCE));
+}
+
+/** Metres from the lower to the upper edge of the picture at the target. Of a panorama, which has none: of an ordinary view. */
+function viewHeightOf(camera: Camera): number {
+  if (camera.projection === 'orthographic') return camera.viewHeight ?? 2;
+  return 2 * Math.tan((camera.verticalFov / 2) * degrees) * polar(camera).distance;
 }
 
 /** The unit vectors to the right and up in the picture, for a camera with up = +Y. */
@@ -66,7 +77,7 @@ export function screenAxes(camera: Camera): { right: Vec3; up: Vec3 } {
 
 /** Shifts eye and target alike, by heights of the view at the target's distance: what is there follows the pointer. */
 export function pan(camera: Camera, x: number, y: number): Camera {
-  const height = 2 * Math.tan((camera.verticalFov / 2) * degrees) * polar(camera).distance;
+  const height = viewHeightOf(camera);
   const { right, up } = screenAxes(camera);
   const shift = add(scale(right, x * height), scale(up, y * height));
   return { ...camera, eye: add(camera.eye, shift), target: add(camera.target, shift), up: [0, 1, 0] };

@@ -26,6 +26,8 @@ export const en = {
   lightSamplesNumber: 'Samples per light, 1 to 256',
   exposure: 'Exposure',
   stops: (n: string) => `${n} stops`,
+  toneMapping: 'Tone mapping',
+  toneMappingNames: { none: 'None', aces: 'ACES', agx: 'AgX', neutral: 'Neutral' },
 
   compare: 'Compare',
   compareWhat: 'Side by side',

@@ -56,6 +56,7 @@ function takeParameters(given: UrlParameters): void {
     state.reflections.value = given.reflections ?? state.reflections.value;
     state.lightSamples.value = given.samples ?? state.lightSamples.value;
     state.exposure.value = given.exposure ?? state.exposure.value;
+    state.toneMapping.value = given.tone ?? state.toneMapping.value;
     state.resolutionScale.value = given.scale ?? state.resolutionScale.value;
     state.adaptive.value = given.adaptive ?? state.adaptive.value;
     state.seed.value = given.seed ?? state.seed.value;

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Backend, FrameStats, Renderer, RendererSettings, Scene } from 'mirrorball';
+import type { Backend, FrameStats, Renderer, RendererSettings, Scene, ToneMapping } from 'mirrorball';
 import { type ComparisonMode, comparisonFor, type Dividers, evenDividers } from './comparison.ts';
 
 /** Everything the page knows. Components read it; `actions.ts` and its neighbours write it. */
@@ -19,6 +19,7 @@ export const stats = signal<FrameStats | null>(null);
 export const reflections = signal(10);
 export const lightSamples = signal(9);
 export const exposure = signal(0);
+export const toneMapping = signal<ToneMapping>('none');
 export const resolutionScale = signal(1);
 export const adaptive = signal(true);
 export const targetFps = signal<30 | 60>(60);
@@ -62,6 +63,7 @@ export const wantedSettings = computed<
   maxReflections: reflections.value,
   lightSamples: lightSamples.value,
   exposure: exposure.value,
+  toneMapping: toneMapping.value,
   resolutionScale: resolutionScale.value,
   adaptive: adaptive.value,
   targetFps: targetFps.value,

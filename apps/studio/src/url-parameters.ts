@@ -5,6 +5,7 @@
  *     &backend=webgl2       webgpu, webgl2 or cpu; else the best there is
  *     &reflections=10       0 … 64               &samples=9     points on each light, 1 … 256
  *     &exposure=0.5         stops, −10 … 10      &compare=reflections    or samples: three strips side by side
+ *     &tone=agx             tone mapping: none, aces, agx or neutral
  *     &time=1.3             seconds to start at  &paused=1      stand still (0: move, even where reduced motion is wished)
  *     &scale=1              resolution scale, 0.1 … 1           &adaptive=0    hold that scale in motion
  *     &seed=1               of the random numbers
@@ -20,6 +21,7 @@ export interface UrlParameters {
   readonly reflections: number | null;
   readonly samples: number | null;
   readonly exposure: number | null;
+  readonly tone: 'none' | 'aces' | 'agx' | 'neutral' | null;
   readonly compare: 'off' | 'reflections' | 'samples' | null;
   readonly time: number | null;
   readonly paused: boolean | null;
@@ -73,6 +75,7 @@ export function readParameters(search: string, sceneIds: readonly string[]): Url
     reflections: read.number('reflections', 0, 64, true),
     samples: read.number('samples', 1, 256, true),
     exposure: read.number('exposure', -10, 10),
+    tone: read.choice('tone', ['none', 'aces', 'agx', 'neutral']),
     compare: read.choice('compare', ['off', 'reflections', 'samples']),
     time: read.number('time', 0, 1e6),
     paused: read.flag('paused'),

@@ -21,6 +21,8 @@ export const zhCN: Dictionary = {
   lightSamplesNumber: '光源采样数，1 到 256',
   exposure: '曝光',
   stops: (n) => `${n} 档`,
+  toneMapping: '色调映射',
+  toneMappingNames: { none: '无', aces: 'ACES', agx: 'AgX', neutral: '中性' },
 
   compare: '对比',
   compareWhat: '并排对比',

@@ -171,7 +171,8 @@ export class CpuRenderer implements Renderer {
   #show(): void {
     const film = this.#film;
     if (!film || this.canvas.width * this.canvas.height === 0) return;
-    const picture = new ImageData(filmToSrgb(film.pixels, this.settings.exposure), film.width, film.height);
+    const { exposure, toneMapping } = this.settings;
+    const picture = new ImageData(filmToSrgb(film.pixels, exposure, toneMapping), film.width, film.height);
     this.#showStill(picture);
     this.#shownRevision = this.#view.shownRevision;
     this.#stats = { ...this.#stats, canvasWidth: this.canvas.width, canvasHeight: this.canvas.height };

@@ -120,6 +120,9 @@ describe('a still picture', () => {
     renderer.set({ exposure: 1 });
     await pass(100);
     expect(device.drawn.slice(before).map((draw) => draw.pass)).toEqual(['display']);
+    renderer.set({ toneMapping: 'agx' });
+    await pass(100);
+    expect(device.drawn.slice(before).map((draw) => draw.pass)).toEqual(['display', 'display']);
   });
 
   test('exposure takes hold while samples are still added', async () => {

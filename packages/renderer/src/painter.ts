@@ -32,7 +32,7 @@ export class Painter {
   /** What the canvas shows. */
   #shownRevision = -1;
   #shownFilm = -1;
-  #shownExposure = 0;
+  #shownLook = '';
   #shownSize = { width: 0, height: 0 };
   /** The sample before was given up half-way. */
   #dropped = false;
@@ -77,7 +77,7 @@ export class Painter {
 
   /** While a frame takes its time: a resized canvas is not left blank, and exposure follows the hand. */
   refresh(): void {
-    if (this.#canvasCleared() || this.#shownExposure !== this.#easel.view.settings.exposure) this.#show();
+    if (this.#canvasCleared() || this.#shownLook !== lookOf(this.#easel.view)) this.#show();
   }
 
   /** For `unwanted`: whether the world has been changed by hand since now. Not twice in a row, lest a long drag show nothing. */
@@ -100,8 +100,8 @@ export class Painter {
   #show(): void {
     const { canvas, view } = this.#easel;
     if (canvas.width === 0 || canvas.height === 0) return;
-    if (!this.stages.show(view.settings.exposure)) return;
-    this.#shownExposure = view.settings.exposure;
+    if (!this.stages.show(view.settings)) return;
+    this.#shownLook = lookOf(view);
     this.#shownSize = { width: canvas.width, height: canvas.height };
   }
 
@@ -192,3 +192,6 @@ export class Painter {
     };
   }
 }
+
+/** What the display does with the film, in a word to compare. */
+const lookOf = ({ settings: { exposure, toneMapping } }: View): string => `${exposure} ${toneMapping}`;

@@ -1,5 +1,5 @@
 import type { PixelFilter } from './packed-scene/pack-filter.ts';
-import type { Camera, Integrator, Scene } from './scene/scene.ts';
+import type { Camera, Integrator, Scene, ToneMapping } from './scene/scene.ts';
 
 /** What draws: a GPU interface, or the double-precision tracer in a worker that makes one still picture. */
 export type Backend = 'webgpu' | 'webgl2' | 'cpu';
@@ -30,6 +30,8 @@ export interface RendererSettings {
   lightSamples: number;
   /** Stops. */
   exposure: number;
+  /** How bright light is fitted to the screen, after exposure. */
+  toneMapping: ToneMapping;
   /** Film pixels per canvas pixel along one side, 0.1 … 1; the controller may go lower in motion, never higher. */
   resolutionScale: number;
   /** Whether the frame-time controller may lower resolution in motion to hold `targetFps`. */

@@ -2,14 +2,14 @@
  * Everything that lives on one device: the passes, the film, the packed scene. Made anew when a device was lost. One film
  * sample is a visible list of calls: pack, trace in short submits, show.
  */
-import { Display } from './display/display.ts';
+import { Display, type Look } from './display/display.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { createPathPass, drawPath, PATH_LAYERS } from './integrator/path/path.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
-import { packFrame } from './packed-scene/pack-frame.ts';
+import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
 import { createBlock } from './packed-scene/write-struct.ts';
@@ -108,7 +108,8 @@ export class Stages {
     this.#pass = this.#integrators.get(shot.settings.integrator) ?? this.#preview;
     this.#paths = this.#pass === this.#integrators.get('path');
     const pack = this.#paths ? packPathScene : packScene;
-    const packed = pack(shot.scene, shot.camera.eye, this.#packed);
+    const reach = viewReach(shot.camera, width / height);
+    const packed = pack(shot.scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
@@ -193,10 +194,10 @@ export class Stages {
     this.#warm.add(pass);
   }
 
-  /** Puts the newest whole picture on the canvas; false when there is none. `exposure` in stops. */
-  show(exposure: number): boolean {
+  /** Puts the newest whole picture on the canvas; false when there is none. */
+  show(look: Look): boolean {
     const { picture } = this.film;
-    if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, exposure);
+    if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, look);
     return picture !== null;
   }
 }

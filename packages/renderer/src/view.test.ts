@@ -40,6 +40,7 @@ describe('settings', () => {
     ['lightSamples', 0, /from 1 to 256/],
     ['lightSamples', '9', /"9"/],
     ['exposure', Number.NaN, /stops/],
+    ['toneMapping', 'ACES', /one of none, aces, agx, neutral/],
     ['resolutionScale', 0, /0\.1 to 1/],
     ['resolutionScale', 1.01, /0\.1 to 1/],
     ['adaptive', 1, /true or false/],
@@ -79,14 +80,12 @@ describe('settings', () => {
   });
 
   test('a scene brings its own', () => {
-    const render = { integrator: 'classic', maxReflections: 7, lightSamples: 3, maxDepth: 8, exposure: -1 } as const;
+    const own = { maxReflections: 7, lightSamples: 3, maxDepth: 8, exposure: -1, toneMapping: 'agx' } as const;
+    const render = { integrator: 'classic', ...own } as const;
     const view = viewOf({ ...still, render }, { seed: 5, maxReflections: 1 });
     expect(view.settings).toEqual({
       ...DEFAULT_SETTINGS,
-      maxReflections: 7,
-      lightSamples: 3,
-      maxDepth: 8,
-      exposure: -1,
+      ...own,
       seed: 5,
     });
   });
@@ -98,6 +97,7 @@ describe('the film is begun anew only when its content changes', () => {
     ['the seed', (v) => v.set({ seed: 1 }), { film: 1, shown: 1 }],
     ['two at once', (v) => v.set({ seed: 1, lightSamples: 4 }), { film: 1, shown: 1 }],
     ['exposure', (v) => v.set({ exposure: 1 }), { film: 0, shown: 1 }],
+    ['tone mapping', (v) => v.set({ toneMapping: 'agx' }), { film: 0, shown: 1 }],
     ['the target', (v) => v.set({ targetFps: 30 }), { film: 0, shown: 1 }],
     ['a setting that has this value', (v) => v.set({ seed: 0, exposure: 0 }), { film: 0, shown: 0 }],
     ['nothing', (v) => v.set({}), { film: 0, shown: 0 }],
@@ -161,6 +161,15 @@ describe('time', () => {
     expect(view.time).toBe(0);
     expect(view.camera).toEqual(still.camera);
   });
+});
+
+test('a camera may leave out its projection and lens, not have wrong ones', () => {
+  const view = viewOf(still);
+  const { eye, target, up, verticalFov } = still.camera;
+  view.camera = { eye, target, up, verticalFov };
+  for (const part of [{ projection: 'fisheye' }, { viewHeight: 0 }, { aperture: -1 }, { focusDistance: Number.NaN }])
+    expect(() => (view.camera = { ...still.camera, ...part } as typeof still.camera)).toThrow(TypeError);
+  expect(view.camera).toEqual({ eye, target, up, verticalFov });
 });
 
 test('what is no scene is refused and the old one stays', () => {

@@ -6,8 +6,10 @@
 import { PIXEL_FILTERS } from './packed-scene/pack-filter.ts';
 import type { Panel, RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
+import { PROJECTIONS, wholeCamera } from './scene/camera.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
 import type { Camera, Scene } from './scene/scene.ts';
+import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
 import { cameraFault } from './scene/well-formed.ts';
 import { requireScene } from './scene-file/require-scene.ts';
 
@@ -19,6 +21,7 @@ export const DEFAULT_SETTINGS: RendererSettings = {
   maxReflections: 5,
   lightSamples: 9,
   exposure: 0,
+  toneMapping: 'none',
   resolutionScale: 1,
   adaptive: true,
   targetFps: 60,
@@ -32,7 +35,7 @@ const USUAL_DEPTH = 8;
 /** Longest step of the animation in one frame, seconds: a tab that slept goes on where it was. */
 const LONGEST_STEP = 0.25;
 /** Settings that only the display uses, or only the loop: the film stays valid. */
-const NOT_IN_FILM = new Set<keyof RendererSettings>(['exposure', 'adaptive', 'targetFps', 'maxSamples']);
+const NOT_IN_FILM = new Set<keyof RendererSettings>(['exposure', 'toneMapping', 'adaptive', 'targetFps', 'maxSamples']);
 
 const wholeIn = (least: number, most: number) => (n: number) => Number.isInteger(n) && n >= least && n <= most;
 const isReflections = wholeIn(0, SCENE_LIMITS.maxReflections);
@@ -50,6 +53,7 @@ const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) =>
   maxReflections: [isReflections, `a whole number from 0 to ${SCENE_LIMITS.maxReflections}`],
   lightSamples: [isSamples, `a whole number from 1 to ${SCENE_LIMITS.lightSamples}`],
   exposure: [(n) => Math.abs(n) <= 32, 'stops from -32 to 32'],
+  toneMapping: [(name) => TONE_MAPPINGS.includes(name), `one of ${TONE_MAPPINGS.join(', ')}`],
   resolutionScale: [(n) => n >= 0.1 && n <= 1, 'a number from 0.1 to 1'],
   adaptive: [(b) => typeof b === 'boolean', 'true or false'],
   targetFps: [(n) => n === 30 || n === 60, '30 or 60'],
@@ -77,11 +81,18 @@ function checkSettings(settings: Partial<RendererSettings>): void {
 
 const isTriple = (v: unknown) => Array.isArray(v) && v.length === 3 && v.every(Number.isFinite);
 
+const isIn = (n: number, least: number) => typeof n === 'number' && n >= least && n <= 1e9;
+
 function checkCamera(camera: Camera): void {
   const { eye, target, up, verticalFov } = camera;
   if (![eye, target, up].every(isTriple) || !(verticalFov > 0 && verticalFov < 180))
     throw new TypeError(
       'A camera needs eye, target and up, each of three finite numbers, and a verticalFov between 0 and 180 degrees.',
+    );
+  const { projection, viewHeight, aperture, focusDistance } = wholeCamera(camera);
+  if (!PROJECTIONS.includes(projection) || !isIn(viewHeight, 1e-6) || !isIn(aperture, 0) || !isIn(focusDistance, 0))
+    throw new TypeError(
+      `A camera's projection is one of ${PROJECTIONS.join(', ')}; its viewHeight is from 1e-6, its aperture and focusDistance are from 0 to 1e9 metres.`,
     );
   const fault = cameraFault(camera);
   if (fault)
@@ -135,8 +146,7 @@ export class View {
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
-    const { integrator, maxDepth, maxReflections, lightSamples, exposure } = scene.render;
-    this.#settings = { ...this.#settings, integrator, maxDepth, maxReflections, lightSamples, exposure };
+    this.#settings = { ...this.#settings, ...scene.render };
     this.#changedByHand();
   }
 

@@ -1,5 +1,6 @@
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
+import { displayed } from './displayed.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilms } from './path.ts';
@@ -12,6 +13,7 @@ import { probeShapes } from './shapes/probe.ts';
  */
 export const harness = {
   describeDevices,
+  displayed,
   hardNames,
   hardPicture,
   leaks,

@@ -2,9 +2,10 @@ import { useSignal } from '@preact/signals';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { exposure, lightSamples, reflections } from '../state.ts';
+import { exposure, lightSamples, reflections, toneMapping } from '../state.ts';
 import { Section } from './section.tsx';
 
+const toneMappings = ['none', 'aces', 'agx', 'neutral'] as const;
 const presets = [1, 9, 16, 64];
 const signed = (n: number): string => (n > 0 ? '+' : n < 0 ? '−' : '') + Math.abs(n).toFixed(1);
 
@@ -32,6 +33,13 @@ export function LightSection() {
         value={exposure.value}
         text={t.stops(signed(exposure.value))}
         onInput={(value) => (exposure.value = value)}
+      />
+      <Choice
+        id="tone-mapping"
+        label={t.toneMapping}
+        options={toneMappings.map((value) => ({ value, label: t.toneMappingNames[value] }))}
+        value={toneMapping.value}
+        onChange={(kind) => (toneMapping.value = kind)}
       />
     </Section>
   );

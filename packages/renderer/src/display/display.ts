@@ -1,7 +1,9 @@
-/** The film on the canvas: mean, exposure, clip, sRGB curve. */
+/** The film on the canvas: mean, exposure, tone mapping, sRGB curve. */
 import type { Device, FloatTexture, Pass, PassSource, UniformBuffer } from '../gpu/device.ts';
 import { structSize } from '../packed-scene/layout.ts';
 import { createBlock, writeStruct } from '../packed-scene/write-struct.ts';
+import type { RendererSettings } from '../renderer-types.ts';
+import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
 import displayWgsl from '../shading/generated/display.wgsl?raw';
 import screenGlsl from '../shading/generated/screen.glsl?raw';
 import showGlsl from '../shading/generated/show.glsl?raw';
@@ -14,6 +16,9 @@ const SOURCE: PassSource = {
   bindings: [{ block: 'Display' }, { texture: 'film' }],
   target: 'canvas',
 };
+
+/** The settings that only the display uses. */
+export type Look = Pick<RendererSettings, 'exposure' | 'toneMapping'>;
 
 export class Display {
   readonly #device: Device;
@@ -31,9 +36,13 @@ export class Display {
     this.#uniforms = device.createUniforms(structSize('Display'));
   }
 
-  /** Fills the canvas with the first width × height pixels of the film. `exposure` in stops. */
-  show(film: FloatTexture, width: number, height: number, exposure: number): void {
-    writeStruct(this.#block, 'Display', 0, { exposure: 2 ** exposure, filmSize: [width, height] });
+  /** Fills the canvas with the first width × height pixels of the film. */
+  show(film: FloatTexture, width: number, height: number, { exposure, toneMapping }: Look): void {
+    writeStruct(this.#block, 'Display', 0, {
+      exposure: 2 ** exposure,
+      toneMapping: TONE_MAPPINGS.indexOf(toneMapping),
+      filmSize: [width, height],
+    });
     this.#uniforms.write(this.#block.bytes);
     this.#device.draw(this.#pass, 'canvas', [this.#uniforms, film]);
   }

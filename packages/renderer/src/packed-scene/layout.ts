@@ -98,9 +98,9 @@ export const STRUCTS = {
     reach: field('f32', 'radius of the bounding sphere; of directional light: sine of half the angular diameter'),
   },
   Frame: {
-    right: field('vec3f', 'camera r times tan(fov / 2) times aspect'),
+    right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
     width: field('f32', 'film pixels'),
-    up: field('vec3f', 'camera u times tan(fov / 2)'),
+    up: field('vec3f', 'camera u times half the height of what is seen'),
     height: field('f32', 'film pixels'),
     forward: field('vec3f', 'camera f'),
     lightCount: field('u32', 'lights in use'),
@@ -121,13 +121,20 @@ export const STRUCTS = {
       'pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards',
     ),
     independent: field('u32', '1: independent random numbers instead of the Sobol sequence'),
+    projection: field('u32', 'position in PROJECTIONS'),
+    aperture: field('f32', 'radius of the lens, metres'),
+    focusDistance: field('f32', 'from the eye to the plane that is sharp, metres'),
+    planesCutView: field(
+      'u32',
+      '1: rays of the camera start on both sides of a plane, so that planes have no side of the eye',
+    ),
     spare0: field('f32', 'unused'),
     spare1: field('f32', 'unused'),
     spare2: field('f32', 'unused'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
-    spare: field('f32', 'unused'),
+    toneMapping: field('u32', 'position in TONE_MAPPINGS'),
     filmSize: field('vec2f', 'pixels'),
   },
 } as const satisfies Record<string, Fields>;

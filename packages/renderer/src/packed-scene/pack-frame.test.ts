@@ -3,9 +3,10 @@ import { inCube, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testScene } from '../../../../tests/fixtures/scenes.ts';
 import { cameraFrame, rayThrough, sampleOffset } from '../reference/camera.ts';
 import { add, addScaled, cross, dot, length, normalize, scale, subtract } from '../reference/vec3.ts';
+import { cameraAxes } from '../scene/camera.ts';
 import type { Camera, Vec3 } from '../scene/scene.ts';
 import { fieldOffset, structSize } from './layout.ts';
-import { cameraAxes, type FrameSettings, filmJitter, packFrame } from './pack-frame.ts';
+import { type FrameSettings, filmJitter, packFrame, viewReach } from './pack-frame.ts';
 import { packScene } from './pack-scene.ts';
 import { createBlock } from './write-struct.ts';
 
@@ -57,6 +58,31 @@ test('a ray through any point of the film is that of the definition (seed 62)', 
     const exact = rayThrough(cameraFrame(view, film.width, film.height), column, row, film.width, film.height);
     expect(length(subtract(direction, exact.direction))).toBeLessThan(1e-6);
   }
+});
+
+test('projection, lens and focus; where rays may start', () => {
+  const frameOf = (part: Partial<Camera>) => {
+    const { floats, wholes } = frame({}, 0, { ...camera, ...part });
+    const [right, up] = [floats('right', 3), floats('up', 3)].map((axis) => Math.hypot(...axis));
+    return [...wholes('projection', 1), right, up, ...floats('aperture', 1), ...floats('focusDistance', 1)];
+  };
+  const close = (values: unknown[], expected: number[]) =>
+    expected.forEach((value, k) => {
+      expect(values[k]).toBeCloseTo(value, 5);
+    });
+  const half = Math.tan((25 * Math.PI) / 180);
+  // The target is 5 m away.
+  close(frameOf({ aperture: 0.25 }), [0, (half * 16) / 9, half, 0.25, 5]);
+  close(frameOf({ projection: 'orthographic', viewHeight: 9, focusDistance: 2 }), [1, 8, 4.5, 0, 2]);
+  close(frameOf({ projection: 'equirectangular', aperture: 1 }), [2, 1, 1, 0, 5]);
+  const reach = (part: Partial<Camera>) => {
+    const { right, up } = viewReach({ ...camera, ...part }, 2);
+    return [length(right), length(up)];
+  };
+  close(reach({}), [0, 0]);
+  close(reach({ aperture: 0.5 }), [0.5, 0.5]);
+  close(reach({ projection: 'orthographic', viewHeight: 4 }), [4, 2]);
+  close(reach({ projection: 'equirectangular', aperture: 0.5 }), [0, 0]);
 });
 
 test('numbers of the frame', () => {

@@ -1,8 +1,9 @@
 /** Camera, sky and settings of one film sample → the Frame block. */
 import type { Comparison, Panel } from '../renderer-types.ts';
+import { cameraAxes, focusOf, PROJECTIONS, wholeCamera } from '../scene/camera.ts';
 import type { Camera, Sky, Vec3 } from '../scene/scene.ts';
 import { type PixelFilter, packFilter } from './pack-filter.ts';
-import type { PackedScene } from './pack-scene.ts';
+import type { PackedScene, ViewReach } from './pack-scene.ts';
 import { type Block, writeStruct } from './write-struct.ts';
 
 export interface FrameSettings extends Panel {
@@ -16,22 +17,26 @@ export interface FrameSettings extends Panel {
   readonly independentSamples?: boolean;
 }
 
-const normalize = (a: Vec3): Vec3 => {
-  const l = Math.hypot(...a);
-  return [a[0] / l, a[1] / l, a[2] / l];
-};
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
+const NOWHERE: Vec3 = [0, 0, 0];
 
-/** Right-handed unit axes: forward, right, up. */
-export function cameraAxes({ eye, target, up }: Camera): { forward: Vec3; right: Vec3; up: Vec3 } {
-  const forward = normalize([target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]]);
-  const right = normalize(cross(forward, up));
-  return { forward, right, up: cross(right, forward) };
+/** What a camera sees, as half its height: at a distance of 1, in metres, or (the whole sphere has none) 1. */
+function halfHeight({ projection, verticalFov, viewHeight }: Required<Camera>): number {
+  if (projection === 'perspective') return Math.tan((verticalFov * Math.PI) / 360);
+  return projection === 'orthographic' ? viewHeight / 2 : 1;
+}
+
+/**
+ * Where the camera's rays may start: the parallelogram eye ± right ± up. A pinhole's start at the eye; those of an orthographic
+ * camera start on the plane through the eye across the line of sight, those of a lens anywhere on it.
+ */
+export function viewReach(camera: Camera, aspect: number): ViewReach {
+  const whole = wholeCamera(camera);
+  const { projection, aperture } = whole;
+  const axes = cameraAxes(camera);
+  if (projection === 'equirectangular') return { right: NOWHERE, up: NOWHERE };
+  const half = projection === 'orthographic' ? halfHeight(whole) : 0;
+  return { right: scale(axes.right, half * aspect + aperture), up: scale(axes.up, half + aperture) };
 }
 
 /** Where film sample s lies inside the pixel: Roberts' R2 sequence from the centre, so that any number of samples is even. */
@@ -48,14 +53,16 @@ export function packFrame(
   settings: FrameSettings,
   sampleIndex: number,
 ): void {
+  const whole = wholeCamera(camera);
   const axes = cameraAxes(camera);
-  const tangent = Math.tan((camera.verticalFov * Math.PI) / 360);
+  const half = halfHeight(whole);
+  const aspect = whole.projection === 'equirectangular' ? 1 : film.width / film.height;
   const panels = settings.comparison?.panels ?? [settings, settings, settings];
   const dividers = settings.comparison?.dividers ?? [2, 2];
   writeStruct(block, 'Frame', 0, {
-    right: scale(axes.right, (tangent * film.width) / film.height),
+    right: scale(axes.right, half * aspect),
     width: film.width,
-    up: scale(axes.up, tangent),
+    up: scale(axes.up, half),
     height: film.height,
     forward: axes.forward,
     lightCount: packed.lightCount,
@@ -73,5 +80,10 @@ export function packFrame(
     panels: panels.flatMap((p) => [p.maxReflections, p.lightSamples, 0, 0]),
     filterPieces: packFilter(settings.pixelFilter ?? 'box'),
     independent: settings.independentSamples ? 1 : 0,
+    projection: PROJECTIONS.indexOf(whole.projection),
+    // No lens looks into all directions at once.
+    aperture: whole.projection === 'equirectangular' ? 0 : whole.aperture,
+    focusDistance: focusOf(camera),
+    planesCutView: packed.planesCutView ? 1 : 0,
   });
 }

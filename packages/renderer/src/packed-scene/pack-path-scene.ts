@@ -2,13 +2,12 @@
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
-import { type PackedScene, packScene, writeRow } from './pack-scene.ts';
+import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
 
-/** `reuse`: see `packScene`. */
-export function packPathScene(scene: Scene, eye: Vec3, reuse?: PackedScene): PackedScene {
+export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   const lamps = lampsAsShapes(scene);
-  const packed = packScene(lamps.scene, eye, reuse, MOST_EMITTERS);
+  const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS });
   const { table, shapeNames } = packed;
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
   const { emitters, emitterOfShape } = emittersOf(lamps, eye, (name) => rows.get(name)!);

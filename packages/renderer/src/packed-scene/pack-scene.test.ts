@@ -49,6 +49,21 @@ test('shapes are sorted by kind and keep the order of the file within a kind', (
   expect(packed.rows).toBe(6);
 });
 
+test('a plane through where the camera may start has no side of the eye, and may cast shadows', () => {
+  const floor = testScene({ floor: plane([0, 0, 0], [0, 2, 0]) }, { a: testLight({ center: [0, 5, 0] }) });
+  const pack = (up: Vec3) => packScene(floor, [0, 1, 0], { reach: { right: [3, 0, 0], up } });
+  for (const [up, cut] of [
+    [[0, 0.9, 0], false],
+    [[0, -1.1, 0], true],
+    [[0, 0, 9], false],
+  ] as [Vec3, boolean][]) {
+    const packed = pack(up);
+    expect([packed.planesCutView, packed.occluderEnd]).toEqual([cut, cut ? 1 : 0]);
+  }
+  const throughEye = packScene(floor, [0, 0, 0]);
+  expect(throughEye.planesCutView, 'a pinhole in the plane').toBe(false);
+});
+
 test('an empty scene and one of lights only are packed too', () => {
   const empty = packScene(testScene({}, {}), [0, 0, 0]);
   expect([empty.rows, empty.lightCount, ...empty.shapeEnds, empty.occluderEnd]).toEqual([1, 0, 0, 0, 0, 0, 0]);
@@ -161,13 +176,13 @@ test('memory is used again when it is large enough, and only then', () => {
   const three = testScene({ a: sphere([1, 0, 0]), b: sphere([2, 0, 0]), c: sphere([3, 0, 0]) }, {});
   const one = testScene({ z: sphere([9, 0, 0]) }, {});
   const large = packScene(three, [0, 0, 0]);
-  const again = packScene(one, [0, 0, 0], large);
+  const again = packScene(one, [0, 0, 0], { reuse: large });
   expect(again.table).toBe(large.table);
   expect(center(again, 0)).toEqual([9, 0, 0]);
   expect(again.rows).toBe(1);
   const small = packScene(one, [0, 0, 0]);
-  expect(packScene(three, [0, 0, 0], small).table).not.toBe(small.table);
+  expect(packScene(three, [0, 0, 0], { reuse: small }).table).not.toBe(small.table);
   // What lay there before does not show through.
-  const mixed = packScene(testScene({ q: quad([0, 0, 0], [1, 0, 0], [0, 2, 0]) }, {}), [0, 0, 0], large);
+  const mixed = packScene(testScene({ q: quad([0, 0, 0], [1, 0, 0], [0, 2, 0]) }, {}), [0, 0, 0], { reuse: large });
   expect(numbers(mixed, 0, 'Extent', 'a', 4)).toEqual([1, 0, 0, 0]);
 });

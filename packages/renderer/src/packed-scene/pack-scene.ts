@@ -20,9 +20,18 @@ export interface PackedScene {
   readonly seenLightEnd: number;
   /** Rows that hold an emitter of the path integrator. */
   readonly emitterCount: number;
+  /** Whether rays of the camera start on both sides of some plane. */
+  readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
   readonly shapeNames: readonly string[];
 }
+
+/** Where rays of the camera start: anywhere on the parallelogram eye ± right ± up. */
+export interface ViewReach {
+  readonly right: Vec3;
+  readonly up: Vec3;
+}
+const AT_EYE: ViewReach = { right: [0, 0, 0], up: [0, 0, 0] };
 
 const KINDS = ['sphere', 'box', 'quad', 'plane'] as const;
 const ROW_BYTES = TABLE_WIDTH * 16;
@@ -41,8 +50,17 @@ export function writeRow<S extends TableStruct>(table: Block, name: S, row: numb
   writeStruct(table, name, row * ROW_BYTES + tableColumn(name) * 16, values);
 }
 
-/** `leastRows`: room that is needed for more than shapes and lights. `reuse`: a packed scene that is no longer needed; its memory is taken when it is large enough. */
-export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene, leastRows = 1): PackedScene {
+export interface PackOptions {
+  /** A packed scene that is no longer needed; its memory is taken when it is large enough. */
+  readonly reuse?: PackedScene | undefined;
+  /** Where the camera's rays may start. */
+  readonly reach?: ViewReach;
+  /** Room that is needed for more than shapes and lights. */
+  readonly leastRows?: number;
+}
+
+export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
+  const { reuse, reach = AT_EYE, leastRows = 1 } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
@@ -51,7 +69,8 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene, leastRow
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeRow(table, name, row, values);
 
-  const casts = ([, plane]: [string, Shape]) => castsShadow(plane as Plane, eye, lights);
+  const casts = ([, plane]: [string, Shape]) =>
+    castsShadow(plane as Plane, eye, lights) || cuts(plane as Plane, eye, reach);
   const planes = sorted[3]!;
   sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
   const ordered = sorted.flat();
@@ -73,6 +92,7 @@ export function packScene(scene: Scene, eye: Vec3, reuse?: PackedScene, leastRow
     shapeEnds,
     occluderEnd,
     lightCount: lights.length,
+    planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
     emitterCount: 0,
     shapeNames: ordered.map(([name]) => name),
@@ -89,6 +109,16 @@ function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly Spher
   const height = (p: Vec3) => dot(normal, subtract(p, point)) / length;
   const side = Math.sign(height(eye));
   return !lights.every((l) => height(l.center) * side > l.radius);
+}
+
+/**
+ * Whether the plane goes through where the camera's rays start, and not only through the eye. It then has no side that all paths
+ * are on: the kernels take both of its sides for real (intersect/plane.wesl), and it may cast shadows. Rare: a floor that an
+ * orthographic view reaches below, a wall closer than a lens is wide.
+ */
+function cuts({ point, normal }: Plane, eye: Vec3, { right, up }: ViewReach): boolean {
+  const reach = Math.abs(dot(normal, right)) + Math.abs(dot(normal, up));
+  return reach > 0 && Math.abs(dot(normal, subtract(eye, point))) <= reach;
 }
 
 type ShapeValues = StructValues<'Bounds'> & StructValues<'Extent'>;

@@ -1,10 +1,15 @@
 /** "One camera ray" of docs/classic.md. */
-import type { Camera, Vec3 } from '../scene/scene.ts';
+import { wholeCamera } from '../scene/camera.ts';
+import type { Camera, Projection, Vec3 } from '../scene/scene.ts';
 import { cameraRay, type Ray } from './ray.ts';
 import { addScaled, cross, normalize, scale, subtract } from './vec3.ts';
 
-/** The plane one unit in front of the eye: forward to its middle, `right` and `up` to its edges. */
+/**
+ * Perspective: the plane one unit in front of the eye, forward to its middle, `right` and `up` to its edges. Orthographic: the
+ * same two in the plane through the eye. Equirectangular: unit axes.
+ */
 export interface CameraFrame {
+  readonly projection: Projection;
   readonly eye: Vec3;
   readonly forward: Vec3;
   readonly right: Vec3;
@@ -15,8 +20,11 @@ export function cameraFrame(camera: Camera, width: number, height: number): Came
   const forward = normalize(subtract(camera.target, camera.eye));
   const right = normalize(cross(forward, camera.up));
   const up = cross(right, forward);
-  const halfHeight = Math.tan((camera.verticalFov * Math.PI) / 360);
+  const { projection, viewHeight, verticalFov } = wholeCamera(camera);
+  if (projection === 'equirectangular') return { projection, eye: camera.eye, forward, right, up };
+  const halfHeight = projection === 'orthographic' ? viewHeight / 2 : Math.tan((verticalFov * Math.PI) / 360);
   return {
+    projection,
     eye: camera.eye,
     forward,
     right: scale(right, (halfHeight * width) / height),
@@ -36,6 +44,10 @@ export const sampleOffset = (s: number): [a: number, b: number] => [
 export function rayThrough(frame: CameraFrame, column: number, row: number, width: number, height: number): Ray {
   const x = (2 * column) / width - 1;
   const y = 1 - (2 * row) / height;
-  const ahead = addScaled(addScaled(frame.forward, frame.right, x), frame.up, y);
-  return cameraRay(frame.eye, normalize(ahead));
+  const across = (start: Vec3) => addScaled(addScaled(start, frame.right, x), frame.up, y);
+  if (frame.projection === 'orthographic') return cameraRay(across(frame.eye), frame.forward);
+  if (frame.projection === 'perspective') return cameraRay(frame.eye, normalize(across(frame.forward)));
+  const [longitude, latitude] = [Math.PI * x, (Math.PI / 2) * y];
+  const level = addScaled(scale(frame.forward, Math.cos(longitude)), frame.right, Math.sin(longitude));
+  return cameraRay(frame.eye, addScaled(scale(level, Math.cos(latitude)), frame.up, Math.sin(latitude)));
 }

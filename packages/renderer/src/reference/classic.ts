@@ -71,7 +71,7 @@ const skyColor = ({ horizon, zenith }: Sky, direction: Vec3): Color =>
 /** "Along the path": the radiance that comes back along a camera ray. `hash` is h of its pixel and film sample. */
 export function tracePath(tracer: ClassicTracer, cameraRay: Ray, panel: Panel, hash: number): Color {
   const { scene } = tracer;
-  const { eye } = tracer.cameraFrame;
+  const { eye } = cameraRay;
   let ray = cameraRay;
   let weight = 1;
   let L = BLACK;

@@ -1,7 +1,9 @@
 import * as v from 'valibot';
+import { CAMERA_DEFAULTS, PROJECTIONS } from '../scene/camera.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import { METALS } from '../scene/metals.ts';
 import type { Color, MaterialType } from '../scene/scene.ts';
+import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
 import { choice, color, direction, integer, kind, number, object, point, share, text, triple } from './values.ts';
 
 /** The structure of a scene file, with its defaults: the one source for reading, writing and the editors' JSON Schema. */
@@ -28,6 +30,16 @@ const camera = object('the camera: an object with "eye" and "target"', {
   target: point('where the camera looks'),
   up: v.optional(direction('the direction that is up in the picture'), [0, 1, 0]),
   verticalFov: v.optional(number('the vertical field of view in degrees', 0.01, 179), 45),
+  projection: v.optional(choice('how the camera sees', PROJECTIONS), CAMERA_DEFAULTS.projection),
+  viewHeight: v.optional(
+    number('the height of an orthographic picture in metres', SMALLEST, LARGEST),
+    CAMERA_DEFAULTS.viewHeight,
+  ),
+  aperture: v.optional(number('the radius of the lens in metres, 0 = a pinhole', 0, LARGEST), CAMERA_DEFAULTS.aperture),
+  focusDistance: v.optional(
+    number('the distance that is sharp in metres, 0 = that of the target', 0, LARGEST),
+    CAMERA_DEFAULTS.focusDistance,
+  ),
 });
 
 const skyRule = 'the sky: one colour [red, green, blue], or an object with "horizon" and "zenith"';
@@ -198,6 +210,7 @@ const render = object(renderRule, {
   lightSamples: v.optional(integer('sample points on each light', 1, SCENE_LIMITS.lightSamples), 9),
   maxDepth: v.optional(integer('segments of a path, -1 = no limit', -1, SCENE_LIMITS.maxDepth), -1),
   exposure: v.optional(number('the exposure in stops', -32, 32), 0),
+  toneMapping: v.optional(choice('how bright light is fitted to the screen', TONE_MAPPINGS), 'none'),
 });
 
 const versionRule = 'the version of the file format, which is 1';

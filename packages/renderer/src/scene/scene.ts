@@ -14,9 +14,19 @@ export interface Camera {
   readonly eye: Vec3;
   readonly target: Vec3;
   readonly up: Vec3;
-  /** Full vertical field of view, degrees, 0.01 … 179. */
+  /** `perspective`: full vertical field of view, degrees, 0.01 … 179. */
   readonly verticalFov: number;
+  // What follows may be left out, see CAMERA_DEFAULTS; `parseScene` fills it in.
+  readonly projection?: Projection;
+  /** `orthographic`: metres from the lower to the upper edge of the picture. */
+  readonly viewHeight?: number;
+  /** Radius of a thin lens, metres; 0 = a pinhole. The classic integrator takes every camera for a pinhole. */
+  readonly aperture?: number;
+  /** From the eye along the line of sight to the plane that is sharp, metres; 0 = at the target. */
+  readonly focusDistance?: number;
 }
+/** `equirectangular`: the whole sphere, 360° across and 180° up and down, the line of sight in the middle. */
+export type Projection = 'perspective' | 'orthographic' | 'equirectangular';
 
 /** What a ray sees that hits nothing: `horizon` blends to `zenith` with the ray's height; below the horizon it is `horizon`. */
 export interface Sky {
@@ -184,9 +194,13 @@ export interface RenderSettings {
   readonly maxDepth: number;
   /** Stops: the picture is multiplied by 2^exposure. */
   readonly exposure: number;
+  /** How bright light is fitted to the screen, after exposure; display/tone-map.ts. */
+  readonly toneMapping: ToneMapping;
 }
 
 export type Integrator = 'classic' | 'path';
+/** `none`: clipped. `aces`: Hill's fit, as bright as in three.js. `agx`: Blender's, base look. `neutral`: Khronos PBR Neutral. */
+export type ToneMapping = 'none' | 'aces' | 'agx' | 'neutral';
 
 export interface Scene {
   readonly version: 1;

@@ -29,6 +29,10 @@ struct Frame {
     uvec4 panels[3];
     vec4 filterPieces[16];
     uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
     float spare0_;
     float spare1_;
     float spare2_;
@@ -580,7 +584,8 @@ float intersectPlane(vec3 origin_6, vec3 direction_7, vec3 normal_4, float offse
     float t_6 = ((offset - dot(origin_6, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
     bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
-    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
+    uint _e30 = frame.planesCutView;
+    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
 }
 
 float hitPlane(uint i_9, Bounds bounds_3, Ray ray_3) {

@@ -212,11 +212,11 @@ struct Emitter {
 
 
 struct Frame {
-  // camera r times tan(fov / 2) times aspect
+  // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
   // film pixels
   width: f32,
-  // camera u times tan(fov / 2)
+  // camera u times half the height of what is seen
   up: vec3f,
   // film pixels
   height: f32,
@@ -252,6 +252,14 @@ struct Frame {
   filterPieces: array<vec4f, 16>,
   // 1: independent random numbers instead of the Sobol sequence
   independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
   // unused
   spare0: f32,
   // unused
@@ -469,7 +477,7 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
   let speedAway = select(-speed, speed, offset > 0.0);
   let eitherWay = (t > tMin) & (abs(speed) > parallel);
-  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.

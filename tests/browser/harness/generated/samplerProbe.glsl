@@ -24,6 +24,10 @@ struct Frame {
     uvec4 panels[3];
     vec4 filterPieces[16];
     uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
     float spare0_;
     float spare1_;
     float spare2_;

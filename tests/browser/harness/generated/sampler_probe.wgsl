@@ -160,11 +160,11 @@ fn next1d(s: ptr<function, Sampler>) -> f32 {
 }
 
 struct Frame {
-  // camera r times tan(fov / 2) times aspect
+  // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
   // film pixels
   width: f32,
-  // camera u times tan(fov / 2)
+  // camera u times half the height of what is seen
   up: vec3f,
   // film pixels
   height: f32,
@@ -200,6 +200,14 @@ struct Frame {
   filterPieces: array<vec4f, 16>,
   // 1: independent random numbers instead of the Sobol sequence
   independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
   // unused
   spare0: f32,
   // unused

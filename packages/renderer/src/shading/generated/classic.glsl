@@ -38,6 +38,10 @@ struct Frame {
     uvec4 panels[3];
     vec4 filterPieces[16];
     uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
     float spare0_;
     float spare1_;
     float spare2_;
@@ -108,6 +112,10 @@ struct ShadowCone {
 struct BallPlace {
     float along;
     float across;
+};
+struct CameraRay {
+    vec3 origin;
+    vec3 direction;
 };
 const uint noShape = 4294967295u;
 const uint boxMissed = 0u;
@@ -225,7 +233,8 @@ float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset,
     float t_9 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
     bool eitherWay = ((t_9 > tMin_3) && (abs(speed_1) > 1e-12));
-    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_9, 0.0) : 1e30);
+    uint _e30 = frame.planesCutView;
+    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_9, 0.0) : 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
@@ -614,13 +623,13 @@ uint behindFlat(SampleGroup group_4, uint i_17) {
         vec2 _e14 = nextTurn(_e13);
         turn_4 = _e14;
         float inverse_1 = inversesqrt(dot(_e12, _e12));
-        Ray ray_9 = Ray(group_4.start, (_e12 * inverse_1));
+        Ray ray_10 = Ray(group_4.start, (_e12 * inverse_1));
         t_4 = 1e30;
         if (_e3) {
-            float _e22 = hitPlane(i_17, _e2, ray_9);
+            float _e22 = hitPlane(i_17, _e2, ray_10);
             t_4 = _e22;
         } else {
-            float _e23 = hitQuad(i_17, _e2, ray_9);
+            float _e23 = hitQuad(i_17, _e2, ray_10);
             t_4 = _e23;
         }
         uint _e24 = bits_2;
@@ -954,11 +963,11 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
         Start _e69 = onSurface(position, _e13.shape, _e68);
         Material _e71 = fetchMaterial(_e13.shape);
         vec3 _e73 = ray_8.direction;
-        SurfacePoint point_1 = SurfacePoint(_e69, normal_3, -(_e73));
+        SurfacePoint point_2 = SurfacePoint(_e69, normal_3, -(_e73));
         vec3 _e76 = radiance;
         float _e77 = weight;
         uint _e82 = reflection_2;
-        vec3 _e83 = shade(point_1, _e71, hash, _e82, lightSamples);
+        vec3 _e83 = shade(point_2, _e71, hash, _e82, lightSamples);
         radiance = (_e76 + ((_e77 * (1.0 - _e71.reflectivity)) * _e83));
         float _e86 = weight;
         weight = (_e86 * _e71.reflectivity);
@@ -976,15 +985,43 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
     return _e102;
 }
 
-vec3 pinholeDirection(vec2 filmPoint) {
-    float _e6 = frame.width;
-    float x_1 = (((2.0 * filmPoint.x) / _e6) - 1.0);
-    float _e15 = frame.height;
-    float y = (1.0 - ((2.0 * filmPoint.y) / _e15));
-    vec3 _e21 = frame.forward;
-    vec3 _e24 = frame.right;
-    vec3 _e29 = frame.up;
-    return normalize(((_e21 + (x_1 * _e24)) + (y * _e29)));
+CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
+    CameraRay ray_9 = CameraRay(vec3(0.0), vec3(0.0));
+    float _e7 = frame.width;
+    float x_1 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float _e16 = frame.height;
+    float y = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    vec3 _e22 = frame.right;
+    vec3 _e26 = frame.up;
+    vec3 across_2 = ((x_1 * _e22) + (y * _e26));
+    uint _e31 = frame.projection;
+    bool orthographic = (_e31 == 1u);
+    vec3 _e36 = frame.forward;
+    vec3 _e40 = frame.forward;
+    vec3 ahead = (orthographic ? _e40 : (_e36 + across_2));
+    float _e44 = frame.aperture;
+    vec3 _e48 = frame.right;
+    vec3 _e54 = frame.up;
+    vec3 lens = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
+    float _e63 = frame.focusDistance;
+    ray_9 = CameraRay((orthographic ? (across_2 + lens) : lens), normalize((ahead - (lens / vec3(_e63)))));
+    uint _e72 = frame.projection;
+    if ((_e72 == 2u)) {
+        float longitude = (3.1415927 * x_1);
+        float latitude = (1.5707964 * y);
+        vec3 _e82 = frame.right;
+        vec3 _e87 = frame.forward;
+        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
+        vec3 _e97 = frame.up;
+        ray_9 = CameraRay(vec3(0.0), ((cos(latitude) * level) + (sin(latitude) * _e97)));
+    }
+    CameraRay _e101 = ray_9;
+    return _e101;
+}
+
+CameraRay centralRay(vec2 filmPosition_1) {
+    CameraRay _e3 = rayThroughLens(filmPosition_1, vec2(0.0));
+    return _e3;
 }
 
 uint pixelHash0_(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -995,8 +1032,8 @@ uint pixelHash0_(uvec2 pixel, uint sampleIndex, uint seed) {
     return _e11;
 }
 
-Start atEye() {
-    return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
+Start onCamera(vec3 point_1) {
+    return Start(point_1, noShape, noShape, 0.0);
 }
 
 void main() {
@@ -1008,19 +1045,19 @@ void main() {
     float _e18 = frame.dividers.y;
     uvec4 panel = frame.panels[(uint((column >= _e12)) + uint((column >= _e18)))];
     vec2 _e28 = frame.jitter;
-    vec3 _e30 = pinholeDirection((floor(fragment.xy) + _e28));
+    CameraRay _e30 = centralRay((floor(fragment.xy) + _e28));
     uint _e33 = frame.sampleIndex;
     uint _e36 = frame.seed;
     uint _e37 = pixelHash0_(pixel_1, _e33, _e36);
-    Start _e38 = atEye();
-    vec3 _e42 = trace(Ray(_e38, _e30), _e37, panel.x, panel.y);
-    uint _e48 = frame.sampleIndex;
-    if ((_e48 > 0u)) {
-        vec4 _e53 = texelFetch(previousFilm, ivec2(pixel_1), 0);
-        sum = _e53;
+    Start _e39 = onCamera(_e30.origin);
+    vec3 _e44 = trace(Ray(_e39, _e30.direction), _e37, panel.x, panel.y);
+    uint _e50 = frame.sampleIndex;
+    if ((_e50 > 0u)) {
+        vec4 _e55 = texelFetch(previousFilm, ivec2(pixel_1), 0);
+        sum = _e55;
     }
-    vec4 _e54 = sum;
-    _fs2p_location0 = (_e54 + vec4(_e42, 1.0));
+    vec4 _e56 = sum;
+    _fs2p_location0 = (_e56 + vec4(_e44, 1.0));
     return;
 }
 

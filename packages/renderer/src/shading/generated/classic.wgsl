@@ -42,9 +42,10 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
   let pixel = vec2u(fragment.xy);
   let column = f32(pixel.x) + 0.5;
   let panel = frame.panels[u32(column >= frame.dividers.x) + u32(column >= frame.dividers.y)];
-  let direction = pinholeDirection(floor(fragment.xy) + frame.jitter);
+  // A pinhole whatever the lens: what is taught has no depth of field, and one sample a pixel could not show it.
+  let camera = centralRay(floor(fragment.xy) + frame.jitter);
   let hash = pixelHash0(pixel, frame.sampleIndex, frame.seed);
-  let radiance = trace(Ray(atEye(), direction), hash, panel.x, panel.y);
+  let radiance = trace(Ray(onCamera(camera.origin), camera.direction), hash, panel.x, panel.y);
   var sum = vec4f(0.0);
   if (frame.sampleIndex > 0u) {
     sum = textureLoad(previousFilm, pixel, 0);
@@ -232,11 +233,11 @@ fn sky(direction: vec3f) -> vec3f {
 @group(0) @binding(0) var<uniform> frame: Frame;
 
 struct Frame {
-  // camera r times tan(fov / 2) times aspect
+  // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
   // film pixels
   width: f32,
-  // camera u times tan(fov / 2)
+  // camera u times half the height of what is seen
   up: vec3f,
   // film pixels
   height: f32,
@@ -272,6 +273,14 @@ struct Frame {
   filterPieces: array<vec4f, 16>,
   // 1: independent random numbers instead of the Sobol sequence
   independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
   // unused
   spare0: f32,
   // unused
@@ -426,7 +435,7 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
   let speedAway = select(-speed, speed, offset > 0.0);
   let eitherWay = (t > tMin) & (abs(speed) > parallel);
-  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
@@ -883,18 +892,46 @@ fn unitFloat(h: u32) -> f32 {
   return f32(h >> 8u) * 5.9604644775390625e-8;
 }
 
-fn pinholeDirection(filmPoint: vec2f) -> vec3f {
-  let x = 2.0 * filmPoint.x / frame.width - 1.0;
-  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
-  return normalize(frame.forward + x * frame.right + y * frame.up);
+// The camera as a pinhole.
+fn centralRay(filmPosition: vec2f) -> CameraRay {
+  return rayThroughLens(filmPosition, vec2f(0.0));
 }
 
 fn pixelHash0(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
 
-fn atEye() -> Start {
-  return Start(vec3f(0.0), noShape, noShape, 0.0);
+// On the camera: at the eye, which is the origin, or on the lens.
+fn onCamera(point: vec3f) -> Start {
+  return Start(point, noShape, noShape, 0.0);
 }
 
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
+
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = frame.projection == 1u;
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (frame.projection == 2u) {
+    let longitude = pi * x;
+    let latitude = 0.5 * pi * y;
+    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+    ray = CameraRay(vec3f(0.0), cos(latitude) * level + sin(latitude) * frame.up);
+  }
+  return ray;
+}
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+const pi = 3.14159265358979;

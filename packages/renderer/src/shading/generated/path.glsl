@@ -73,6 +73,10 @@ struct Frame {
     uvec4 panels[3];
     vec4 filterPieces[16];
     uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
     float spare0_;
     float spare1_;
     float spare2_;
@@ -171,6 +175,10 @@ struct BsdfSample {
 struct Film {
     vec4 sums;
     vec4 squares;
+};
+struct CameraRay {
+    vec3 origin;
+    vec3 direction;
 };
 const uint rouletteDepth = 4u;
 const uint dielectric = 3u;
@@ -981,7 +989,8 @@ float intersectPlane(vec3 origin_8, vec3 direction_15, vec3 normal_4, float offs
     float t_7 = ((offset - dot(origin_8, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
     bool eitherWay = ((t_7 > tMin_4) && (abs(speed_1) > 1e-12));
-    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_7, 0.0) : 1e30);
+    uint _e30 = frame.planesCutView;
+    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_7, 0.0) : 1e30);
 }
 
 float hitPlane(uint i_12, Bounds bounds_3, Ray ray_6) {
@@ -1570,22 +1579,11 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
 }
 
-vec3 pinholeDirection(vec2 filmPoint) {
-    float _e6 = frame.width;
-    float x_14 = (((2.0 * filmPoint.x) / _e6) - 1.0);
-    float _e15 = frame.height;
-    float y_10 = (1.0 - ((2.0 * filmPoint.y) / _e15));
-    vec3 _e21 = frame.forward;
-    vec3 _e24 = frame.right;
-    vec3 _e29 = frame.up;
-    return normalize(((_e21 + (x_14 * _e24)) + (y_10 * _e29)));
-}
-
 float filterAxis(float u_16) {
     float across_4 = ((2.0 * u_16) - 1.0);
-    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
-    float piece = min(floor(x_15), 15.0);
-    float t_8 = (x_15 - piece);
+    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
+    float piece = min(floor(x_14), 15.0);
+    float t_8 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_1 = (c.x + (t_8 * (c.y + (t_8 * (c.z + (t_8 * c.w))))));
     return ((across_4 < 0.0) ? -(offset_1) : offset_1);
@@ -1597,8 +1595,57 @@ vec2 filterOffset(vec2 u_17) {
     return vec2(_e2, _e4);
 }
 
-Start atEye() {
-    return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
+CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
+    CameraRay ray_10 = CameraRay(vec3(0.0), vec3(0.0));
+    float _e7 = frame.width;
+    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float _e16 = frame.height;
+    float y_10 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    vec3 _e22 = frame.right;
+    vec3 _e26 = frame.up;
+    vec3 across_5 = ((x_15 * _e22) + (y_10 * _e26));
+    uint _e31 = frame.projection;
+    bool orthographic = (_e31 == 1u);
+    vec3 _e36 = frame.forward;
+    vec3 _e40 = frame.forward;
+    vec3 ahead = (orthographic ? _e40 : (_e36 + across_5));
+    float _e44 = frame.aperture;
+    vec3 _e48 = frame.right;
+    vec3 _e54 = frame.up;
+    vec3 lens_1 = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
+    float _e63 = frame.focusDistance;
+    ray_10 = CameraRay((orthographic ? (across_5 + lens_1) : lens_1), normalize((ahead - (lens_1 / vec3(_e63)))));
+    uint _e72 = frame.projection;
+    if ((_e72 == 2u)) {
+        float longitude = (3.1415927 * x_15);
+        float latitude = (1.5707964 * y_10);
+        vec3 _e82 = frame.right;
+        vec3 _e87 = frame.forward;
+        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
+        vec3 _e97 = frame.up;
+        ray_10 = CameraRay(vec3(0.0), ((cos(latitude) * level) + (sin(latitude) * _e97)));
+    }
+    CameraRay _e101 = ray_10;
+    return _e101;
+}
+
+vec2 concentricDisc(vec2 u_18) {
+    vec2 p_3 = ((2.0 * u_18) - vec2(1.0));
+    bool wide = (abs(p_3.x) > abs(p_3.y));
+    float radius_2 = (wide ? p_3.x : p_3.y);
+    float ratio_5 = ((wide ? p_3.y : p_3.x) / ((radius_2 == 0.0) ? 1.0 : radius_2));
+    float angle = (wide ? (0.7853982 * ratio_5) : (1.5707964 - (0.7853982 * ratio_5)));
+    return (radius_2 * vec2(cos(angle), sin(angle)));
+}
+
+CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
+    vec2 _e2 = concentricDisc(lens);
+    CameraRay _e3 = rayThroughLens(filmPosition_1, _e2);
+    return _e3;
+}
+
+Start onCamera(vec3 point_18) {
+    return Start(point_18, noShape, noShape, 0.0);
 }
 
 void main() {
@@ -1612,18 +1659,20 @@ void main() {
     s = _e9;
     vec2 _e16 = next2d(s);
     vec2 _e17 = filterOffset(_e16);
-    vec3 _e19 = pinholeDirection(((floor(fragment.xy) + vec2(0.5)) + _e17));
-    Start _e20 = atEye();
-    vec3 _e22 = trace(Ray(_e20, _e19), s);
-    uint _e31 = frame.sampleIndex;
-    if ((_e31 > 0u)) {
-        vec4 _e36 = texelFetch(previousFilm, ivec2(pixel_2), 0);
-        vec4 _e39 = texelFetch(previousSquares, ivec2(pixel_2), 0);
-        film = Film(_e36, _e39);
+    vec2 filmPosition_2 = ((floor(fragment.xy) + vec2(0.5)) + _e17);
+    vec2 _e19 = next2d(s);
+    CameraRay _e20 = cameraRay(filmPosition_2, _e19);
+    Start _e22 = onCamera(_e20.origin);
+    vec3 _e25 = trace(Ray(_e22, _e20.direction), s);
+    uint _e34 = frame.sampleIndex;
+    if ((_e34 > 0u)) {
+        vec4 _e39 = texelFetch(previousFilm, ivec2(pixel_2), 0);
+        vec4 _e42 = texelFetch(previousSquares, ivec2(pixel_2), 0);
+        film = Film(_e39, _e42);
     }
-    vec4 _e42 = film.sums;
-    vec4 _e47 = film.squares;
-    Film _tmp_return = Film((_e42 + vec4(_e22, 1.0)), (_e47 + vec4((_e22 * _e22), 0.0)));
+    vec4 _e45 = film.sums;
+    vec4 _e50 = film.squares;
+    Film _tmp_return = Film((_e45 + vec4(_e25, 1.0)), (_e50 + vec4((_e25 * _e25), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

@@ -160,8 +160,9 @@ struct Film {
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let pixel = vec2u(fragment.xy);
   var s = startSampler(pixel, frame.sampleIndex, frame.seed);
-  let direction = pinholeDirection(floor(fragment.xy) + 0.5 + filterOffset(next2d(&s)));
-  let radiance = trace(Ray(atEye(), direction), &s);
+  let filmPosition = floor(fragment.xy) + 0.5 + filterOffset(next2d(&s));
+  let camera = cameraRay(filmPosition, next2d(&s));
+  let radiance = trace(Ray(onCamera(camera.origin), camera.direction), &s);
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
     film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
@@ -334,11 +335,11 @@ struct Bounds {
 @group(0) @binding(0) var<uniform> frame: Frame;
 
 struct Frame {
-  // camera r times tan(fov / 2) times aspect
+  // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
   // film pixels
   width: f32,
-  // camera u times tan(fov / 2)
+  // camera u times half the height of what is seen
   up: vec3f,
   // film pixels
   height: f32,
@@ -374,6 +375,14 @@ struct Frame {
   filterPieces: array<vec4f, 16>,
   // 1: independent random numbers instead of the Sobol sequence
   independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
   // unused
   spare0: f32,
   // unused
@@ -1210,7 +1219,7 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
   let speedAway = select(-speed, speed, offset > 0.0);
   let eitherWay = (t > tMin) & (abs(speed) > parallel);
-  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
@@ -1522,19 +1531,19 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   return Sampler(hash, pcg(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
 }
 
-fn pinholeDirection(filmPoint: vec2f) -> vec3f {
-  let x = 2.0 * filmPoint.x / frame.width - 1.0;
-  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
-  return normalize(frame.forward + x * frame.right + y * frame.up);
-}
-
 // From the centre of the pixel, in pixels.
 fn filterOffset(u: vec2f) -> vec2f {
   return vec2f(filterAxis(u.x), filterAxis(u.y));
 }
 
-fn atEye() -> Start {
-  return Start(vec3f(0.0), noShape, noShape, 0.0);
+// `lens`: two random numbers in 0 … 1.
+fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
+  return rayThroughLens(filmPosition, concentricDisc(lens));
+}
+
+// On the camera: at the eye, which is the origin, or on the lens.
+fn onCamera(point: vec3f) -> Start {
+  return Start(point, noShape, noShape, 0.0);
 }
 
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
@@ -1562,3 +1571,43 @@ fn filterAxis(u: f32) -> f32 {
   let offset = c.x + t * (c.y + t * (c.z + t * c.w));
   return select(offset, -offset, across < 0.0);
 }
+
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = frame.projection == 1u;
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (frame.projection == 2u) {
+    let longitude = pi0 * x;
+    let latitude = 0.5 * pi0 * y;
+    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+    ray = CameraRay(vec3f(0.0), cos(latitude) * level + sin(latitude) * frame.up);
+  }
+  return ray;
+}
+
+// From the unit square to the unit disc, without tearing it or changing the share of area (Shirley & Chiu, "A Low Distortion Map
+// Between Disk and Square", 1997).
+fn concentricDisc(u: vec2f) -> vec2f {
+  let p = 2.0 * u - 1.0;
+  let wide = abs(p.x) > abs(p.y);
+  let radius = select(p.y, p.x, wide);
+  // Where both are 0, so is the radius, and the angle does not matter.
+  let ratio = select(p.x, p.y, wide) / select(radius, 1.0, radius == 0.0);
+  let angle = select(0.5 * pi0 - 0.25 * pi0 * ratio, 0.25 * pi0 * ratio, wide);
+  return radius * vec2f(cos(angle), sin(angle));
+}
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+const pi0 = 3.14159265358979;

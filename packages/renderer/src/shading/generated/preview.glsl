@@ -3,14 +3,8 @@
 precision highp float;
 precision highp int;
 
-struct Start {
-    vec3 point;
-    uint leaves;
-    uint inside;
-    float tMin;
-};
-struct Ray {
-    Start start;
+struct CameraRay {
+    vec3 origin;
     vec3 direction;
 };
 struct Frame {
@@ -34,9 +28,23 @@ struct Frame {
     uvec4 panels[3];
     vec4 filterPieces[16];
     uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
     float spare0_;
     float spare1_;
     float spare2_;
+};
+struct Start {
+    vec3 point;
+    uint leaves;
+    uint inside;
+    float tMin;
+};
+struct Ray {
+    Start start;
+    vec3 direction;
 };
 struct Hit {
     float t;
@@ -82,19 +90,47 @@ uniform highp sampler2D sceneTable;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-Start atEye() {
-    return Start(vec3(0.0), 4294967295u, 4294967295u, 0.0);
+CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
+    CameraRay ray_1 = CameraRay(vec3(0.0), vec3(0.0));
+    float _e7 = frame.width;
+    float x = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float _e16 = frame.height;
+    float y = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    vec3 _e22 = frame.right;
+    vec3 _e26 = frame.up;
+    vec3 across = ((x * _e22) + (y * _e26));
+    uint _e31 = frame.projection;
+    bool orthographic = (_e31 == 1u);
+    vec3 _e36 = frame.forward;
+    vec3 _e40 = frame.forward;
+    vec3 ahead = (orthographic ? _e40 : (_e36 + across));
+    float _e44 = frame.aperture;
+    vec3 _e48 = frame.right;
+    vec3 _e54 = frame.up;
+    vec3 lens = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
+    float _e63 = frame.focusDistance;
+    ray_1 = CameraRay((orthographic ? (across + lens) : lens), normalize((ahead - (lens / vec3(_e63)))));
+    uint _e72 = frame.projection;
+    if ((_e72 == 2u)) {
+        float longitude = (3.1415927 * x);
+        float latitude = (1.5707964 * y);
+        vec3 _e82 = frame.right;
+        vec3 _e87 = frame.forward;
+        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
+        vec3 _e97 = frame.up;
+        ray_1 = CameraRay(vec3(0.0), ((cos(latitude) * level) + (sin(latitude) * _e97)));
+    }
+    CameraRay _e101 = ray_1;
+    return _e101;
 }
 
-vec3 pinholeDirection(vec2 filmPoint) {
-    float _e6 = frame.width;
-    float x = (((2.0 * filmPoint.x) / _e6) - 1.0);
-    float _e15 = frame.height;
-    float y = (1.0 - ((2.0 * filmPoint.y) / _e15));
-    vec3 _e21 = frame.forward;
-    vec3 _e24 = frame.right;
-    vec3 _e29 = frame.up;
-    return normalize(((_e21 + (x * _e24)) + (y * _e29)));
+CameraRay centralRay(vec2 filmPosition_1) {
+    CameraRay _e3 = rayThroughLens(filmPosition_1, vec2(0.0));
+    return _e3;
+}
+
+Start onCamera(vec3 point) {
+    return Start(point, noShape, noShape, 0.0);
 }
 
 vec3 sky(vec3 direction) {
@@ -110,8 +146,8 @@ Hit nearer(Hit hit, float t, uint shape) {
 float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
     vec3 toCenter = (center - origin);
     float along = dot(toCenter, direction_1);
-    vec3 across = (toCenter - (along * direction_1));
-    float discriminant = ((radius * radius) - dot(across, across));
+    vec3 across_1 = (toCenter - (along * direction_1));
+    float discriminant = ((radius * radius) - dot(across_1, across_1));
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
@@ -119,9 +155,9 @@ float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, 
     return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_2 > tMin)) ? t_2 : 1e30));
 }
 
-float hitSphere(uint i_1, Bounds bounds, Ray ray_1) {
-    float _e13 = intersectSphere(ray_1.start.point, ray_1.direction, bounds.center, bounds.radius, ray_1.start.tMin, (i_1 == ray_1.start.inside));
-    return ((i_1 == ray_1.start.leaves) ? 1e30 : _e13);
+float hitSphere(uint i_1, Bounds bounds, Ray ray_2) {
+    float _e13 = intersectSphere(ray_2.start.point, ray_2.direction, bounds.center, bounds.radius, ray_2.start.tMin, (i_1 == ray_2.start.inside));
+    return ((i_1 == ray_2.start.leaves) ? 1e30 : _e13);
 }
 
 Bounds fetchBounds(uint i_2) {
@@ -164,12 +200,12 @@ float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_
     return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_4 > tMin_1)) ? t_4 : 1e30));
 }
 
-float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
+float hitBox(uint i_4, Bounds bounds_1, Ray ray_3) {
     vec3 origin_4 = vec3(0.0);
     vec3 direction_4 = vec3(0.0);
     Extent _e3 = fetchExtent(i_4);
-    origin_4 = (ray_2.start.point - bounds_1.center);
-    direction_4 = ray_2.direction;
+    origin_4 = (ray_3.start.point - bounds_1.center);
+    direction_4 = ray_3.direction;
     bool _e12 = isTurned(_e3.a);
     if (_e12) {
         vec3 _e14 = origin_4;
@@ -181,8 +217,8 @@ float hitBox(uint i_4, Bounds bounds_1, Ray ray_2) {
     }
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_4;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_2.start.tMin, (i_4 == ray_2.start.inside));
-    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e28);
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_4 == ray_3.start.inside));
+    return ((i_4 == ray_3.start.leaves) ? 1e30 : _e28);
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
@@ -195,10 +231,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 recipro
     return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within) ? t_5 : 1e30);
 }
 
-float hitQuad(uint i_5, Bounds bounds_2, Ray ray_3) {
+float hitQuad(uint i_5, Bounds bounds_2, Ray ray_4) {
     Extent _e3 = fetchExtent(i_5);
-    float _e14 = intersectQuad(ray_3.start.point, ray_3.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_3.start.tMin);
-    return ((i_5 == ray_3.start.leaves) ? 1e30 : _e14);
+    float _e14 = intersectQuad(ray_4.start.point, ray_4.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_4.start.tMin);
+    return ((i_5 == ray_4.start.leaves) ? 1e30 : _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
@@ -206,15 +242,16 @@ float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offse
     float t_6 = ((offset - dot(origin_6, normal_1)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
     bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
-    return (((offset == 0.0) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
+    uint _e30 = frame.planesCutView;
+    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
 }
 
-float hitPlane(uint i_6, Bounds bounds_3, Ray ray_4) {
-    float _e10 = intersectPlane(ray_4.start.point, ray_4.direction, bounds_3.center, bounds_3.radius, ray_4.start.tMin);
-    return ((i_6 == ray_4.start.leaves) ? 1e30 : _e10);
+float hitPlane(uint i_6, Bounds bounds_3, Ray ray_5) {
+    float _e10 = intersectPlane(ray_5.start.point, ray_5.direction, bounds_3.center, bounds_3.radius, ray_5.start.tMin);
+    return ((i_6 == ray_5.start.leaves) ? 1e30 : _e10);
 }
 
-Hit closestHit(Ray ray_5) {
+Hit closestHit(Ray ray_6) {
     Hit hit_1 = Hit(1e30, 4294967295u);
     uint i_7 = 0u;
     uvec4 ends = frame.shapeEnds;
@@ -225,7 +262,7 @@ Hit closestHit(Ray ray_5) {
             uint _e14 = i_7;
             uint _e15 = i_7;
             Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_5);
+            float _e17 = hitSphere(_e14, _e16, ray_6);
             uint _e18 = i_7;
             Hit _e19 = nearer(_e13, _e17, _e18);
             hit_1 = _e19;
@@ -244,7 +281,7 @@ Hit closestHit(Ray ray_5) {
             uint _e30 = i_7;
             uint _e31 = i_7;
             Bounds _e32 = fetchBounds(_e31);
-            float _e33 = hitBox(_e30, _e32, ray_5);
+            float _e33 = hitBox(_e30, _e32, ray_6);
             uint _e34 = i_7;
             Hit _e35 = nearer(_e29, _e33, _e34);
             hit_1 = _e35;
@@ -263,7 +300,7 @@ Hit closestHit(Ray ray_5) {
             uint _e46 = i_7;
             uint _e47 = i_7;
             Bounds _e48 = fetchBounds(_e47);
-            float _e49 = hitQuad(_e46, _e48, ray_5);
+            float _e49 = hitQuad(_e46, _e48, ray_6);
             uint _e50 = i_7;
             Hit _e51 = nearer(_e45, _e49, _e50);
             hit_1 = _e51;
@@ -282,7 +319,7 @@ Hit closestHit(Ray ray_5) {
             uint _e62 = i_7;
             uint _e63 = i_7;
             Bounds _e64 = fetchBounds(_e63);
-            float _e65 = hitPlane(_e62, _e64, ray_5);
+            float _e65 = hitPlane(_e62, _e64, ray_6);
             uint _e66 = i_7;
             Hit _e67 = nearer(_e61, _e65, _e66);
             hit_1 = _e67;
@@ -333,12 +370,12 @@ vec3 rotateBack(vec4 q_2, vec3 v_1) {
     return _e6;
 }
 
-vec3 outwardNormal(uint i_11, Ray ray_6, float t_1) {
+vec3 outwardNormal(uint i_11, Ray ray_7, float t_1) {
     Bounds _e3 = fetchBounds(i_11);
-    vec3 origin_8 = (ray_6.start.point - _e3.center);
+    vec3 origin_8 = (ray_7.start.point - _e3.center);
     bool _e8 = isSphere(i_11);
     if (_e8) {
-        return normalize((origin_8 + (t_1 * ray_6.direction)));
+        return normalize((origin_8 + (t_1 * ray_7.direction)));
     }
     bool _e13 = isPlane(i_11);
     if (_e13) {
@@ -349,16 +386,16 @@ vec3 outwardNormal(uint i_11, Ray ray_6, float t_1) {
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside = (i_11 == ray_6.start.inside);
+    bool inside = (i_11 == ray_7.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_8);
-    vec3 _e30 = rotate(_e15.a, ray_6.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
+    vec3 _e30 = rotate(_e15.a, ray_7.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside);
     vec3 _e37 = rotateBack(_e15.a, _e35);
     return _e37;
 }
 
-Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
-    return Start(point, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point)));
+Start onSurface(vec3 point_1, uint shape_1, bool seenFromInside) {
+    return Start(point_1, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point_1)));
 }
 
 Material fetchMaterial(uint i_12) {
@@ -385,84 +422,85 @@ void main() {
     float distance_ = 0.0;
     uint i = 0u;
     bool local = false;
-    Start _e1 = atEye();
-    vec3 _e3 = pinholeDirection(fragment.xy);
-    ray = Ray(_e1, _e3);
-    vec3 _e7 = ray.direction;
-    vec3 _e8 = sky(_e7);
-    radiance = _e8;
+    CameraRay _e2 = centralRay(fragment.xy);
+    Start _e4 = onCamera(_e2.origin);
+    ray = Ray(_e4, _e2.direction);
+    vec3 _e9 = ray.direction;
+    vec3 _e10 = sky(_e9);
+    radiance = _e10;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e111 = i;
-            i = (_e111 + 1u);
+            uint _e117 = i;
+            i = (_e117 + 1u);
         }
         loop_init = false;
-        uint _e23 = i;
-        uint _e26 = frame.lightCount;
-        if ((_e23 <= _e26)) {
+        uint _e25 = i;
+        uint _e28 = frame.lightCount;
+        if ((_e25 <= _e28)) {
         } else {
             break;
         }
         {
-            Ray _e28 = ray;
-            Hit _e29 = closestHit(_e28);
-            uint _e30 = i;
-            if ((_e30 == 0u)) {
-                if ((_e29.shape == noShape)) {
+            Ray _e30 = ray;
+            Hit _e31 = closestHit(_e30);
+            uint _e32 = i;
+            if ((_e32 == 0u)) {
+                if ((_e31.shape == noShape)) {
                     break;
                 }
-                vec3 _e38 = ray.direction;
-                vec3 position = (_e29.t * _e38);
-                Ray _e41 = ray;
-                vec3 _e43 = outwardNormal(_e29.shape, _e41, _e29.t);
-                vec3 _e45 = ray.direction;
-                bool back = (dot(_e43, _e45) > 0.0);
-                normal = (back ? -(_e43) : _e43);
+                vec3 _e40 = ray.start.point;
+                vec3 _e43 = ray.direction;
+                vec3 position = (_e40 + (_e31.t * _e43));
+                Ray _e47 = ray;
+                vec3 _e49 = outwardNormal(_e31.shape, _e47, _e31.t);
+                vec3 _e51 = ray.direction;
+                bool back = (dot(_e49, _e51) > 0.0);
+                normal = (back ? -(_e49) : _e49);
                 if (back) {
-                    bool _e56 = isFlat(_e29.shape);
-                    local = !(_e56);
+                    bool _e62 = isFlat(_e31.shape);
+                    local = !(_e62);
                 } else {
                     local = false;
                 }
-                bool _e59 = local;
-                Start _e60 = onSurface(position, _e29.shape, _e59);
-                ray.start = _e60;
-                Material _e62 = fetchMaterial(_e29.shape);
-                color = _e62.baseColor;
+                bool _e65 = local;
+                Start _e66 = onSurface(position, _e31.shape, _e65);
+                ray.start = _e66;
+                Material _e68 = fetchMaterial(_e31.shape);
+                color = _e68.baseColor;
                 radiance = vec3(0.0);
             } else {
-                float _e67 = distance_;
-                if ((_e29.t >= _e67)) {
-                    vec3 _e69 = radiance;
-                    vec3 _e70 = contribution;
-                    radiance = (_e69 + _e70);
+                float _e73 = distance_;
+                if ((_e31.t >= _e73)) {
+                    vec3 _e75 = radiance;
+                    vec3 _e76 = contribution;
+                    radiance = (_e75 + _e76);
                 }
             }
-            uint _e72 = i;
-            uint _e75 = frame.lightCount;
-            if ((_e72 < _e75)) {
-                uint _e77 = i;
-                Light _e78 = fetchLight(_e77);
-                vec3 _e79 = radiance;
-                vec3 _e81 = color;
-                radiance = (_e79 + (_e78.ambient * _e81));
-                vec3 _e87 = ray.start.point;
-                vec3 toLight = (_e78.center - _e87);
+            uint _e78 = i;
+            uint _e81 = frame.lightCount;
+            if ((_e78 < _e81)) {
+                uint _e83 = i;
+                Light _e84 = fetchLight(_e83);
+                vec3 _e85 = radiance;
+                vec3 _e87 = color;
+                radiance = (_e85 + (_e84.ambient * _e87));
+                vec3 _e93 = ray.start.point;
+                vec3 toLight = (_e84.center - _e93);
                 distance_ = length(toLight);
-                float _e91 = distance_;
-                ray.direction = (toLight / vec3(_e91));
-                vec3 _e94 = color;
-                vec3 _e97 = normal;
-                vec3 _e99 = ray.direction;
-                float _e105 = distance_;
-                float _e106 = distance_;
-                contribution = ((_e94 * _e78.diffuse) * ((max(dot(_e97, _e99), 0.0) * _e78.power) / (_e105 * _e106)));
+                float _e97 = distance_;
+                ray.direction = (toLight / vec3(_e97));
+                vec3 _e100 = color;
+                vec3 _e103 = normal;
+                vec3 _e105 = ray.direction;
+                float _e111 = distance_;
+                float _e112 = distance_;
+                contribution = ((_e100 * _e84.diffuse) * ((max(dot(_e103, _e105), 0.0) * _e84.power) / (_e111 * _e112)));
             }
         }
     }
-    vec3 _e113 = radiance;
-    _fs2p_location0 = vec4(_e113, 1.0);
+    vec3 _e119 = radiance;
+    _fs2p_location0 = vec4(_e119, 1.0);
     return;
 }
 

@@ -1,6 +1,7 @@
 // Linked from integrator/classic/preview.wesl by `npm run shaders`. Do not edit.
 @fragment fn preview(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
-  var ray = Ray(atEye(), pinholeDirection(fragment.xy));
+  let camera = centralRay(fragment.xy);
+  var ray = Ray(onCamera(camera.origin), camera.direction);
   var radiance = sky(ray.direction);
   var normal = vec3f(0.0);
   var color = vec3f(0.0);
@@ -13,7 +14,7 @@
       if (hit.shape == noShape) {
         break;
       }
-      let position = hit.t * ray.direction;
+      let position = ray.start.point + hit.t * ray.direction;
       let outward = outwardNormal(hit.shape, ray, hit.t);
       let back = dot(outward, ray.direction) > 0.0;
       normal = select(outward, -outward, back);
@@ -36,20 +37,20 @@
   return vec4f(radiance, 1.0);
 }
 
+// The camera as a pinhole.
+fn centralRay(filmPosition: vec2f) -> CameraRay {
+  return rayThroughLens(filmPosition, vec2f(0.0));
+}
+
 struct Ray {
   start: Start,
   direction: vec3f,
 }
 
 
-fn atEye() -> Start {
-  return Start(vec3f(0.0), noShape, noShape, 0.0);
-}
-
-fn pinholeDirection(filmPoint: vec2f) -> vec3f {
-  let x = 2.0 * filmPoint.x / frame.width - 1.0;
-  let y = 1.0 - 2.0 * filmPoint.y / frame.height;
-  return normalize(frame.forward + x * frame.right + y * frame.up);
+// On the camera: at the eye, which is the origin, or on the lens.
+fn onCamera(point: vec3f) -> Start {
+  return Start(point, noShape, noShape, 0.0);
 }
 
 fn sky(direction: vec3f) -> vec3f {
@@ -373,18 +374,18 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
   let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
   let speedAway = select(-speed, speed, offset > 0.0);
   let eitherWay = (t > tMin) & (abs(speed) > parallel);
-  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, offset == 0.0));
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
 }
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
 struct Frame {
-  // camera r times tan(fov / 2) times aspect
+  // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
   // film pixels
   width: f32,
-  // camera u times tan(fov / 2)
+  // camera u times half the height of what is seen
   up: vec3f,
   // film pixels
   height: f32,
@@ -420,6 +421,14 @@ struct Frame {
   filterPieces: array<vec4f, 16>,
   // 1: independent random numbers instead of the Sobol sequence
   independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
   // unused
   spare0: f32,
   // unused
@@ -427,3 +436,32 @@ struct Frame {
   // unused
   spare2: f32,
 }
+
+
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = frame.projection == 1u;
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (frame.projection == 2u) {
+    let longitude = pi * x;
+    let latitude = 0.5 * pi * y;
+    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+    ray = CameraRay(vec3f(0.0), cos(latitude) * level + sin(latitude) * frame.up);
+  }
+  return ray;
+}
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+const pi = 3.14159265358979;
