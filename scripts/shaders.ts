@@ -41,6 +41,12 @@ const PROGRAMS: readonly Program[] = [
     ],
   },
   {
+    name: 'camera_probe',
+    root: 'tests/camera-probe',
+    entries: [{ entry: 'cameraProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+  {
     name: 'shape_probe',
     root: 'tests/shape-probe',
     entries: [{ entry: 'shapeProbe', stage: 'fragment' }],

@@ -1,3 +1,4 @@
+import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { displayed } from './displayed.ts';
@@ -12,6 +13,7 @@ import { probeShapes } from './shapes/probe.ts';
  * Arguments and results go through JSON-like copying, so results are plain objects and ordinary arrays.
  */
 export const harness = {
+  cameraRays,
   describeDevices,
   displayed,
   hardNames,

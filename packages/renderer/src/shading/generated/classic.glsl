@@ -1013,10 +1013,10 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
         vec3 _e87 = frame.forward;
         vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
         vec3 _e97 = frame.up;
-        ray_9 = CameraRay(vec3(0.0), ((cos(latitude) * level) + (sin(latitude) * _e97)));
+        ray_9 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e97))));
     }
-    CameraRay _e101 = ray_9;
-    return _e101;
+    CameraRay _e102 = ray_9;
+    return _e102;
 }
 
 CameraRay centralRay(vec2 filmPosition_1) {

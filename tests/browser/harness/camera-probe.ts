@@ -1,0 +1,44 @@
+/** Rays of a camera by the kernels' own functions. */
+import type { Camera } from 'mirrorball';
+import type { PassSource } from '../../../packages/renderer/src/gpu/device.ts';
+import { openWebGl2 } from '../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
+import { openWebGpu } from '../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
+import { structSize } from '../../../packages/renderer/src/packed-scene/layout.ts';
+import { packFrame } from '../../../packages/renderer/src/packed-scene/pack-frame.ts';
+import { packScene } from '../../../packages/renderer/src/packed-scene/pack-scene.ts';
+import { createBlock } from '../../../packages/renderer/src/packed-scene/write-struct.ts';
+import fullScreenWgsl from '../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
+import fullScreenGlsl from '../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
+import { testScene } from '../../fixtures/scenes.ts';
+import probeWgsl from './generated/camera_probe.wgsl?raw';
+import probeGlsl from './generated/cameraProbe.glsl?raw';
+import type { GpuBackend } from './parity.ts';
+
+const PROBE: PassSource = {
+  label: 'camera probe',
+  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
+  entries: { vertex: 'fullScreen', fragment: 'cameraProbe' },
+  glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
+  bindings: [{ block: 'Frame' }],
+  target: 'film',
+};
+
+/** For each pixel four numbers, row 0 first; camera-probe.wesl says of which ray. Positions are relative to the eye. */
+export async function cameraRays(backend: GpuBackend, camera: Camera, width: number, height: number) {
+  const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
+  const pass = await device.createPass(PROBE);
+  const frame = device.createUniforms(structSize('Frame'));
+  const film = device.createFilm(width, height);
+  const block = createBlock(structSize('Frame'));
+  const scene = testScene({}, {});
+  const cast = async (sample: number): Promise<number[]> => {
+    const settings = { maxReflections: 0, lightSamples: 1, seed: 0, comparison: null };
+    packFrame(block, { width, height }, camera, scene.sky, packScene(scene, camera.eye), settings, sample);
+    frame.write(block.bytes);
+    device.draw(pass, film, [frame], { width, height, firstRow: 0, rowCount: height });
+    return Array.from(await device.read(film, width, height));
+  };
+  const rays = { origins: await cast(0), directions: await cast(1) };
+  device.destroy();
+  return rays;
+}
