@@ -26,10 +26,15 @@ struct Frame {
     uint emitterCount;
     uint maxDepth;
     uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
     uint projection;
     float aperture;
     float focusDistance;
     uint planesCutView;
+    float spare0_;
+    float spare1_;
+    float spare2_;
 };
 layout(std140) uniform FrameBlock { Frame frame; };
 

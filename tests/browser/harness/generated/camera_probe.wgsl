@@ -90,6 +90,10 @@ struct Frame {
   maxDepth: u32,
   // per panel: max reflections, light samples, unused, unused
   panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
   // position in PROJECTIONS
   projection: u32,
   // radius of the lens, metres
@@ -98,4 +102,10 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
 }

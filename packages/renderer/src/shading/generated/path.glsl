@@ -1623,10 +1623,10 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
         vec3 _e87 = frame.forward;
         vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
         vec3 _e97 = frame.up;
-        ray_10 = CameraRay(vec3(0.0), ((cos(latitude) * level) + (sin(latitude) * _e97)));
+        ray_10 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e97))));
     }
-    CameraRay _e101 = ray_10;
-    return _e101;
+    CameraRay _e102 = ray_10;
+    return _e102;
 }
 
 vec2 concentricDisc(vec2 u_18) {

@@ -1587,7 +1587,8 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
     let longitude = pi0 * x;
     let latitude = 0.5 * pi0 * y;
     let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-    ray = CameraRay(vec3f(0.0), cos(latitude) * level + sin(latitude) * frame.up);
+    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
   }
   return ray;
 }
