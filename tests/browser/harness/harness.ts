@@ -2,6 +2,7 @@ import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
+import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
 
@@ -17,6 +18,7 @@ export const harness = {
   movedPicture,
   parity,
   pictureOf,
+  probeSampler,
   probeShapes,
   shadeMean,
   compileAll,
