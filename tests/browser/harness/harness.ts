@@ -5,6 +5,7 @@ import { displayed } from './displayed.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilms } from './path.ts';
+import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
 
@@ -23,6 +24,7 @@ export const harness = {
   parity,
   pathFilms,
   pictureOf,
+  probeSampler,
   probeShapes,
   shadeMean,
   compileAll,

@@ -1,7 +1,7 @@
 /** The sampler's arithmetic against slow versions that follow the definitions bit by bit. */
 import { describe, expect, test } from 'vitest';
 import { seededRandom } from '../../../../tests/fixtures/random.ts';
-import { hashOfSample, pcg } from './hash.ts';
+import { hashOfSample } from './hash.ts';
 import { pascal, pascalW2, reverseHalves, Sampler, scramble, shiftOfPlace, timesW, timesW2 } from './sampler.ts';
 
 const range = (n: number) => Array.from({ length: n }, (_, k) => k);
@@ -89,11 +89,19 @@ describe('bits', () => {
   });
 });
 
+const cut = (n: bigint) => n & 0xffffffffn;
+function slowMix(x: bigint): bigint {
+  const first = cut((cut(x) ^ (cut(x) >> 16n)) * 0x21f0aaadn);
+  const second = cut((first ^ (first >> 15n)) * 0x735a2d97n);
+  return second ^ (second >> 15n);
+}
+
 /** next3d by the definitions of docs/sampler.md. */
 function slowDraw(x: number, y: number, sample: number, group: number, seed: number): number[] {
   const hash = hashOfSample(Math.floor(x / 16), Math.floor(y / 16), Math.floor(sample / 65536), seed);
-  const a = pcg((hash + group + 1) % 2 ** 32);
-  const b = pcg((a ^ pcg((hash ^ 0x6a09e667) >>> 0)) >>> 0);
+  const a = Number(slowMix(BigInt(hash + group + 1)));
+  const product = Number(cut((BigInt(a) ^ slowMix(BigInt(hash) ^ 0x6a09e667n)) * 0x9e3779b1n));
+  const b = (product ^ (product >>> 16)) >>> 0;
   // Morton order from the coarsest quadrant on: digits y₃x₃, y₂x₂ …
   const quadrants = fromBits(range(8).map((k) => bit(k % 2 === 0 ? y % 16 : x % 16, 3 - (k >> 1))));
   const place = slowScramble(quadrants, b);

@@ -2,7 +2,7 @@
  * The sampler of docs/sampler.md, the same bits as shading/sampler/: so that the CPU can trace any pixel again, and so that
  * tests of what it promises need no GPU. Bits are kept as signed 32-bit integers between operations.
  */
-import { hashOfSample, pcg } from './hash.ts';
+import { hashOfSample } from './hash.ts';
 
 export type SamplerKind = 'sobol' | 'independent';
 
@@ -12,6 +12,13 @@ export function reverseHalves(x: number): number {
   y = ((y >>> 2) & 0x33333333) | ((y & 0x33333333) << 2);
   y = ((y >>> 4) & 0x0f0f0f0f) | ((y & 0x0f0f0f0f) << 4);
   return ((y >>> 8) & 0x00ff00ff) | ((y & 0x00ff00ff) << 8);
+}
+
+/** C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger. */
+export function mix(x: number): number {
+  let y = Math.imul(x ^ (x >>> 16), 0x21f0aaad);
+  y = Math.imul(y ^ (y >>> 15), 0x735a2d97);
+  return y ^ (y >>> 15);
 }
 
 /** Nested uniform scrambling of a number whose most significant digit is bit 0. */
@@ -30,8 +37,8 @@ export function pascal(x: number): number {
 }
 
 /** Digits of the field of four, two bits each, times its generator w, and times w². */
-export const timesW = (x: number): number => ((x & 0x5555) << 1) ^ (((x >>> 1) & 0x5555) * 3);
-export const timesW2 = (x: number): number => x ^ timesW(x);
+export const timesW = (x: number): number => ((x ^ (x << 1)) & 0xaaaa) | ((x >>> 1) & 0x5555);
+export const timesW2 = (x: number): number => ((x << 1) & 0xaaaa) | ((x ^ (x >>> 1)) & 0x5555);
 
 export function shiftOfPlace(x: number): number {
   let y = x ^ timesW((x >>> 2) & 0x33);
@@ -64,7 +71,7 @@ export class Sampler {
     this.#key = independent
       ? hashOfSample(x, y, sampleIndex, seed)
       : hashOfSample(x >>> 4, y >>> 4, sampleIndex >>> 16, seed);
-    this.#salt = pcg((this.#key ^ 0x6a09e667) >>> 0);
+    this.#salt = mix(this.#key ^ 0x6a09e667);
     const place = spread(x & 15) | (spread(y & 15) << 1);
     const reversed = independent ? 0 : reverseHalves((sampleIndex & 0xffff) | (place << 24));
     this.#sample = reversed & 0xffff;
@@ -73,8 +80,9 @@ export class Sampler {
 
   #nextGroup() {
     this.#key = (this.#key + 1) >>> 0;
-    const a = pcg(this.#key);
-    const b = pcg((a ^ this.#salt) >>> 0);
+    const a = mix(this.#key);
+    const half = Math.imul(a ^ this.#salt, 0x9e3779b1);
+    const b = half ^ (half >>> 16);
     const place = scramble(this.#place, b);
     // As in sampler.wesl: what the pixels of a tile share, and what is each one's own.
     const mixed = this.#sample ^ Math.imul(this.#sample, (place >>> 7) & ~1);

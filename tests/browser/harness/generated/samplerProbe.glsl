@@ -63,8 +63,8 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread(uint x_1) {
-    uint y_5 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_5 | (y_5 << 1u)) & 85u);
+    uint y_6 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_6 | (y_6 << 1u)) & 85u);
 }
 
 uint reverseHalves(uint x_2) {
@@ -81,6 +81,17 @@ uint reverseHalves(uint x_2) {
     return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
 }
 
+uint mix_(uint x_3) {
+    uint y_1 = 0u;
+    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    uint _e7 = y_1;
+    uint _e8 = y_1;
+    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
+    uint _e14 = y_1;
+    uint _e15 = y_1;
+    return (_e14 ^ (_e15 >> 15u));
+}
+
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e5 = frame.independent;
     bool independent = (_e5 != 0u);
@@ -90,15 +101,15 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint place = (_e19 | (_e23 << 1u));
     uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
     uint used = (independent ? 0u : _e32);
-    uint _e37 = pcg((_e15 ^ 1779033703u));
+    uint _e37 = mix_((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_9 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_9), 15.0);
-    float t = (x_9 - piece);
+    float x_10 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_10), 15.0);
+    float t = (x_10 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset = (c.x + (t * (c.y + (t * (c.z + (t * c.w))))));
     return ((across < 0.0) ? -(offset) : offset);
@@ -110,39 +121,39 @@ vec2 filterOffset(vec2 u_1) {
     return vec2(_e2, _e4);
 }
 
-uint scramble(uint x_3, uint seed_2) {
-    uint y_1 = 0u;
-    y_1 = (x_3 ^ (x_3 * 1025551850u));
-    uint _e6 = y_1;
-    y_1 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
-    uint _e13 = y_1;
-    uint _e14 = y_1;
-    y_1 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_1;
-    uint _e19 = y_1;
+uint scramble(uint x_4, uint seed_2) {
+    uint y_2 = 0u;
+    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    uint _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
+    uint _e13 = y_2;
+    uint _e14 = y_2;
+    y_2 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_2;
+    uint _e19 = y_2;
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_4) {
-    uint y_2 = 0u;
-    y_2 = (x_4 ^ ((x_4 >> 1u) & 21845u));
-    uint _e7 = y_2;
-    uint _e8 = y_2;
-    y_2 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_2;
-    uint _e15 = y_2;
-    y_2 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_2;
-    uint _e22 = y_2;
+uint pascal(uint x_5) {
+    uint y_3 = 0u;
+    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    uint _e7 = y_3;
+    uint _e8 = y_3;
+    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_3;
+    uint _e15 = y_3;
+    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_3;
+    uint _e22 = y_3;
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_5) {
-    return (((x_5 & 21845u) << 1u) ^ (((x_5 >> 1u) & 21845u) * 3u));
+uint timesW(uint x_6) {
+    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
 }
 
 float toUnit(uint reversed, uint scrambled) {
-    return (float(((reversed << 8u) | (scrambled >> 24u))) * 5.9604645e-8);
+    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
 }
 
 vec2 points2d(Group g) {
@@ -156,22 +167,21 @@ vec2 points2d(Group g) {
     return vec2(_e21, _e24);
 }
 
-uint timesW2_(uint x_6) {
-    uint _e1 = timesW(x_6);
-    return (x_6 ^ _e1);
+uint timesW2_(uint x_7) {
+    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_7) {
-    uint y_3 = 0u;
-    uint _e5 = timesW(((x_7 >> 2u) & 51u));
-    y_3 = (x_7 ^ _e5);
-    uint _e8 = y_3;
-    uint _e9 = y_3;
+uint shiftOfPlace(uint x_8) {
+    uint y_4 = 0u;
+    uint _e5 = timesW(((x_8 >> 2u) & 51u));
+    y_4 = (x_8 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_3 = (_e8 ^ _e14);
-    uint _e16 = y_3;
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
     uint _e17 = timesW(_e16);
-    uint _e18 = y_3;
+    uint _e18 = y_4;
     return (_e17 | (_e18 << 8u));
 }
 
@@ -179,18 +189,19 @@ Group nextGroup(inout Sampler s_1) {
     uint _e3 = s_1.key;
     s_1.key = (_e3 + 1u);
     uint _e7 = s_1.key;
-    uint _e8 = pcg(_e7);
+    uint _e8 = mix_(_e7);
     uint _e10 = s_1.salt;
-    uint _e12 = pcg((_e8 ^ _e10));
-    uint _e14 = s_1.place;
-    uint _e15 = scramble(_e14, _e12);
-    uint _e17 = s_1.sample_;
-    uint own = (_e17 * ((_e15 >> 7u) & 4294967294u));
-    uint _e24 = s_1.sample_;
-    uint _e26 = scramble((_e24 ^ own), _e8);
-    uint _e29 = reverseHalves((_e26 & 65535u));
-    uint _e32 = shiftOfPlace((_e15 & 255u));
-    return Group(_e29, _e32, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
+    uint half_ = ((_e8 ^ _e10) * 2654435761u);
+    uint b = (half_ ^ (half_ >> 16u));
+    uint _e18 = s_1.place;
+    uint _e19 = scramble(_e18, b);
+    uint _e21 = s_1.sample_;
+    uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint _e28 = s_1.sample_;
+    uint _e30 = scramble((_e28 ^ own), _e8);
+    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e36 = shiftOfPlace((_e19 & 255u));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b >> 16u) | (b << 16u)));
 }
 
 vec2 next2d(inout Sampler s_2) {
@@ -207,16 +218,16 @@ float next1d(inout Sampler s_3) {
     return _e10;
 }
 
-uint pascalW2_(uint x_8) {
-    uint y_4 = 0u;
-    uint _e5 = timesW2_(((x_8 >> 2u) & 13107u));
-    y_4 = (x_8 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
+uint pascalW2_(uint x_9) {
+    uint y_5 = 0u;
+    uint _e5 = timesW2_(((x_9 >> 2u) & 13107u));
+    y_5 = (x_9 ^ _e5);
+    uint _e8 = y_5;
+    uint _e9 = y_5;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
-    uint _e17 = y_4;
+    y_5 = (_e8 ^ _e14);
+    uint _e16 = y_5;
+    uint _e17 = y_5;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }

@@ -24,7 +24,7 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) << 1u);
   let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
   let used = select(reversed, 0u, independent);
-  return Sampler(hash, pcg(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+  return Sampler(hash, mix(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
 }
 
 fn next3d(s: ptr<function, Sampler>) -> vec3f {
@@ -63,8 +63,9 @@ fn points2d(g: Group) -> vec2f {
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
   (*s).key = (*s).key + 1u;
-  let a = pcg((*s).key);
-  let b = pcg(a ^ (*s).salt);
+  let a = mix((*s).key);
+  let half = (a ^ (*s).salt) * 0x9e3779b1u;
+  let b = half ^ (half >> 16u);
   let place = scramble((*s).place, b);
   // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
@@ -103,9 +104,9 @@ fn pascal(x: u32) -> u32 {
   return y ^ ((y >> 8u) & 0x00ffu);
 }
 
-// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a.
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
 fn timesW(x: u32) -> u32 {
-  return ((x & 0x5555u) << 1u) ^ (((x >> 1u) & 0x5555u) * 3u);
+  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
 }
 
 // What the sampler does to the bits of its numbers. docs/sampler.md says why.
@@ -117,9 +118,9 @@ fn reverseHalves(x: u32) -> u32 {
   return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
 }
 
-// From digits with the first in bit 0: 16 of them turned round, then 8 that need no order.
+// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
 fn toUnit(reversed: u32, scrambled: u32) -> f32 {
-  return f32((reversed << 8u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
+  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
 }
 
 // One padded sequence: what all its dimensions have in common.
@@ -133,12 +134,12 @@ struct Group {
 }
 
 
-// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
-// GPU Rendering", JCGT 9(3), 2020.
-fn pcg(x: u32) -> u32 {
-  let s = x * 747796405u + 2891336453u;
-  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
-  return (w >> 22u) ^ w;
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mix(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
 }
 
 // Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
@@ -150,7 +151,7 @@ fn shiftOfPlace(x: u32) -> u32 {
 }
 
 fn timesW2(x: u32) -> u32 {
-  return x ^ timesW(x);
+  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
 }
 
 fn next1d(s: ptr<function, Sampler>) -> f32 {
@@ -225,6 +226,14 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 fn spread(x: u32) -> u32 {
   let y = (x | (x << 2u)) & 0x33u;
   return (y | (y << 1u)) & 0x55u;
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
 }
 
 // The same with w^2 in place of w, of any eight digits.
