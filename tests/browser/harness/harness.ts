@@ -1,5 +1,7 @@
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
+import { probeChoices, probeFarLights, probeWildLamps } from './emitters/choices.ts';
+import { probeLamps } from './emitters/lamps.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
 import { shadeMean } from './shade-mean.ts';
@@ -17,7 +19,11 @@ export const harness = {
   movedPicture,
   parity,
   pictureOf,
+  probeChoices,
+  probeFarLights,
+  probeLamps,
   probeShapes,
+  probeWildLamps,
   shadeMean,
   compileAll,
 };
