@@ -1,7 +1,9 @@
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
-import { probeChoices, probeFarLights, probeWildLamps } from './emitters/choices.ts';
+import { probeChoices } from './emitters/choices.ts';
+import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
+import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
 import { shadeMean } from './shade-mean.ts';

@@ -15,7 +15,7 @@ import { exactIrradiance } from '../../../fixtures/lights/closed-forms.ts';
 import { chiSquareZ, countBins, densityOfBins } from '../../../fixtures/lights/histogram.ts';
 import { surroundingsOf } from '../../../fixtures/lights/surroundings.ts';
 import { seededRandom } from '../../../fixtures/random.ts';
-import { type Answer, ASK, EmitterProbe, type Question } from './probe.ts';
+import { type Answer, ASK, type EmitterProbe, type GpuBackend, type Question, rounded, withProbe } from './probe.ts';
 
 export interface LampReport {
   readonly name: string;
@@ -32,7 +32,6 @@ export interface LampReport {
 }
 
 const SIDE = 128;
-const rounded = (v: Vec3): Vec3 => [Math.fround(v[0]), Math.fround(v[1]), Math.fround(v[2])];
 const vector = ([x, y, z]: Answer): Vec3 => [x, y, z];
 const near = (a: number, b: number, relative: number) => Math.abs(a - b) <= relative * Math.abs(b);
 
@@ -126,10 +125,10 @@ function distributionZ({ emitter, point }: LightCase, directions: readonly Vec3[
 }
 const times = (values: readonly number[], by: number) => values.map((x) => x * by);
 
-export async function probeLamps(backend: 'webgpu' | 'webgl2'): Promise<LampReport[]> {
-  const probe = await EmitterProbe.open(backend);
-  const reports: LampReport[] = [];
-  for (const light of LIGHT_CASES) reports.push(await judge(probe, light));
-  probe.close();
-  return reports;
+export function probeLamps(backend: GpuBackend): Promise<LampReport[]> {
+  return withProbe(backend, async (probe) => {
+    const reports: LampReport[] = [];
+    for (const light of LIGHT_CASES) reports.push(await judge(probe, light));
+    return reports;
+  });
 }

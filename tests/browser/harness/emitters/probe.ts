@@ -22,6 +22,8 @@ export const ASK = {
   choice: 4,
 } as const;
 
+export type GpuBackend = 'webgpu' | 'webgl2';
+
 export interface Question {
   readonly ask: (typeof ASK)[keyof typeof ASK];
   readonly emitter: number;
@@ -88,7 +90,7 @@ export class EmitterProbe {
     this.#pass = pass;
   }
 
-  static async open(backend: 'webgpu' | 'webgl2'): Promise<EmitterProbe> {
+  static async open(backend: GpuBackend): Promise<EmitterProbe> {
     const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
     return new EmitterProbe(device, await device.createPass(PROBE));
   }
@@ -114,3 +116,20 @@ export class EmitterProbe {
     return questions.map((_, k) => Array.from(values.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
   }
 }
+
+/** Opens a GPU for the work, and closes it. */
+export async function withProbe<T>(backend: GpuBackend, work: (probe: EmitterProbe) => Promise<T>): Promise<T> {
+  const probe = await EmitterProbe.open(backend);
+  try {
+    return await work(probe);
+  } finally {
+    probe.close();
+  }
+}
+
+export const rounded = (v: Vec3): Vec3 => [Math.fround(v[0]), Math.fround(v[1]), Math.fround(v[2])];
+
+/** For scenes whose points are relative to the eye as they are. */
+export const eyeAtOrigin = {
+  camera: { eye: [0, 0, 0], target: [0, 0, -1], up: [0, 1, 0], verticalFov: 60 },
+} as const;
