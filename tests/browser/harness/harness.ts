@@ -2,6 +2,10 @@ import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { displayed } from './displayed.ts';
+import { probeChoices } from './emitters/choices.ts';
+import { probeFarLights } from './emitters/far-lights.ts';
+import { probeLamps } from './emitters/lamps.ts';
+import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilms } from './path.ts';
@@ -25,7 +29,11 @@ export const harness = {
   pathFilms,
   pictureOf,
   probeSampler,
+  probeChoices,
+  probeFarLights,
+  probeLamps,
   probeShapes,
+  probeWildLamps,
   shadeMean,
   compileAll,
 };

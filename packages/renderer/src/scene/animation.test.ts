@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { goodScene } from '../scene-file/broken/good-scene.ts';
 import { parseScene } from '../scene-file/parse-scene.ts';
 import { compileAnimation, sceneAt } from './animation.ts';
-import type { Plane, Quad, Scene, Sphere, Vec3 } from './scene.ts';
+import type { DirectionalLight, Plane, Quad, QuadLight, Scene, Sphere, Vec3 } from './scene.ts';
 import { cameraFault } from './well-formed.ts';
 
 function sceneWith(...animation: unknown[]): Scene {
@@ -97,5 +97,20 @@ describe('a moment between good keys that would be impossible is mended', () => 
     const { floor, panel } = sceneAt(scene, 1).shapes;
     expect((floor as Plane).normal).toEqual([0, 1, 0] satisfies Vec3);
     expect((panel as Quad).v).toEqual([0, 1, 0] satisfies Vec3);
+  });
+  test('a sun that turns over, and a quad light that closes', () => {
+    const lights = {
+      sun: { type: 'directional', direction: [0, -1, 0], irradiance: 1 },
+      panel: { type: 'quad', corner: [0, 3, 0], u: [1, 0, 0], v: [0, 0, 1], radiance: 1 },
+    };
+    const animation = [
+      between('/lights/sun/direction', [0, -1, 0], [0, 1, 0]),
+      between('/lights/panel/u', [1, 0, 0], [-1, 0, 0]),
+    ];
+    const parsed = parseScene({ ...goodScene(), lights, animation });
+    if (!parsed.ok) throw new Error(parsed.problems[0]?.message);
+    const { sun, panel } = sceneAt(parsed.scene, 1).lights;
+    expect((sun as DirectionalLight).direction).toEqual([0, -1, 0] satisfies Vec3);
+    expect((panel as QuadLight).u).toEqual([1, 0, 0] satisfies Vec3);
   });
 });

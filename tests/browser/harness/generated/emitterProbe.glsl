@@ -234,9 +234,9 @@ vec3 turnTo(vec3 axis, vec3 v) {
     float s_2 = ((axis.z >= 0.0) ? 1.0 : -1.0);
     float a = (-1.0 / (s_2 + axis.z));
     float b_1 = ((axis.x * axis.y) * a);
-    vec3 x_2 = vec3((1.0 + (((s_2 * axis.x) * axis.x) * a)), (s_2 * b_1), (-(s_2) * axis.x));
+    vec3 x_3 = vec3((1.0 + (((s_2 * axis.x) * axis.x) * a)), (s_2 * b_1), (-(s_2) * axis.x));
     vec3 y_1 = vec3(b_1, (s_2 + ((axis.y * axis.y) * a)), -(axis.y));
-    return (((v.x * x_2) + (v.y * y_1)) + (v.z * axis));
+    return (((v.x * x_3) + (v.y * y_1)) + (v.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_1) {
@@ -245,8 +245,9 @@ ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_1) {
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_1 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_1.y);
-    vec3 _e21 = turnTo(axis_1, vec3((sine_1 * cos(phi)), (sine_1 * sin(phi)), cosine_2));
-    return ConeDirection(_e21, cosine_2, sine2_);
+    vec2 turn = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_1 / length(turn)) * turn), cosine_2));
+    return ConeDirection(_e23, cosine_2, sine2_);
 }
 
 float conePdf(float width_1) {
@@ -305,21 +306,26 @@ QuadView viewQuad(Emitter e_5, vec3 point_5) {
     return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
 }
 
+vec2 cosineAndSine(float x_2) {
+    float h_1 = (0.5 * x_2);
+    float z_1 = (h_1 * h_1);
+    float sine_2 = (((((((-0.00019515296 * z_1) + 0.008332161) * z_1) - 0.16666655) * z_1) * h_1) + h_1);
+    return vec2((1.0 - ((2.0 * sine_2) * sine_2)), ((2.0 * sine_2) * sqrt((1.0 - (sine_2 * sine_2)))));
+}
+
 vec3 sphericalRectangle(QuadView q, vec2 u_3) {
-    float h_1 = q.height;
+    float h_2 = q.height;
     vec2 y_3 = vec2(q.low.y, q.high.y);
-    vec2 s_3 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_1 * h_1)))));
-    float halfT = (0.5 * (q.start + (u_3.x * q.solidAngle)));
-    float p = cos(halfT);
-    float sine_2 = sin(halfT);
-    vec2 across = vec2(((s_3.y - s_3.x) * p), ((s_3.y + s_3.x) * sine_2));
-    float w = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
-    float x_3 = clamp(((h_1 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
-    float d2_ = ((x_3 * x_3) + (h_1 * h_1));
+    vec2 s_3 = (y_3 / sqrt(((y_3 * y_3) + vec2((h_2 * h_2)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_3.x * q.solidAngle))));
+    vec2 across = (vec2((s_3.y - s_3.x), (s_3.y + s_3.x)) * _e21);
+    float w = (((2.0 * _e21.x) * _e21.y) / max(length(across), 1e-15));
+    float x_4 = clamp(((h_2 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
+    float d2_ = ((x_4 * x_4) + (h_2 * h_2));
     vec2 ends = (y_3 * inversesqrt((vec2(d2_) + (y_3 * y_3))));
     float v_3 = mix(ends.x, ends.y, u_3.y);
     float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_3.x, y_3.y);
-    return (((x_3 * q.axisX) + (atY * q.axisY)) + (h_1 * q.axisZ));
+    return (((x_4 * q.axisX) + (atY * q.axisY)) + (h_2 * q.axisZ));
 }
 
 float areaPdf(float area, float height, float distance_) {
@@ -371,8 +377,8 @@ vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_5) {
     float face = (onX ? b.faces.x : (onY ? b.faces.y : b.faces.z));
     float within = clamp(((at - (onX ? 0.0 : (onY ? b.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    vec3 p_1 = vec3(((dot(axis_3, b.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
-    vec3 toLight_3 = (((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_8.u) - b.point);
+    vec3 p = vec3(((dot(axis_3, b.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
+    vec3 toLight_3 = (((onX ? p.xyz : (onY ? p.zxy : p.yzx)) * e_8.u) - b.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
 
@@ -568,8 +574,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_6, vec3 center_1, vec3 recipro
     float speed = dot(direction_6, normal_8);
     vec3 toCenter_2 = (center_1 - origin_5);
     float t_5 = (dot(toCenter_2, normal_8) / ((speed == 0.0) ? 1e-30 : speed));
-    vec3 p_2 = ((t_5 * direction_6) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
+    vec3 p_1 = ((t_5 * direction_6) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
     return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within_1) ? t_5 : 1e30);
 }
 

@@ -576,7 +576,9 @@ fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
   let sine = sqrt(max(sine2, 0.0));
   let phi = 2.0 * pi * u.y;
-  let direction = turnTo(axis, vec3f(sine * cos(phi), sine * sin(phi), cosine));
+  // Some GPUs' sines are off by 1e-4; the direction keeps its length.
+  let turn = vec2f(cos(phi), sin(phi));
+  let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
   return ConeDirection(direction, cosine, sine2);
 }
 
@@ -661,11 +663,9 @@ fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
   let h = q.height;
   let y = vec2f(q.low.y, q.high.y);
   let s = y / sqrt(y * y + h * h);
-  let halfT = 0.5 * (q.start + u.x * q.solidAngle);
-  let p = cos(halfT);
-  let sine = sin(halfT);
-  let across = vec2f((s.y - s.x) * p, (s.y + s.x) * sine);
-  let w = 2.0 * sine * p * inverseSqrt(max(dot(across, across), 1e-30));
+  let halfT = cosineAndSine(0.5 * (q.start + u.x * q.solidAngle));
+  let across = vec2f(s.y - s.x, s.y + s.x) * halfT;
+  let w = 2.0 * halfT.x * halfT.y / max(length(across), 1e-15);
   let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
   // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
   let d2 = x * x + h * h;
@@ -709,8 +709,8 @@ struct QuadView {
 // Rectangles that fill less than this, in steradians, are sampled by area.
 const smallSolidAngle = 0.01;
 
-// The arc tangent to 2 units in the last place (Moshier's Cephes, atanf). GPUs' own may be off by 1e-4, and solid angles are
-// differences of such angles.
+// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
+// 1e-4, and solid angles are differences of such angles.
 fn arctangent(x: f32) -> f32 {
   let a = abs(x);
   let steep = a > 2.414213562;
@@ -720,6 +720,14 @@ fn arctangent(x: f32) -> f32 {
   let z = r * r;
   let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
   return sign(x) * (base + (series * z * r + r));
+}
+
+// Cosine and sine of x, |x| <= pi / 2, from the sine of x / 2.
+fn cosineAndSine(x: f32) -> vec2f {
+  let h = 0.5 * x;
+  let z = h * h;
+  let sine = ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1) * z * h + h;
+  return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * sqrt(1.0 - sine * sine));
 }
 
 // Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.

@@ -81,7 +81,7 @@ uint reverseHalves(uint x_2) {
     return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
 }
 
-uint mix_(uint x_3) {
+uint mixBits(uint x_3) {
     uint y_1 = 0u;
     y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
     uint _e7 = y_1;
@@ -101,7 +101,7 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint place = (_e19 | (_e23 << 1u));
     uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
     uint used = (independent ? 0u : _e32);
-    uint _e37 = mix_((_e15 ^ 1779033703u));
+    uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
 }
 
@@ -189,7 +189,7 @@ Group nextGroup(inout Sampler s_1) {
     uint _e3 = s_1.key;
     s_1.key = (_e3 + 1u);
     uint _e7 = s_1.key;
-    uint _e8 = mix_(_e7);
+    uint _e8 = mixBits(_e7);
     uint _e10 = s_1.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
     uint b = (half_ ^ (half_ >> 16u));

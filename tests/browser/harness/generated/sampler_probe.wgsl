@@ -24,7 +24,7 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) << 1u);
   let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
   let used = select(reversed, 0u, independent);
-  return Sampler(hash, mix(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
 }
 
 fn next3d(s: ptr<function, Sampler>) -> vec3f {
@@ -63,7 +63,7 @@ fn points2d(g: Group) -> vec2f {
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
   (*s).key = (*s).key + 1u;
-  let a = mix((*s).key);
+  let a = mixBits((*s).key);
   let half = (a ^ (*s).salt) * 0x9e3779b1u;
   let b = half ^ (half >> 16u);
   let place = scramble((*s).place, b);
@@ -136,7 +136,7 @@ struct Group {
 
 // A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
 // C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mix(x: u32) -> u32 {
+fn mixBits(x: u32) -> u32 {
   var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
   y = (y ^ (y >> 15u)) * 0x735a2d97u;
   return y ^ (y >> 15u);

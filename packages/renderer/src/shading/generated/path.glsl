@@ -439,9 +439,9 @@ QuadView viewQuad(Emitter e_4, vec3 point_3) {
     bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
     vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high = (low + lengths);
-    vec2 y_6 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_6, height_1);
-    float _e46 = stretch(high.x, y_6, height_1);
+    vec2 y_7 = vec2(low.y, high.y);
+    float _e44 = stretch(low.x, y_7, height_1);
+    float _e46 = stretch(high.x, y_7, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_6 * ((signedHeight > 0.0) ? 1.0 : -1.0));
@@ -584,9 +584,9 @@ vec3 turnTo(vec3 axis, vec3 v_6) {
     float s_25 = ((axis.z >= 0.0) ? 1.0 : -1.0);
     float a_2 = (-1.0 / (s_25 + axis.z));
     float b_4 = ((axis.x * axis.y) * a_2);
-    vec3 x_11 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_2)), (s_25 * b_4), (-(s_25) * axis.x));
-    vec3 y_7 = vec3(b_4, (s_25 + ((axis.y * axis.y) * a_2)), -(axis.y));
-    return (((v_6.x * x_11) + (v_6.y * y_7)) + (v_6.z * axis));
+    vec3 x_13 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_2)), (s_25 * b_4), (-(s_25) * axis.x));
+    vec3 y_8 = vec3(b_4, (s_25 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    return (((v_6.x * x_13) + (v_6.y * y_8)) + (v_6.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u) {
@@ -595,8 +595,9 @@ ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u) {
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_1 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u.y);
-    vec3 _e21 = turnTo(axis_1, vec3((sine_1 * cos(phi)), (sine_1 * sin(phi)), cosine_13));
-    return ConeDirection(_e21, cosine_13, sine2_);
+    vec2 turn = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_1 / length(turn)) * turn), cosine_13));
+    return ConeDirection(_e23, cosine_13, sine2_);
 }
 
 LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_1) {
@@ -612,21 +613,26 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_1) {
     return LightSample(_e19.direction, distance_7, e_13.radiance, _e49, false);
 }
 
+vec2 cosineAndSine(float x_2) {
+    float h_3 = (0.5 * x_2);
+    float z_2 = (h_3 * h_3);
+    float sine_2 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_3) + h_3);
+    return vec2((1.0 - ((2.0 * sine_2) * sine_2)), ((2.0 * sine_2) * sqrt((1.0 - (sine_2 * sine_2)))));
+}
+
 vec3 sphericalRectangle(QuadView q_3, vec2 u_2) {
-    float h_3 = q_3.height;
-    vec2 y_8 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_26 = (y_8 / sqrt(((y_8 * y_8) + vec2((h_3 * h_3)))));
-    float halfT = (0.5 * (q_3.start + (u_2.x * q_3.solidAngle)));
-    float p = cos(halfT);
-    float sine_2 = sin(halfT);
-    vec2 across = vec2(((s_26.y - s_26.x) * p), ((s_26.y + s_26.x) * sine_2));
-    float w_1 = (((2.0 * sine_2) * p) * inversesqrt(max(dot(across, across), 1e-30)));
-    float x_12 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
-    float d2_ = ((x_12 * x_12) + (h_3 * h_3));
-    vec2 ends = (y_8 * inversesqrt((vec2(d2_) + (y_8 * y_8))));
+    float h_4 = q_3.height;
+    vec2 y_9 = vec2(q_3.low.y, q_3.high.y);
+    vec2 s_26 = (y_9 / sqrt(((y_9 * y_9) + vec2((h_4 * h_4)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_3.start + (u_2.x * q_3.solidAngle))));
+    vec2 across = (vec2((s_26.y - s_26.x), (s_26.y + s_26.x)) * _e21);
+    float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across), 1e-15));
+    float x_14 = clamp(((h_4 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
+    float d2_ = ((x_14 * x_14) + (h_4 * h_4));
+    vec2 ends = (y_9 * inversesqrt((vec2(d2_) + (y_9 * y_9))));
     float v_10 = mix(ends.x, ends.y, u_2.y);
-    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_8.x, y_8.y);
-    return (((x_12 * q_3.axisX) + (atY * q_3.axisY)) + (h_3 * q_3.axisZ));
+    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_9.x, y_9.y);
+    return (((x_14 * q_3.axisX) + (atY * q_3.axisY)) + (h_4 * q_3.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_3) {
@@ -647,8 +653,8 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_4) {
     float face = (onX ? b_1.faces.x : (onY ? b_1.faces.y : b_1.faces.z));
     float within = clamp(((at - (onX ? 0.0 : (onY ? b_1.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    vec3 p_1 = vec3(((dot(axis_3, b_1.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_4.y) - 1.0));
-    vec3 toLight_3 = (((onX ? p_1.xyz : (onY ? p_1.zxy : p_1.yzx)) * e_15.u) - b_1.point);
+    vec3 p = vec3(((dot(axis_3, b_1.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_4.y) - 1.0));
+    vec3 toLight_3 = (((onX ? p.xyz : (onY ? p.zxy : p.yzx)) * e_15.u) - b_1.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
 
@@ -851,8 +857,8 @@ vec3 facetReflectance(Surface s_13, float cosine_8, float ratio_2) {
 }
 
 float singleScatteringAlbedo(float cosine_9, float alpha_3) {
-    float x_13 = (cosine_9 / (cosine_9 + alpha_3));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_13 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_13 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_13 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_13 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_15 = (cosine_9 / (cosine_9 + alpha_3));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_15 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_15 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_15 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_15 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_3 * alpha_3);
     return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
 }
@@ -873,9 +879,9 @@ FacetLobe evaluateFacets(Surface s_15, vec3 wo_1, vec3 wi) {
     float _e11 = indexRatio(s_15, wo_1.z);
     vec3 m_1 = (wo_1 + (wi * (crossing_1 ? _e11 : 1.0)));
     float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_4 = (m_1 * inversesqrt(m2_1));
-    float oh = dot(wo_1, h_4);
-    float ih = dot(wi, h_4);
+    vec3 h_5 = (m_1 * inversesqrt(m2_1));
+    float oh = dot(wo_1, h_5);
+    float ih = dot(wi, h_5);
     float zo = abs(wo_1.z);
     float zi = abs(wi.z);
     float _e28 = stretched(wo_1, s_15.alpha);
@@ -884,8 +890,8 @@ FacetLobe evaluateFacets(Surface s_15, vec3 wo_1, vec3 wi) {
     bool isGlass = (_e31 == dielectric);
     float _e35 = reflectionBound(wo_1, s_15.alpha);
     float bound_1 = (isGlass ? 1.0 : _e35);
-    bool faces_1 = ((((oh * h_4.z) * wo_1.z) >= 0.0) && (((ih * h_4.z) * wi.z) >= 0.0));
-    float _e57 = facetDensity(h_4, s_15.alpha);
+    bool faces_1 = ((((oh * h_5.z) * wo_1.z) >= 0.0) && (((ih * h_5.z) * wi.z) >= 0.0));
+    float _e57 = facetDensity(h_5, s_15.alpha);
     float spread = ((crossing_1 ? (abs((oh * ih)) / m2_1) : 0.25) * (faces_1 ? (2.0 * _e57) : 0.0));
     vec3 _e64 = facetReflectance(s_15, abs(oh), _e11);
     vec3 passes = (crossing_1 ? (vec3(1.0) - _e64) : _e64);
@@ -973,8 +979,8 @@ float intersectQuad(vec3 origin_7, vec3 direction_14, vec3 center_1, vec3 recipr
     float speed = dot(direction_14, normal_7);
     vec3 toCenter_2 = (center_1 - origin_7);
     float t_6 = (dot(toCenter_2, normal_7) / ((speed == 0.0) ? 1e-30 : speed));
-    vec3 p_2 = ((t_6 * direction_14) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
+    vec3 p_1 = ((t_6 * direction_14) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
     return ((((t_6 > tMin_3) && (t_6 < 1e30)) && within_1) ? t_6 : 1e30);
 }
 
@@ -1240,59 +1246,63 @@ EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_11) {
     return EmitterChoice(_e60, (_e61 / max(_e62, 1e-37)), _e66);
 }
 
-uint pcg(uint x_2) {
-    uint s_28 = ((x_2 * 747796405u) + 2891336453u);
-    uint w_2 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
-    return ((w_2 >> 22u) ^ w_2);
+uint mixBits(uint x_3) {
+    uint y_1 = 0u;
+    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    uint _e7 = y_1;
+    uint _e8 = y_1;
+    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
+    uint _e14 = y_1;
+    uint _e15 = y_1;
+    return (_e14 ^ (_e15 >> 15u));
 }
 
-uint scramble(uint x_3, uint seed) {
-    uint y_1 = 0u;
-    y_1 = (x_3 ^ (x_3 * 1025551850u));
-    uint _e6 = y_1;
-    y_1 = ((_e6 + seed) * ((seed >> 16u) | 1u));
-    uint _e13 = y_1;
-    uint _e14 = y_1;
-    y_1 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_1;
-    uint _e19 = y_1;
+uint scramble(uint x_4, uint seed) {
+    uint y_2 = 0u;
+    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    uint _e6 = y_2;
+    y_2 = ((_e6 + seed) * ((seed >> 16u) | 1u));
+    uint _e13 = y_2;
+    uint _e14 = y_2;
+    y_2 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_2;
+    uint _e19 = y_2;
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint reverseHalves(uint x_4) {
-    uint y_2 = 0u;
-    y_2 = (((x_4 >> 1u) & 1431655765u) | ((x_4 & 1431655765u) << 1u));
-    uint _e11 = y_2;
-    uint _e16 = y_2;
-    y_2 = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
-    uint _e22 = y_2;
-    uint _e27 = y_2;
-    y_2 = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y_2;
-    uint _e38 = y_2;
+uint reverseHalves(uint x_5) {
+    uint y_3 = 0u;
+    y_3 = (((x_5 >> 1u) & 1431655765u) | ((x_5 & 1431655765u) << 1u));
+    uint _e11 = y_3;
+    uint _e16 = y_3;
+    y_3 = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y_3;
+    uint _e27 = y_3;
+    y_3 = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y_3;
+    uint _e38 = y_3;
     return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
 }
 
-uint timesW(uint x_5) {
-    return (((x_5 & 21845u) << 1u) ^ (((x_5 >> 1u) & 21845u) * 3u));
+uint timesW(uint x_6) {
+    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
 }
 
-uint timesW2_(uint x_6) {
-    uint _e1 = timesW(x_6);
-    return (x_6 ^ _e1);
+uint timesW2_(uint x_7) {
+    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_7) {
-    uint y_3 = 0u;
-    uint _e5 = timesW(((x_7 >> 2u) & 51u));
-    y_3 = (x_7 ^ _e5);
-    uint _e8 = y_3;
-    uint _e9 = y_3;
+uint shiftOfPlace(uint x_8) {
+    uint y_4 = 0u;
+    uint _e5 = timesW(((x_8 >> 2u) & 51u));
+    y_4 = (x_8 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_3 = (_e8 ^ _e14);
-    uint _e16 = y_3;
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
     uint _e17 = timesW(_e16);
-    uint _e18 = y_3;
+    uint _e18 = y_4;
     return (_e17 | (_e18 << 8u));
 }
 
@@ -1300,22 +1310,23 @@ Group nextGroup(inout Sampler s_17) {
     uint _e3 = s_17.key;
     s_17.key = (_e3 + 1u);
     uint _e7 = s_17.key;
-    uint _e8 = pcg(_e7);
+    uint _e8 = mixBits(_e7);
     uint _e10 = s_17.salt;
-    uint _e12 = pcg((_e8 ^ _e10));
-    uint _e14 = s_17.place;
-    uint _e15 = scramble(_e14, _e12);
-    uint _e17 = s_17.sample_;
-    uint own_1 = (_e17 * ((_e15 >> 7u) & 4294967294u));
-    uint _e24 = s_17.sample_;
-    uint _e26 = scramble((_e24 ^ own_1), _e8);
-    uint _e29 = reverseHalves((_e26 & 65535u));
-    uint _e32 = shiftOfPlace((_e15 & 255u));
-    return Group(_e29, _e32, ((_e8 >> 16u) | (_e8 << 16u)), ((_e12 >> 16u) | (_e12 << 16u)));
+    uint half_1 = ((_e8 ^ _e10) * 2654435761u);
+    uint b_5 = (half_1 ^ (half_1 >> 16u));
+    uint _e18 = s_17.place;
+    uint _e19 = scramble(_e18, b_5);
+    uint _e21 = s_17.sample_;
+    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint _e28 = s_17.sample_;
+    uint _e30 = scramble((_e28 ^ own_1), _e8);
+    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e36 = shiftOfPlace((_e19 & 255u));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_5 >> 16u) | (b_5 << 16u)));
 }
 
 float toUnit(uint reversed, uint scrambled) {
-    return (float(((reversed << 8u) | (scrambled >> 24u))) * 5.9604645e-8);
+    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
 }
 
 float next1d(inout Sampler s_18) {
@@ -1326,17 +1337,17 @@ float next1d(inout Sampler s_18) {
     return _e10;
 }
 
-uint pascal(uint x_8) {
-    uint y_4 = 0u;
-    y_4 = (x_8 ^ ((x_8 >> 1u) & 21845u));
-    uint _e7 = y_4;
-    uint _e8 = y_4;
-    y_4 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_4;
-    uint _e15 = y_4;
-    y_4 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_4;
-    uint _e22 = y_4;
+uint pascal(uint x_9) {
+    uint y_5 = 0u;
+    y_5 = (x_9 ^ ((x_9 >> 1u) & 21845u));
+    uint _e7 = y_5;
+    uint _e8 = y_5;
+    y_5 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_5;
+    uint _e15 = y_5;
+    y_5 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_5;
+    uint _e22 = y_5;
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
@@ -1380,12 +1391,12 @@ vec3 sampleCosine(vec2 u_12) {
 
 vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_13) {
     float _e8 = stretched(wo_4, alpha_4);
-    vec3 w_3 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
+    vec3 w_2 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
     float phi_2 = (6.2831855 * u_13.x);
-    float drop = (u_13.y * (1.0 + (bound * w_3.z)));
+    float drop = (u_13.y * (1.0 + (bound * w_2.z)));
     float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_5 = (w_3 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_5.xy), max(h_5.z, 1e-7)));
+    vec3 h_6 = (w_2 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_6.xy), max(h_6.z, 1e-7)));
 }
 
 vec3 sampleFacet(Surface s_21, vec3 wo_5, vec2 u_14) {
@@ -1454,16 +1465,16 @@ BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_15) {
     return BsdfSample(_e89, pdf_5, ((pdf_5 > 0.0) ? (_e75.xyz / vec3(max(pdf_5, 1e-30))) : vec3(0.0)), false);
 }
 
-uint pascalW2_(uint x_9) {
-    uint y_5 = 0u;
-    uint _e5 = timesW2_(((x_9 >> 2u) & 13107u));
-    y_5 = (x_9 ^ _e5);
-    uint _e8 = y_5;
-    uint _e9 = y_5;
+uint pascalW2_(uint x_10) {
+    uint y_6 = 0u;
+    uint _e5 = timesW2_(((x_10 >> 2u) & 13107u));
+    y_6 = (x_10 ^ _e5);
+    uint _e8 = y_6;
+    uint _e9 = y_6;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_5 = (_e8 ^ _e14);
-    uint _e16 = y_5;
-    uint _e17 = y_5;
+    y_6 = (_e8 ^ _e14);
+    uint _e16 = y_6;
+    uint _e17 = y_6;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }
@@ -1553,6 +1564,12 @@ vec3 trace(Ray first, inout Sampler s_24) {
     return _e127;
 }
 
+uint pcg(uint x_11) {
+    uint s_28 = ((x_11 * 747796405u) + 2891336453u);
+    uint w_3 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
+    return ((w_3 >> 22u) ^ w_3);
+}
+
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed_1) {
     uint _e5 = pcg(seed_1);
     uint _e7 = pcg((sampleIndex + _e5));
@@ -1561,9 +1578,9 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed_1) {
     return _e11;
 }
 
-uint spread0_(uint x_10) {
-    uint y_9 = ((x_10 | (x_10 << 2u)) & 51u);
-    return ((y_9 | (y_9 << 1u)) & 85u);
+uint spread0_(uint x_12) {
+    uint y_10 = ((x_12 | (x_12 << 2u)) & 51u);
+    return ((y_10 | (y_10 << 1u)) & 85u);
 }
 
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
@@ -1575,15 +1592,15 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
     uint place = (_e19 | (_e23 << 1u));
     uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
     uint used = (independent ? 0u : _e32);
-    uint _e37 = pcg((_e15 ^ 1779033703u));
+    uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
 }
 
 float filterAxis(float u_16) {
     float across_4 = ((2.0 * u_16) - 1.0);
-    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
-    float piece = min(floor(x_14), 15.0);
-    float t_8 = (x_14 - piece);
+    float x_16 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
+    float piece = min(floor(x_16), 15.0);
+    float t_8 = (x_16 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_1 = (c.x + (t_8 * (c.y + (t_8 * (c.z + (t_8 * c.w))))));
     return ((across_4 < 0.0) ? -(offset_1) : offset_1);
@@ -1598,12 +1615,12 @@ vec2 filterOffset(vec2 u_17) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray_10 = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_17 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
-    float y_10 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    float y_11 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_5 = ((x_15 * _e22) + (y_10 * _e26));
+    vec3 across_5 = ((x_17 * _e22) + (y_11 * _e26));
     uint _e31 = frame.projection;
     bool orthographic = (_e31 == 1u);
     vec3 _e36 = frame.forward;
@@ -1617,8 +1634,8 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     ray_10 = CameraRay((orthographic ? (across_5 + lens_1) : lens_1), normalize((ahead - (lens_1 / vec3(_e63)))));
     uint _e72 = frame.projection;
     if ((_e72 == 2u)) {
-        float longitude = (3.1415927 * x_15);
-        float latitude = (1.5707964 * y_10);
+        float longitude = (3.1415927 * x_17);
+        float latitude = (1.5707964 * y_11);
         vec3 _e82 = frame.right;
         vec3 _e87 = frame.forward;
         vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
@@ -1630,10 +1647,10 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
 }
 
 vec2 concentricDisc(vec2 u_18) {
-    vec2 p_3 = ((2.0 * u_18) - vec2(1.0));
-    bool wide = (abs(p_3.x) > abs(p_3.y));
-    float radius_2 = (wide ? p_3.x : p_3.y);
-    float ratio_5 = ((wide ? p_3.y : p_3.x) / ((radius_2 == 0.0) ? 1.0 : radius_2));
+    vec2 p_2 = ((2.0 * u_18) - vec2(1.0));
+    bool wide = (abs(p_2.x) > abs(p_2.y));
+    float radius_2 = (wide ? p_2.x : p_2.y);
+    float ratio_5 = ((wide ? p_2.y : p_2.x) / ((radius_2 == 0.0) ? 1.0 : radius_2));
     float angle = (wide ? (0.7853982 * ratio_5) : (1.5707964 - (0.7853982 * ratio_5)));
     return (radius_2 * vec2(cos(angle), sin(angle)));
 }

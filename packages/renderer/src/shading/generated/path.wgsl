@@ -635,8 +635,8 @@ fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
   return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
 }
 
-// The arc tangent to 2 units in the last place (Moshier's Cephes, atanf). GPUs' own may be off by 1e-4, and solid angles are
-// differences of such angles.
+// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
+// 1e-4, and solid angles are differences of such angles.
 fn arctangent(x: f32) -> f32 {
   let a = abs(x);
   let steep = a > 2.414213562;
@@ -844,7 +844,9 @@ fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
   let sine = sqrt(max(sine2, 0.0));
   let phi = 2.0 * pi * u.y;
-  let direction = turnTo(axis, vec3f(sine * cos(phi), sine * sin(phi), cosine));
+  // Some GPUs' sines are off by 1e-4; the direction keeps its length.
+  let turn = vec2f(cos(phi), sin(phi));
+  let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
   return ConeDirection(direction, cosine, sine2);
 }
 
@@ -893,11 +895,9 @@ fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
   let h = q.height;
   let y = vec2f(q.low.y, q.high.y);
   let s = y / sqrt(y * y + h * h);
-  let halfT = 0.5 * (q.start + u.x * q.solidAngle);
-  let p = cos(halfT);
-  let sine = sin(halfT);
-  let across = vec2f((s.y - s.x) * p, (s.y + s.x) * sine);
-  let w = 2.0 * sine * p * inverseSqrt(max(dot(across, across), 1e-30));
+  let halfT = cosineAndSine(0.5 * (q.start + u.x * q.solidAngle));
+  let across = vec2f(s.y - s.x, s.y + s.x) * halfT;
+  let w = 2.0 * halfT.x * halfT.y / max(length(across), 1e-15);
   let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
   // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
   let d2 = x * x + h * h;
@@ -905,6 +905,14 @@ fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
   let v = mix(ends.x, ends.y, u.y);
   let atY = clamp(v * sqrt(d2) * inverseSqrt(max(1.0 - v * v, 1e-12)), y.x, y.y);
   return x * q.axisX + atY * q.axisY + h * q.axisZ;
+}
+
+// Cosine and sine of x, |x| <= pi / 2, from the sine of x / 2.
+fn cosineAndSine(x: f32) -> vec2f {
+  let h = 0.5 * x;
+  let z = h * h;
+  let sine = ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1) * z * h + h;
+  return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * sqrt(1.0 - sine * sine));
 }
 
 fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
@@ -1374,8 +1382,9 @@ fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
   (*s).key = (*s).key + 1u;
-  let a = pcg((*s).key);
-  let b = pcg(a ^ (*s).salt);
+  let a = mixBits((*s).key);
+  let half = (a ^ (*s).salt) * 0x9e3779b1u;
+  let b = half ^ (half >> 16u);
   let place = scramble((*s).place, b);
   // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
@@ -1395,9 +1404,9 @@ fn scramble(x: u32, seed: u32) -> u32 {
   return y ^ (y * 0x53a22864u);
 }
 
-// From digits with the first in bit 0: 16 of them turned round, then 8 that need no order.
+// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
 fn toUnit(reversed: u32, scrambled: u32) -> f32 {
-  return f32((reversed << 8u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
+  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
 }
 
 // What the sampler does to the bits of its numbers. docs/sampler.md says why.
@@ -1409,12 +1418,12 @@ fn reverseHalves(x: u32) -> u32 {
   return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
 }
 
-// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
-// GPU Rendering", JCGT 9(3), 2020.
-fn pcg(x: u32) -> u32 {
-  let s = x * 747796405u + 2891336453u;
-  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
-  return (w >> 22u) ^ w;
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
 }
 
 // One padded sequence: what all its dimensions have in common.
@@ -1436,13 +1445,13 @@ fn shiftOfPlace(x: u32) -> u32 {
   return timesW(y) | (y << 8u);
 }
 
-// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a.
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
 fn timesW(x: u32) -> u32 {
-  return ((x & 0x5555u) << 1u) ^ (((x >> 1u) & 0x5555u) * 3u);
+  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
 }
 
 fn timesW2(x: u32) -> u32 {
-  return x ^ timesW(x);
+  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
 }
 
 fn points2d(g: Group) -> vec2f {
@@ -1528,7 +1537,7 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   let place = spread0(pixel.x & 15u) | (spread0(pixel.y & 15u) << 1u);
   let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
   let used = select(reversed, 0u, independent);
-  return Sampler(hash, pcg(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
 }
 
 // From the centre of the pixel, in pixels.
@@ -1558,6 +1567,14 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 fn spread0(x: u32) -> u32 {
   let y = (x | (x << 2u)) & 0x33u;
   return (y | (y << 1u)) & 0x55u;
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
 }
 
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that

@@ -1,0 +1,46 @@
+import { backends, expect, test } from './fixtures.ts';
+
+/**
+ * The kernels' light sampling against closed forms and the double-precision one. Samples are jittered in 128 × 128 cells. What a
+ * tolerance is not 0.3 % of a light's irradiance for comes from rounding at edges of lamps.
+ */
+for (const backend of backends) {
+  test(`${backend}: lamps give the irradiance of closed forms, with the densities they tell (seed 51)`, async ({
+    harness,
+  }) => {
+    for (const report of await harness.evaluate((b) => window.harness.probeLamps(b), backend)) {
+      const { name, error, z, samples, missed, faults, examples } = report;
+      expect.soft(examples, `${name}: ${faults} of ${samples} samples`).toEqual([]);
+      expect.soft(Math.abs(error), `${name}: irradiance`).toBeLessThan(0.003);
+      expect.soft(z, `${name}: distribution of directions`).toBeLessThan(4);
+      expect.soft(missed, `${name}: rays that pass it by`).toBeLessThanOrEqual(0.01 * samples);
+    }
+  });
+
+  test(`${backend}: lights without surface shine as in double precision (seed 61)`, async ({ harness }) => {
+    for (const { name, worst, meanError, faults } of await harness.evaluate(
+      (b) => window.harness.probeFarLights(b),
+      backend,
+    )) {
+      expect.soft(faults, `${name}: faults`).toBe(0);
+      expect.soft(worst, `${name}: worst`).toBeLessThan(2e-4);
+      expect.soft(Math.abs(meanError), `${name}: mean`).toBeLessThan(2e-4);
+    }
+  });
+
+  for (const seed of [71, 72, 73])
+    test(`${backend}: lights are chosen as often as is told (seed ${seed})`, async ({ harness }) => {
+      const report = await harness.evaluate(([b, s]) => window.harness.probeChoices(b, s), [backend, seed] as const);
+      expect(report.different, `of ${report.choices} probabilities`).toBe(0);
+      expect(report.worst).toBeLessThan(2e-4);
+      expect(report.worstFrequency).toBeLessThan(3e-4);
+      expect(report.alone).toEqual([0, 1, 1, 1]);
+      expect(report.none).toEqual([0, 0, 0, 0]);
+    });
+
+  for (const seed of [81, 82, 83])
+    test(`${backend}: no lamp of any size gives a wrong number at any point (seed ${seed})`, async ({ harness }) => {
+      const report = await harness.evaluate(([b, s]) => window.harness.probeWildLamps(b, s), [backend, seed] as const);
+      expect(report.examples, `${report.faults} of ${report.asked} answers`).toEqual([]);
+    });
+}

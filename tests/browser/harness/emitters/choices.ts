@@ -1,0 +1,113 @@
+/** The choice among lights on a GPU, judged by the double-precision one and by how often each is chosen. */
+import { choiceProbabilities } from '../../../../packages/renderer/src/reference/light/choose.ts';
+import type { Emitter } from '../../../../packages/renderer/src/reference/light/emitter.ts';
+import { emitterOfLight, emitterOfShape } from '../../../../packages/renderer/src/reference/light/from-scene.ts';
+import { length } from '../../../../packages/renderer/src/reference/vec3.ts';
+import type { Color, Light, Scene, Shape, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { inCube, type Random, randomDirection, seededRandom } from '../../../fixtures/random.ts';
+import { testLight, testMaterial, testScene } from '../../../fixtures/scenes.ts';
+import {
+  type Answer,
+  ASK,
+  eyeAtOrigin,
+  type GpuBackend,
+  MOST_QUESTIONS,
+  type Question,
+  rounded,
+  withProbe,
+} from './probe.ts';
+
+const ZERO: Vec3 = [0, 0, 0];
+const color: Color = [1, 2, 4];
+const glow = testMaterial({ emission: [2, 1, 3] });
+
+const named = <T>(things: readonly T[]): Record<string, T> =>
+  Object.fromEntries(things.map((t, k) => [`thing ${k}`, t]));
+
+function crowd(random: Random): { scene: Scene; emitters: Emitter[] } {
+  const place = () => inCube(random, 4);
+  const quad = () => ({ corner: place(), u: inCube(random, 1), v: inCube(random, 1) });
+  const lights: Light[] = [
+    testLight({ center: place(), radius: 0.3, visible: true }),
+    testLight({ center: place(), radius: 0.01, radiance: 500 }),
+    { type: 'quad', ...quad(), radiance: 3, color: [1, 1, 0], visible: true },
+    { type: 'quad', ...quad(), radiance: 1, color: [1, 1, 1], visible: false },
+    { type: 'point', position: place(), intensity: 2, color: [1, 0, 0] },
+    {
+      type: 'spot',
+      position: place(),
+      direction: inCube(random, 1),
+      intensity: 9,
+      color,
+      innerAngle: 10,
+      outerAngle: 60,
+    },
+    { type: 'directional', direction: inCube(random, 1), irradiance: 0.1, color, angle: 20 },
+  ];
+  // Emitters are sorted by power: strongest first.
+  const shapes: Exclude<Shape, { type: 'plane' }>[] = [
+    { type: 'box', center: place(), size: [1, 2, 0.5], rotation: [10, 20, 30], material: 'glow' },
+    { type: 'quad', corner: place(), u: [0.5, 0, 0], v: [0, 0.5, 0.1], material: 'glow' },
+    { type: 'sphere', center: place(), radius: 0.1, material: 'glow' },
+  ];
+  const sky = { horizon: [0.01, 0.02, 0.03], zenith: [0.03, 0.02, 0.01] } as const;
+  const scene = testScene(named(shapes), named(lights), { ...eyeAtOrigin, sky, materials: { glow } });
+  const emitters = [
+    ...lights.map(emitterOfLight),
+    { kind: 'sky', ...sky } as const,
+    ...shapes.map((shape) => emitterOfShape(shape, glow.emission)),
+  ];
+  return { scene, emitters };
+}
+
+export interface ChoiceReport {
+  readonly choices: number;
+  /** Choices whose probability is not bit for bit what `choiceProbability` says. */
+  readonly different: number;
+  /** Largest difference of a probability from the double-precision one. */
+  readonly worst: number;
+  /** Largest difference between how often a light is chosen and its probability, at one point. */
+  readonly worstFrequency: number;
+  readonly alone: Answer;
+  readonly none: Answer;
+}
+
+export async function probeChoices(backend: GpuBackend, seed: number): Promise<ChoiceReport> {
+  const random = seededRandom(seed);
+  const { scene, emitters } = crowd(random);
+  const ask = (k: number, point: Vec3, normal: Vec3, u: number): Question => ({
+    ask: ASK.choice,
+    emitter: k % emitters.length,
+    point,
+    u: [u, 0],
+    vector: normal,
+  });
+  const questions = Array.from({ length: MOST_QUESTIONS }, (_, k) => {
+    const normal = k % 5 === 0 ? ZERO : randomDirection(random);
+    return ask(k, rounded(inCube(random, 5)), rounded(normal), Math.fround(random() * 0.9999999));
+  });
+  const [point, normal] = [rounded(inCube(random, 2)), rounded(randomDirection(random))];
+  const even = questions.map((_, k) => ask(k, point, normal, Math.fround(k / MOST_QUESTIONS)));
+  return withProbe(backend, async (probe) => {
+    const answers = await probe.ask(scene, questions);
+    const worst = answers.reduce((most, answer, k) => {
+      const { point: at, vector, emitter } = questions[k]!;
+      const facing = vector === undefined || length(vector) === 0 ? null : vector;
+      return Math.max(most, Math.abs(answer[3] - choiceProbabilities(emitters, at, facing)[emitter]!));
+    }, 0);
+    const chosen = await probe.ask(scene, even);
+    const frequencies = choiceProbabilities(emitters, point, normal).map((p, k) =>
+      Math.abs(chosen.filter(([index]) => index === k).length / chosen.length - p),
+    );
+    const one = testScene({}, { lamp: testLight() }, eyeAtOrigin);
+    const none = testScene({}, {}, eyeAtOrigin);
+    return {
+      choices: answers.length,
+      different: answers.filter(([, probability, asked]) => probability !== asked).length,
+      worst,
+      worstFrequency: Math.max(...frequencies),
+      alone: (await probe.ask(one, [ask(0, [0, 5, 0], [0, 1, 0], 0.7)]))[0]!,
+      none: (await probe.ask(none, [ask(0, ZERO, ZERO, 0.7)]))[0]!,
+    };
+  });
+}

@@ -1,0 +1,135 @@
+/** Asks the kernels' own light sampling on a GPU, question by question. */
+import type { Device, Pass, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
+import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
+import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
+import { structSize, TABLE_WIDTH, tableColumn } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import { emittersOf } from '../../../../packages/renderer/src/packed-scene/pack-emitters.ts';
+import { packScene } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
+import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { lampsAsShapes } from '../../../../packages/renderer/src/scene/lamps.ts';
+import type { Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
+import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
+import probeWgsl from '../generated/emitter_probe.wgsl?raw';
+import probeGlsl from '../generated/emitterProbe.glsl?raw';
+
+/** What is asked: emitter-probe.wesl has the same numbers. */
+export const ASK = {
+  directionAndPdf: 0,
+  radianceAndDistance: 1,
+  pdfOfSample: 2,
+  pdfOfDirection: 3,
+  choice: 4,
+} as const;
+
+export type GpuBackend = 'webgpu' | 'webgl2';
+
+export interface Question {
+  readonly ask: (typeof ASK)[keyof typeof ASK];
+  readonly emitter: number;
+  /** From the eye. */
+  readonly point: Vec3;
+  readonly u: readonly [number, number];
+  /** Direction of `pdfOfDirection`, normal of `choice`. */
+  readonly vector?: Vec3;
+}
+export type Answer = readonly [number, number, number, number];
+
+/** Questions are drawn as a square picture. */
+const SIDE = 128;
+export const MOST_QUESTIONS = SIDE * SIDE;
+
+const PROBE: PassSource = {
+  label: 'emitter probe',
+  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
+  entries: { vertex: 'fullScreen', fragment: 'emitterProbe' },
+  glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
+  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'questions' }],
+  target: 'film',
+};
+
+interface PackedLights {
+  readonly table: Float32Array<ArrayBuffer>;
+  readonly rows: number;
+  readonly frame: ArrayBuffer;
+}
+
+/** The scene with its lamps, and the rows of the emitters. */
+function packLights(scene: Scene): PackedLights {
+  const { eye } = scene.camera;
+  const lamps = lampsAsShapes(scene);
+  const packed = packScene(lamps.scene, eye);
+  const { emitters } = emittersOf(lamps, eye, (shape) => packed.shapeNames.indexOf(shape));
+  const rows = Math.max(packed.rows, emitters.length);
+  const table = createBlock(rows * TABLE_WIDTH * 16);
+  table.f32.set(packed.table.f32.subarray(0, packed.rows * TABLE_WIDTH * 4));
+  emitters.forEach((values, row) => {
+    writeStruct(table, 'Emitter', (row * TABLE_WIDTH + tableColumn('Emitter')) * 16, values);
+  });
+  const block = createBlock(structSize('Frame'));
+  const { horizon, zenith } = scene.sky;
+  const { shapeEnds, occluderEnd } = packed;
+  writeStruct(block, 'Frame', 0, { shapeEnds, occluderEnd, horizon, zenith, emitterCount: emitters.length });
+  return { table: table.f32, rows, frame: block.bytes };
+}
+
+function questionTexels(questions: readonly Question[]): Float32Array<ArrayBuffer> {
+  const texels = new Float32Array(SIDE * SIDE * 12);
+  questions.forEach(({ ask, emitter, point, u, vector = [0, 0, 1] }, k) => {
+    texels.set([...point, emitter, ...u, 0, ask, ...vector, 0], k * 12);
+  });
+  return texels;
+}
+
+/** One GPU with the probe ready. */
+export class EmitterProbe {
+  readonly #device: Device;
+  readonly #pass: Pass;
+  private constructor(device: Device, pass: Pass) {
+    this.#device = device;
+    this.#pass = pass;
+  }
+
+  static async open(backend: GpuBackend): Promise<EmitterProbe> {
+    const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
+    return new EmitterProbe(device, await device.createPass(PROBE));
+  }
+
+  close(): void {
+    this.#device.destroy();
+  }
+
+  async ask(scene: Scene, questions: readonly Question[]): Promise<Answer[]> {
+    if (questions.length > MOST_QUESTIONS) throw new RangeError(`At most ${MOST_QUESTIONS} questions.`);
+    const device = this.#device;
+    const packed = packLights(scene);
+    const frame = device.createUniforms(structSize('Frame'));
+    frame.write(packed.frame);
+    const table = device.createTable(TABLE_WIDTH, packed.rows);
+    table.write(packed.table, packed.rows);
+    const asked = device.createTable(3 * SIDE, SIDE);
+    asked.write(questionTexels(questions), SIDE);
+    const film = device.createFilm(SIDE, SIDE);
+    device.draw(this.#pass, film, [frame, table, asked], { width: SIDE, height: SIDE, firstRow: 0, rowCount: SIDE });
+    const values = await device.read(film, SIDE, SIDE);
+    for (const resource of [frame, table, asked, film]) resource.destroy();
+    return questions.map((_, k) => Array.from(values.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
+  }
+}
+
+/** Opens a GPU for the work, and closes it. */
+export async function withProbe<T>(backend: GpuBackend, work: (probe: EmitterProbe) => Promise<T>): Promise<T> {
+  const probe = await EmitterProbe.open(backend);
+  try {
+    return await work(probe);
+  } finally {
+    probe.close();
+  }
+}
+
+export const rounded = (v: Vec3): Vec3 => [Math.fround(v[0]), Math.fround(v[1]), Math.fround(v[2])];
+
+/** For scenes whose points are relative to the eye as they are. */
+export const eyeAtOrigin = {
+  camera: { eye: [0, 0, 0], target: [0, 0, -1], up: [0, 1, 0], verticalFov: 60 },
+} as const;
