@@ -2,7 +2,7 @@ import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
-import { pathFilms } from './path.ts';
+import { pathFilm } from './path.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
 
@@ -17,7 +17,7 @@ export const harness = {
   leaks,
   movedPicture,
   parity,
-  pathFilms,
+  pathFilm,
   pictureOf,
   probeShapes,
   shadeMean,
