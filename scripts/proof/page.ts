@@ -36,13 +36,11 @@ code with Mirrorball. The test has no threshold on pixels. It asks whether what 
 pixels and each channel,</p>
 <p class="formula">z = (ours − reference) / √(error of ours² + error of the reference²)</p>
 <p>If both renderers compute the same light, z is normal with variance 1 in every scene. Required: root mean square of z at
-most ${LIMITS.rms}; at most ${share(LIMITS.shareBeyond3, 1)} beyond ${3}; none beyond ${LIMITS.largest}; the mean of the whole picture
+most ${LIMITS.rms}; at most ${share(LIMITS.shareBeyond3, 1)} beyond 3; none beyond ${LIMITS.largest}; the mean of the whole picture
 within ${LIMITS.picture} errors; and noise small enough to tell, at most ${share(LIMITS.blockError, 0)} of a block. Errors of ours are the
 scatter of independent batches, with Student's t turned to z. <code>npm run proof</code> writes this page;
 <a href="../../tests/reference/README.md">tests/reference</a> says where the references come from.</p>
-<p lang="zh-CN"><strong>摘要：</strong>${scenes.length} 个场景中有 ${passed} 个与 Mitsuba 3.9.1 的参考图一致。两者没有共用代码。检验不用像素阈值，
-而是看差异能否只由噪声解释：每个 4 × 4 像素块、每个通道计算 z = 差 / 合并标准误差。若两者计算同样的光，z 服从标准正态分布。
-右边的曲线是误差随采样数的变化（双对数坐标），虚线为斜率 −½。</p>
+<p lang="zh-CN"><strong>摘要：</strong>${scenes.length} 个场景中有 ${passed} 个与 Mitsuba 3.9.1 的参考图一致。两者没有共用代码。检验不用像素阈值，而是看差异能否只由噪声解释：每个 4 × 4 像素块、每个通道计算 z = 差 / 合并标准误差。若两者计算同样的光，z 服从标准正态分布。右边的曲线是误差随采样数的变化（双对数坐标），虚线为斜率 −½。</p>
 <p class="legend">z-map: <span class="red">red</span> ours too bright, <span class="blue">blue</span> too dark, full colour at 4, light grey none; a
 right picture is a faint speckle without a shape. Chart: relative error (root of relMSE) of one sequence of samples;
 dashed the slope −½; dotted the reference's own noise.</p>
@@ -56,7 +54,7 @@ function section(scene: SceneProof): string {
   const { name, description, failures, picture } = scene;
   const verdict = failures.length === 0 ? '<span class="pass">agrees</span>' : '<span class="fail">differs</span>';
   const figure = (file: string, caption: string) =>
-    `<figure><img src="${name}-${file}.png" width="192" height="192" alt="${escaped(name)}, ${caption}"><figcaption>${caption}</figcaption></figure>`;
+    `<figure><img src="${name}-${file}.png" width="144" height="144" alt="${escaped(name)}, ${caption}"><figcaption>${caption}</figcaption></figure>`;
   const rows = [
     ['samples a pixel', `${scene.samples} in ${scene.batches} batches, ${scene.backend}`],
     ['z, root mean square', scene.rms.toFixed(2)],
