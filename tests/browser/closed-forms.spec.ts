@@ -3,6 +3,7 @@ import type { Camera, Quad, QuadLight, Scene, Vec3 } from '../../packages/render
 import { GGX_ALBEDO, LAMP_OVER_FLOOR, PENUMBRA, penumbraIrradiance } from '../fixtures/closed-forms.ts';
 import { testLight, testMaterial, testScene } from '../fixtures/scenes.ts';
 import { blocksOfBatches, WHOLE } from '../reference/blocks.ts';
+import { referenceScene } from '../reference/references.ts';
 import { pathFilms } from './films.ts';
 import { type Backend, backends, expect, test } from './fixtures.ts';
 
@@ -65,6 +66,18 @@ for (const backend of backends) {
       for (const [c, measured] of channels.entries()) {
         const exact = (PENUMBRA.albedo[c]! * penumbraIrradiance(x)) / Math.PI;
         expectShare(measured, exact, 0.003, `at x = ${x}, channel ${c}`);
+      }
+    }
+  });
+
+  test(`${backend}: white furnaces are 1, within 1e-3 (${seeds})`, async ({ harness }) => {
+    for (const name of ['F1_diffuse', 'F1_glass']) {
+      const furnace = referenceScene(name);
+      // So near that every pixel sees the ball.
+      const scene = { ...furnace, camera: { ...furnace.camera, verticalFov: 18 } };
+      for (const [c, { mean, error }] of (await measure(harness, backend, scene, 64)).entries()) {
+        expect.soft(error, `${name}, channel ${c}: noise`).toBeLessThan(5e-4);
+        expect.soft(Math.abs(mean - 1), `${name}, channel ${c}`).toBeLessThan(1e-3);
       }
     }
   });

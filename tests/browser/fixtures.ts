@@ -2,8 +2,8 @@ import { writeFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import { test as base, expect, type Page, type TestInfo } from '@playwright/test';
 import { encode } from 'fast-png';
-import { studioPage } from './global-setup.ts';
 import type {} from './harness/harness.ts';
+import { studioPage } from './serve-harness.ts';
 
 export { expect };
 

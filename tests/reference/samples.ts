@@ -28,8 +28,8 @@ export const SAMPLES: Readonly<Record<string, number>> = {
   F1_glass: 4,
   P1: 4,
   PR1_gltf_mix: 4,
-  S1: 32,
-  S1_d4: 32,
-  S1b: 32,
+  S1: 40,
+  S1_d4: 40,
+  S1b: 40,
   V1_hc: 16,
 };

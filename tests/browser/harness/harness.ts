@@ -10,6 +10,7 @@ import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts'
 import { parity, pictureOf } from './parity.ts';
 import { pathFilms } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
+import { pathFilm } from './path.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
 
@@ -26,7 +27,7 @@ export const harness = {
   leaks,
   movedPicture,
   parity,
-  pathFilms,
+  pathFilm,
   pictureOf,
   probeSampler,
   probeChoices,

@@ -48,30 +48,13 @@ export async function renderPath(backend: GpuBackend, scene: Scene, range: PathR
   };
 }
 
-export interface PathBatches {
-  readonly width: number;
-  readonly height: number;
-  /** Samples a pixel in each batch. */
-  readonly samples: number;
-  readonly batches: number;
-  /** Of the first batch; the others have those that follow. */
-  readonly seed: number;
-}
-
-/** Films with independent seeds, as text that `page.evaluate` returns quickly: decodeFilms in tests/browser/films.ts reads it. */
-export async function pathFilms(backend: GpuBackend, scene: Scene, settings: PathBatches): Promise<EncodedFilm[]> {
-  const { batches, seed, ...rest } = settings;
-  const films: EncodedFilm[] = [];
-  for (let n = 0; n < batches; n++) {
-    const film = await renderPath(backend, scene, { ...rest, firstSample: 0, seed: seed + n });
-    const { sum, sumOfSquares, count } = film;
-    films.push({ sum: encode(sum), sumOfSquares: encode(sumOfSquares), count: encode(count) });
-  }
-  return films;
-}
-
-/** The bytes of each array, base64. */
+/** The bytes of each array, base64: text that `page.evaluate` returns quickly. tests/browser/films.ts reads it. */
 export type EncodedFilm = Readonly<Record<keyof PathFilm, string>>;
+
+export async function pathFilm(backend: GpuBackend, scene: Scene, range: PathRange): Promise<EncodedFilm> {
+  const { sum, sumOfSquares, count } = await renderPath(backend, scene, range);
+  return { sum: encode(sum), sumOfSquares: encode(sumOfSquares), count: encode(count) };
+}
 
 function encode(floats: Float32Array): string {
   const bytes = new Uint8Array(floats.buffer);

@@ -1,0 +1,24 @@
+/** Error against samples: how a film approaches the reference. */
+import type { Film, Reference } from '../../tests/reference/blocks.ts';
+import { meansOf } from '../../tests/reference/blocks.ts';
+
+export interface Convergence {
+  /** Samples a pixel, and the relative error with them. */
+  readonly steps: readonly { readonly samples: number; readonly error: number }[];
+  /** The reference's own noise in the same measure: what no number of samples goes below. */
+  readonly floor: number;
+}
+
+/** Keeps black pixels from counting without bound. */
+const EPSILON = 0.01;
+
+/** √ of the mean of (ours − reference)² / (reference² + 0.01), the usual relMSE. */
+export function relativeError(film: Film, { mean }: Reference): number {
+  const ours = meansOf(film);
+  return Math.sqrt(ours.reduce((sum, x, i) => sum + (x - mean[i]!) ** 2 / (mean[i]! ** 2 + EPSILON), 0) / ours.length);
+}
+
+export function noiseFloor({ mean, error }: Reference): number {
+  const squares = Array.from(mean, (m, i) => error[i]! ** 2 / (m ** 2 + EPSILON));
+  return Math.sqrt(squares.reduce((sum, x) => sum + x, 0) / squares.length);
+}
