@@ -75,9 +75,9 @@ export class Stages {
     return this.#classic !== null;
   }
 
-  /** Compiles the integrator, once. Call it when the first picture is on its way. */
+  /** Compiles the integrator, and the display's tone mapping, once. Call it when the first picture is on its way. */
   ready(): Promise<void> {
-    this.#classicReady ??= createClassicPass(this.device).then((pass) => {
+    this.#classicReady ??= Promise.all([createClassicPass(this.device), this.#display.ready()]).then(([pass]) => {
       this.#classic = pass;
     });
     return this.#classicReady;
