@@ -38,6 +38,7 @@ const PROGRAMS: readonly Program[] = [
     entries: [
       { entry: 'screen', stage: 'vertex' },
       { entry: 'show', stage: 'fragment' },
+      { entry: 'showMapped', stage: 'fragment' },
     ],
   },
   {

@@ -83,12 +83,12 @@ export class Stages {
     return this.#integrators.has(integrator);
   }
 
-  /** Compiles the integrator, once. Call it when the first picture is on its way. */
+  /** Compiles the integrator, and the display's tone mapping, once. Call it when the first picture is on its way. */
   ready(integrator: Integrator): Promise<void> {
     let compiling = this.#compiling.get(integrator);
     if (!compiling) {
       const create = integrator === 'path' ? createPathPass : createClassicPass;
-      compiling = create(this.device).then((pass) => {
+      compiling = Promise.all([create(this.device), this.#display.ready()]).then(([pass]) => {
         this.#integrators.set(integrator, pass);
       });
       this.#compiling.set(integrator, compiling);

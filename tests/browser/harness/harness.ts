@@ -8,9 +8,8 @@ import { probeLamps } from './emitters/lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { parity, pictureOf } from './parity.ts';
-import { pathFilms } from './path.ts';
-import { probeSampler } from './sampler/probe.ts';
 import { pathFilm } from './path.ts';
+import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
 

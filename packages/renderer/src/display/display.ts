@@ -7,6 +7,7 @@ import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
 import displayWgsl from '../shading/generated/display.wgsl?raw';
 import screenGlsl from '../shading/generated/screen.glsl?raw';
 import showGlsl from '../shading/generated/show.glsl?raw';
+import showMappedGlsl from '../shading/generated/showMapped.glsl?raw';
 
 const SOURCE: PassSource = {
   label: 'display',
@@ -17,12 +18,20 @@ const SOURCE: PassSource = {
   target: 'canvas',
 };
 
+/** The same with tone mapping: display.wesl says why it is apart. */
+const MAPPED: PassSource = {
+  ...SOURCE,
+  entries: { vertex: 'screen', fragment: 'showMapped' },
+  glsl: { vertex: screenGlsl, fragment: showMappedGlsl },
+};
+
 /** The settings that only the display uses. */
 export type Look = Pick<RendererSettings, 'exposure' | 'toneMapping'>;
 
 export class Display {
   readonly #device: Device;
-  readonly #pass: Pass;
+  readonly #clipped: Pass;
+  #mapped: Pass | null = null;
   readonly #uniforms: UniformBuffer;
   readonly #block = createBlock(structSize('Display'));
 
@@ -30,10 +39,15 @@ export class Display {
     return new Display(device, await device.createPass(SOURCE));
   }
 
-  private constructor(device: Device, pass: Pass) {
+  private constructor(device: Device, clipped: Pass) {
     this.#device = device;
-    this.#pass = pass;
+    this.#clipped = clipped;
     this.#uniforms = device.createUniforms(structSize('Display'));
+  }
+
+  /** Compiles tone mapping, whether it is wished for now or not. Before that pictures are clipped: those of the preview, at most. */
+  async ready(): Promise<void> {
+    this.#mapped ??= await this.#device.createPass(MAPPED);
   }
 
   /** Fills the canvas with the first width × height pixels of the film. */
@@ -44,6 +58,7 @@ export class Display {
       filmSize: [width, height],
     });
     this.#uniforms.write(this.#block.bytes);
-    this.#device.draw(this.#pass, 'canvas', [this.#uniforms, film]);
+    const pass = toneMapping === 'none' ? this.#clipped : (this.#mapped ?? this.#clipped);
+    this.#device.draw(pass, 'canvas', [this.#uniforms, film]);
   }
 }

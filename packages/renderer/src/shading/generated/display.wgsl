@@ -30,16 +30,31 @@ fn srgb(c: vec3f) -> vec3f {
   return select(curve, 12.92 * c, c <= vec3f(0.0031308));
 }
 
-// Mapped before it is filtered, so that the edge of a bright light stays smooth.
+// Clipped before it is filtered, so that the edge of a bright light stays smooth.
 fn shown(texel: vec2f) -> vec3f {
-  return toneMap(mean(texel) * display.exposure, display.toneMapping);
+  return clamp(mean(texel) * display.exposure, vec3f(0.0), vec3f(1.0));
 }
 
 @fragment fn show(point: ScreenPoint) -> @location(0) vec4f {
   let at = point.uv * display.filmSize - 0.5;
   let corner = floor(at);
   let f = at - corner;
-  // One film pixel for one canvas pixel: exactly that texel. Else four, in a loop, so that tone mapping is compiled once.
+  // One film pixel for one canvas pixel: exactly that texel.
+  if (all(abs(f - 0.5) > vec2f(0.499))) {
+    return vec4f(srgb(shown(floor(at + 0.5))), 1.0);
+  }
+  let upper = mix(shown(corner), shown(corner + vec2f(1.0, 0.0)), f.x);
+  let lower = mix(shown(corner + vec2f(0.0, 1.0)), shown(corner + vec2f(1.0, 1.0)), f.x);
+  return vec4f(srgb(mix(upper, lower, f.y)), 1.0);
+}
+
+// The same with tone mapping. An entry of its own, since software rasterisers run both sides of every `if`: who clips does not pay
+// for logarithms. Mapped before it is filtered too.
+@fragment fn showMapped(point: ScreenPoint) -> @location(0) vec4f {
+  let at = point.uv * display.filmSize - 0.5;
+  let corner = floor(at);
+  let f = at - corner;
+  // One texel or four, in a loop, so that tone mapping is compiled once.
   let exact = all(abs(f - 0.5) > vec2f(0.499));
   let first = select(corner, floor(at + 0.5), exact);
   let taps = select(4u, 1u, exact);
@@ -48,7 +63,7 @@ fn shown(texel: vec2f) -> vec3f {
   loop {
     let step = vec2f(f32(tap & 1u), f32(tap >> 1u));
     let share = mix(1.0 - f, f, step);
-    sum += select(share.x * share.y, 1.0, exact) * shown(first + step);
+    sum += select(share.x * share.y, 1.0, exact) * toneMap(mean(first + step) * display.exposure, display.toneMapping);
     tap++;
     if (tap >= taps) {
       break;

@@ -40,6 +40,12 @@ vec3 srgb(vec3 c) {
     return mix(curve, (12.92 * c), lessThanEqual(c, vec3(0.0031308)));
 }
 
+vec3 shown(vec2 texel_1) {
+    vec3 _e1 = mean(texel_1);
+    float _e4 = display.exposure;
+    return clamp((_e1 * _e4), vec3(0.0), vec3(1.0));
+}
+
 vec3 aces(vec3 color) {
     vec3 v = (rrtInput * (color / vec3(0.6)));
     return (rrtOutput * (((v * (v + vec3(0.0245786))) - vec3(9.0537e-5)) / ((v * ((0.983729 * v) + vec3(0.432951))) + vec3(0.238081))));
@@ -83,43 +89,26 @@ vec3 toneMap(vec3 color_3, uint kind) {
     return clamp(_e17, vec3(0.0), vec3(1.0));
 }
 
-vec3 shown(vec2 texel_1) {
-    vec3 _e1 = mean(texel_1);
-    float _e4 = display.exposure;
-    uint _e8 = display.toneMapping;
-    vec3 _e9 = toneMap((_e1 * _e4), _e8);
-    return _e9;
-}
-
 void main() {
     ScreenPoint point = ScreenPoint(gl_FragCoord, _vs2fs_location0);
-    vec3 sum = vec3(0.0);
-    uint tap = 0u;
     vec2 _e4 = display.filmSize;
     vec2 at = ((point.uv * _e4) - vec2(0.5));
     vec2 corner = floor(at);
     vec2 f = (at - corner);
-    bool exact = all(greaterThan(abs((f - vec2(0.5))), vec2(0.499)));
-    vec2 first = (exact ? floor((at + vec2(0.5))) : corner);
-    uint taps = (exact ? 1u : 4u);
-    while(true) {
-        uint _e32 = tap;
-        uint _e36 = tap;
-        vec2 step_ = vec2(float((_e32 & 1u)), float((_e36 >> 1u)));
-        vec2 share = mix((vec2(1.0) - f), f, step_);
-        vec3 _e45 = sum;
-        vec3 _e52 = shown((first + step_));
-        sum = (_e45 + ((exact ? 1.0 : (share.x * share.y)) * _e52));
-        uint _e56 = tap;
-        tap = (_e56 + 1u);
-        uint _e58 = tap;
-        if ((_e58 >= taps)) {
-            break;
-        }
+    if (all(greaterThan(abs((f - vec2(0.5))), vec2(0.499)))) {
+        vec3 _e23 = shown(floor((at + vec2(0.5))));
+        vec3 _e24 = srgb(_e23);
+        _fs2p_location0 = vec4(_e24, 1.0);
+        return;
     }
-    vec3 _e60 = sum;
-    vec3 _e61 = srgb(_e60);
-    _fs2p_location0 = vec4(_e61, 1.0);
+    vec3 _e27 = shown(corner);
+    vec3 _e32 = shown((corner + vec2(1.0, 0.0)));
+    vec3 upper = mix(_e27, _e32, f.x);
+    vec3 _e39 = shown((corner + vec2(0.0, 1.0)));
+    vec3 _e44 = shown((corner + vec2(1.0, 1.0)));
+    vec3 lower = mix(_e39, _e44, f.x);
+    vec3 _e49 = srgb(mix(upper, lower, f.y));
+    _fs2p_location0 = vec4(_e49, 1.0);
     return;
 }
 
