@@ -6,7 +6,7 @@ const HEIGHT = 200;
 const LEFT = 46;
 const BOTTOM = 30;
 const TOP = 8;
-const RIGHT = 8;
+const RIGHT = 16;
 
 const decades = (low: number, high: number): number[] =>
   Array.from({ length: Math.round(high - low) + 1 }, (_, n) => Math.round(low) + n);
