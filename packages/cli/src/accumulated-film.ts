@@ -103,21 +103,28 @@ export class AccumulatedFilm {
     return mean;
   }
 
+  /** Standard errors of the closed blocks' means; null while there are fewer than two. */
+  standardErrors(): Float32Array<ArrayBuffer> | null {
+    const { sums, squares, blocks, ranges } = this.#closed;
+    if (blocks < 2) return null;
+    const n = countOf(ranges);
+    const errors = new Float32Array(sums.length);
+    for (let i = 0; i < sums.length; i++)
+      errors[i] = Math.sqrt(Math.max(squares[i]! - (sums[i]! * sums[i]!) / n, 0) / ((blocks - 1) * n));
+    return errors;
+  }
+
   /**
    * The estimated error of the picture: root of the mean of se² / (mean² + 0.01) over all values, which is what the root of relMSE
    * against a perfect picture would be. Null while fewer than two blocks are closed.
    */
   error(): number | null {
-    const { sums, squares, blocks, ranges } = this.#closed;
-    if (blocks < 2) return null;
-    const n = countOf(ranges);
+    const errors = this.standardErrors();
+    if (!errors) return null;
+    const n = countOf(this.#closed.ranges);
     let total = 0;
-    for (let i = 0; i < sums.length; i++) {
-      const mean = sums[i]! / n;
-      const variance = Math.max(squares[i]! - sums[i]! * mean, 0) / ((blocks - 1) * n);
-      total += variance / (mean * mean + DARK);
-    }
-    return Math.sqrt(total / sums.length);
+    for (let i = 0; i < errors.length; i++) total += errors[i]! ** 2 / ((this.#closed.sums[i]! / n) ** 2 + DARK);
+    return Math.sqrt(total / errors.length);
   }
 }
 

@@ -57,7 +57,8 @@ export interface Actions {
 }
 
 const json = () => new Option('--json', 'one JSON object a line on standard output');
-const output = () => new Option('-o, --output <file>', 'where to: .exr, .png, .pfm, .npy, .hdr, or .part to go on later');
+const output = () =>
+  new Option('-o, --output <file>', 'where to: .exr, .png, .pfm, .npy, .hdr, or .part to go on later');
 const pictureOptions = (command: Command): Command =>
   command
     .addOption(new Option('--half', 'EXR with 16-bit floats'))
@@ -77,20 +78,26 @@ function addRender(program: Command, actions: Actions): void {
     .addOption(option('--region <x,y,w,h>', 'only this part of the picture').argParser(region(MOST_SIDE)))
     .addOption(option('--pixel <x,y>', 'only this pixel; prints its value').argParser(pixel(MOST_SIDE)))
     .addOption(option('--integrator <name>', "default: the scene's").choices(['classic', 'path']))
+    .addOption(option('--max-depth <n>', 'path: path segments, -1 = no limit').argParser(depth(SCENE_LIMITS.maxDepth)))
+    .addOption(option('--max-reflections <n>', 'classic: mirror rays').argParser(whole(0, SCENE_LIMITS.maxReflections)))
     .addOption(
-      option('--max-depth <n>', 'path: path segments, -1 = no limit').argParser(depth(SCENE_LIMITS.maxDepth)),
+      option('--light-samples <n>', 'classic: points on each light').argParser(whole(1, SCENE_LIMITS.lightSamples)),
     )
     .addOption(
-      option('--max-reflections <n>', 'classic: mirror rays').argParser(whole(0, SCENE_LIMITS.maxReflections)),
+      option('--seed <n>', 'of the random numbers')
+        .argParser(whole(0, 2 ** 32 - 1))
+        .default(0),
     )
-    .addOption(option('--light-samples <n>', 'classic: points on each light').argParser(whole(1, SCENE_LIMITS.lightSamples)))
-    .addOption(option('--seed <n>', 'of the random numbers').argParser(whole(0, 2 ** 32 - 1)).default(0))
     .addOption(option('--time <s>', 'seconds into the animation').argParser(real(-1e9, 1e9)).default(0))
     .addOption(option('--frames <a-b>', 'frames of the animation; the file gets numbers').argParser(range(999_999)))
     .addOption(option('--fps <n>', 'frames a second').argParser(positive(1e6)).default(24))
     .addOption(option('--until-error <e>', 'stop when the estimated error is below').argParser(positive(1e6)))
     .addOption(option('--until-time <s>', 'stop after so many seconds a picture').argParser(positive(1e9)))
-    .addOption(option('--backend <name>', 'what traces').choices(['auto', ...BACKENDS]).default('auto'))
+    .addOption(
+      option('--backend <name>', 'what traces')
+        .choices(['auto', ...BACKENDS])
+        .default('auto'),
+    )
     .addOption(option('--resume', 'go on from what an interrupted run saved'));
   pictureOptions(command).addOption(json());
   command.action((scene: string, options: RenderOptions) => actions.render(scene, options));
@@ -140,7 +147,9 @@ export function createProgram(version: string, actions: Actions): Command {
   addOthers(program, actions);
   // Subcommands made before an override would not have it.
   for (const command of program.commands) {
-    command.copyInheritedSettings(program).showHelpAfterError(`(mirrorball ${command.name()} --help lists the options)`);
+    command
+      .copyInheritedSettings(program)
+      .showHelpAfterError(`(mirrorball ${command.name()} --help lists the options)`);
   }
   program.showHelpAfterError('(mirrorball --help lists the commands)');
   return program;

@@ -1,7 +1,7 @@
 /** What two films must have in common to be parts of one picture, and the scene's fingerprint in it. */
 import { createHash } from 'node:crypto';
-import type { Scene } from 'mirrorball/scene';
 import type { FilmArea, FilmSettings } from 'mirrorball/headless';
+import type { Scene } from 'mirrorball/scene';
 
 /** Plain JSON; what is not in it does not change the film. */
 export interface FilmIdentity {
@@ -28,7 +28,9 @@ function canonical(value: unknown, ordered: boolean): unknown {
 export function sceneHash({ camera, sky, materials, shapes, lights, animation }: Scene): string {
   const parts = [camera, sky, animation].map((part) => canonical(part, false));
   const named = [materials, shapes, lights].map((things) => canonical(things, true));
-  return createHash('sha256').update(JSON.stringify([parts, named])).digest('hex');
+  return createHash('sha256')
+    .update(JSON.stringify([parts, named]))
+    .digest('hex');
 }
 
 export function identityOf(
@@ -39,8 +41,7 @@ export function identityOf(
 ): FilmIdentity {
   const { width, height, area } = size;
   const region = [area.x, area.y, area.width, area.height] as const;
-  const settings: Record<string, number> =
-    integrator === 'classic' ? { maxReflections, lightSamples } : { maxDepth };
+  const settings: Record<string, number> = integrator === 'classic' ? { maxReflections, lightSamples } : { maxDepth };
   return { scene: sceneHash(scene), time, width, height, region, integrator, seed, settings };
 }
 

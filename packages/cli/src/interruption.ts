@@ -20,7 +20,8 @@ export function listenForInterruption(): Interruption {
   return {
     signal,
     check(saved) {
-      if (signal.aborted) throw new CommandError(CODES[String(signal.reason)]!, `Stopped by ${signal.reason}. ${saved}`);
+      if (signal.aborted)
+        throw new CommandError(CODES[String(signal.reason)]!, `Stopped by ${signal.reason}. ${saved}`);
     },
   };
 }

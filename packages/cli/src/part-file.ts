@@ -7,7 +7,7 @@ import { createHash } from 'node:crypto';
 import { readFile } from 'node:fs/promises';
 import { endianness } from 'node:os';
 import { AccumulatedFilm } from './accumulated-film.ts';
-import { EXIT, CommandError, usage } from './exit-codes.ts';
+import { CommandError, EXIT, usage } from './exit-codes.ts';
 import type { FilmIdentity } from './film-identity.ts';
 import type { SampleRange } from './sample-ranges.ts';
 import { writeAtomically } from './write-atomically.ts';
@@ -34,7 +34,8 @@ interface Header extends Omit<Part, 'film'> {
 }
 
 export async function writePart(path: string, { film, ...rest }: Part): Promise<void> {
-  if (endianness() !== 'LE') throw new CommandError(EXIT.failed, 'Part files are written on little-endian machines only.');
+  if (endianness() !== 'LE')
+    throw new CommandError(EXIT.failed, 'Part files are written on little-endian machines only.');
   const { sums, squares, blocks, ranges } = film.closed;
   const numbers = [sums, squares, ...(film.open ? [film.open.sums] : [])].map(
     ({ buffer, byteOffset, byteLength }) => new Uint8Array(buffer, byteOffset, byteLength),
@@ -91,7 +92,9 @@ function readHeader(text: string): Header | null {
       region[2] * region[3] > 0 &&
       region[2] * region[3] <= MOST_PIXELS &&
       Array.isArray(ranges) &&
-      ranges.every(({ first, last }, i) => isCount(first) && isCount(last) && first <= last && first > (ranges[i - 1]?.last ?? -1)) &&
+      ranges.every(
+        ({ first, last }, i) => isCount(first) && isCount(last) && first <= last && first > (ranges[i - 1]?.last ?? -1),
+      ) &&
       (openFirst === null || isCount(openFirst)) &&
       [identity.time, exposure].every(Number.isFinite) &&
       [scene, integrator, sha256, ...Object.values(texts)].every((value) => typeof value === 'string') &&

@@ -27,7 +27,9 @@ export function secondsLeft(goal: Goal, samples: number, error: number | null, e
   const done = samples - goal.held;
   if (done <= 0) return goal.untilTime ?? Number.POSITIVE_INFINITY;
   const forError =
-    goal.untilError === undefined || error === null ? goal.wanted : samples * Math.max((error / goal.untilError) ** 2, 1);
+    goal.untilError === undefined || error === null
+      ? goal.wanted
+      : samples * Math.max((error / goal.untilError) ** 2, 1);
   const bySamples = (elapsed / done) * (Math.min(goal.wanted, forError) - samples);
   return Math.max(Math.min(bySamples, (goal.untilTime ?? Number.POSITIVE_INFINITY) - elapsed), 0);
 }
@@ -45,7 +47,14 @@ export function startProgress(terminal: Terminal, goal: Goal, now = () => perfor
       if (bar || now() - told < every) return;
       told = now();
       const { picture, wanted } = goal;
-      terminal.event('progress', { picture, samples, wanted, error, elapsed, left: Number.isFinite(left) ? left : null });
+      terminal.event('progress', {
+        picture,
+        samples,
+        wanted,
+        error,
+        elapsed,
+        left: Number.isFinite(left) ? left : null,
+      });
       terminal.note(
         `${picture}: ${Math.floor(samples)} of ${wanted} samples, error ${percent(error)}, ${duration(left)} left`,
       );

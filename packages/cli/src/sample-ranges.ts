@@ -24,7 +24,8 @@ export function joinRanges(a: readonly SampleRange[], b: readonly SampleRange[])
   const joined: SampleRange[] = [];
   for (const range of [...a, ...b].sort((p, q) => p.first - q.first)) {
     const before = joined.at(-1);
-    if (before && before.last + 1 === range.first) joined[joined.length - 1] = { first: before.first, last: range.last };
+    if (before && before.last + 1 === range.first)
+      joined[joined.length - 1] = { first: before.first, last: range.last };
     else joined.push(range);
   }
   return joined;

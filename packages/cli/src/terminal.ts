@@ -46,5 +46,4 @@ export function duration(seconds: number): string {
 }
 
 /** An error of a picture, as 1.2 %. */
-export const percent = (error: number | null): string =>
-  error === null ? '–' : `${(error * 100).toPrecision(2)} %`;
+export const percent = (error: number | null): string => (error === null ? '–' : `${(error * 100).toPrecision(2)} %`);

@@ -70,5 +70,7 @@ export const pixel =
   (most: number): Parse<{ x: number; y: number }> =>
   (text) => {
     const [x, y] = wholes(text, /^(\d+),(\d+)$/, most) ?? [];
-    return x !== undefined && y !== undefined ? { x, y } : refuse('x,y in pixels from the top left corner, as in 12,34');
+    return x !== undefined && y !== undefined
+      ? { x, y }
+      : refuse('x,y in pixels from the top left corner, as in 12,34');
   };

@@ -40,7 +40,9 @@ async function trace({ first, count, onto, stopped }: PageTask): Promise<string>
     told = performance.now();
     void window.mirrorballProgress(samples);
   };
-  return toBase64(await tracer!.trace(first, count, onto === null ? null : fromBase64(onto), { signal: running.signal, onProgress }));
+  return toBase64(
+    await tracer!.trace(first, count, onto === null ? null : fromBase64(onto), { signal: running.signal, onProgress }),
+  );
 }
 
 function toBase64(sums: FilmSums): string {

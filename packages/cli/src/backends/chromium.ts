@@ -3,10 +3,10 @@
  * and nothing else. The page is served by interception: an https address gives it WebGPU, and nothing goes to the network.
  */
 import { existsSync, readFileSync } from 'node:fs';
-import type { Browser, Page } from 'playwright-core';
 import { DeviceError, type FilmJob, type FilmSums, type FilmTracer, type TraceOptions } from 'mirrorball/headless';
+import type { Browser, Page } from 'playwright-core';
 import { workerEntry } from '../entry.ts';
-import { HARDWARE_FLAGS, SOFTWARE_FLAGS, findChromium } from './find-chromium.ts';
+import { findChromium, HARDWARE_FLAGS, SOFTWARE_FLAGS } from './find-chromium.ts';
 
 const ADDRESS = 'https://mirrorball.invalid/';
 

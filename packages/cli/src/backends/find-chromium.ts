@@ -26,12 +26,9 @@ export function findChromium(playwrightsOwn: () => string = () => ''): string | 
 }
 
 const COMMON = ['--enable-unsafe-webgpu', '--disable-background-networking', '--disable-component-update'];
-/** Containers and root cannot have the sandbox; nothing but our own page is opened. */
-const SANDBOX = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
 
 /** The machine's GPU. */
 export const HARDWARE_FLAGS: string[] = [
-  ...SANDBOX,
   ...COMMON,
   '--ignore-gpu-blocklist',
   ...(process.platform === 'linux' ? ['--enable-features=Vulkan', '--use-angle=vulkan'] : []),
@@ -41,7 +38,6 @@ export const HARDWARE_FLAGS: string[] = [
 
 /** SwiftShader, Chromium's own software: works everywhere. */
 export const SOFTWARE_FLAGS: string[] = [
-  ...SANDBOX,
   ...COMMON,
   '--use-angle=swiftshader',
   ...(process.platform === 'linux'
