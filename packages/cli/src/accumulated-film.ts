@@ -33,6 +33,8 @@ export class AccumulatedFilm {
   readonly pixels: number;
   #closed: ClosedBlocks;
   #open: OpenBlock | null;
+  /** The error of so many blocks, since it is asked for often and takes a while. */
+  #error: { readonly blocks: number; readonly error: number } | null = null;
 
   constructor(pixels: number, closed?: ClosedBlocks, open: OpenBlock | null = null) {
     this.pixels = pixels;
@@ -119,12 +121,15 @@ export class AccumulatedFilm {
    * against a perfect picture would be. Null while fewer than two blocks are closed.
    */
   error(): number | null {
+    const { blocks, ranges } = this.#closed;
+    if (this.#error?.blocks === blocks) return this.#error.error;
     const errors = this.standardErrors();
     if (!errors) return null;
-    const n = countOf(this.#closed.ranges);
+    const n = countOf(ranges);
     let total = 0;
     for (let i = 0; i < errors.length; i++) total += errors[i]! ** 2 / ((this.#closed.sums[i]! / n) ** 2 + DARK);
-    return Math.sqrt(total / errors.length);
+    this.#error = { blocks, error: Math.sqrt(total / errors.length) };
+    return this.#error.error;
   }
 }
 

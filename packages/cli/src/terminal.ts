@@ -15,8 +15,17 @@ export interface Terminal {
   error(text: string): void;
 }
 
-export function openTerminal(json: boolean, env = process.env): Terminal {
-  const { stdout, stderr } = process;
+/** What a terminal needs of Node's streams. */
+interface Stream {
+  readonly isTTY?: boolean;
+  write(text: string): boolean;
+}
+
+export function openTerminal(
+  json: boolean,
+  env: Readonly<Record<string, string | undefined>> = process.env,
+  { stdout, stderr }: { readonly stdout: Stream; readonly stderr: Stream } = process,
+): Terminal {
   const live = !json && stderr.isTTY === true && env.TERM !== 'dumb';
   const coloured = live && !env.NO_COLOR;
   return {

@@ -1,7 +1,7 @@
 /** `mirrorball render`: scene → film → file, one picture or many. */
 import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
-import { type FilmArea, type FilmSettings, HEADLESS_INTEGRATORS } from 'mirrorball/headless';
+import type { FilmArea, FilmSettings } from 'mirrorball/headless';
 import { type Scene, sceneAt } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
 import { AccumulatedFilm } from '../accumulated-film.ts';
@@ -14,16 +14,13 @@ import { type Interruption, listenForInterruption } from '../interruption.ts';
 import { type Part, readPart, writePart } from '../part-file.ts';
 import { checkOutputName, isPart, PART, writeFilm } from '../picture-file.ts';
 import { startProgress } from '../progress.ts';
+import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
-import { countOf, formatRanges, missingFrom, overlap, type SampleRange } from '../sample-ranges.ts';
+import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
 import { requireSceneFile } from '../scene-source.ts';
 import { duration, percent, type Terminal } from '../terminal.ts';
 import { software } from '../version.ts';
 import { checkWritable } from '../write-atomically.ts';
-
-/** Samples a pixel when nothing is said, and at most when a run ends by its error or time. */
-const SAMPLES = 64;
-const SAMPLES_UNTIL = 2 ** 20;
 
 /** What all pictures of a run share. */
 interface Run {
@@ -64,52 +61,16 @@ async function open(options: RenderOptions, terminal: Terminal): Promise<Backend
   return backend;
 }
 
-async function checkOutput({ output, pixel }: RenderOptions, frames: readonly Frame[]): Promise<void> {
+async function checkOutput({ output, pixel, resume }: RenderOptions, frames: readonly Frame[]): Promise<void> {
+  if (resume && output === undefined) throw usage('--resume needs -o: what was saved lies beside it.');
   if (output === undefined && !pixel) throw usage('Say where the picture goes: -o out.exr (or ask for one --pixel).');
   if (output === undefined) return;
   checkOutputName(output);
   for (const { output: file } of frames.slice(0, 1)) await checkWritable(file!);
 }
 
-/** The part of the picture that is wanted, which must lie in it. */
-export function areaOf({ size, region, pixel }: Pick<RenderOptions, 'size' | 'region' | 'pixel'>): FilmArea {
-  if (region && pixel) throw usage('--region and --pixel cannot both be given.');
-  const area = pixel ? { ...pixel, width: 1, height: 1 } : (region ?? { x: 0, y: 0, ...size });
-  if (area.x + area.width > size.width || area.y + area.height > size.height)
-    throw usage(
-      `${pixel ? `The pixel ${area.x},${area.y}` : `The region ${Object.values(area).join(',')}`} ` +
-        `lies outside the picture of ${size.width} × ${size.height} (--size).`,
-    );
-  return area;
-}
-
-export function wantedOf(options: Pick<RenderOptions, 'spp' | 'samples' | 'untilError' | 'untilTime'>): SampleRange {
-  const { spp, samples, untilError, untilTime } = options;
-  if (spp !== undefined && samples)
-    throw usage('--spp and --samples cannot both be given: --samples 0-63 is --spp 64.');
-  if (samples) return samples;
-  const most = untilError === undefined && untilTime === undefined ? SAMPLES : SAMPLES_UNTIL;
-  return { first: 0, last: (spp ?? most) - 1 };
-}
-
-/** The scene's own settings where none are given; what an integrator would ignore is refused. */
-export function settingsOf({ render }: Scene, options: RenderOptions): FilmSettings {
-  const integrator = options.integrator ?? render.integrator;
-  if (!HEADLESS_INTEGRATORS.includes(integrator))
-    throw usage(`The integrator "${integrator}" is not in this version; there is ${HEADLESS_INTEGRATORS.join(', ')}.`);
-  const strange = integrator === 'classic' ? (['maxDepth'] as const) : (['maxReflections', 'lightSamples'] as const);
-  for (const key of strange) {
-    if (options[key] === undefined) continue;
-    const flag = key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-    throw usage(`--${flag} means nothing to the integrator "${integrator}".`);
-  }
-  const { maxDepth = render.maxDepth, maxReflections = render.maxReflections } = options;
-  const { lightSamples = render.lightSamples, seed } = options;
-  return { integrator, maxDepth, maxReflections, lightSamples, seed };
-}
-
 async function renderFrame(run: Run, frame: Frame): Promise<void> {
-  const { options, terminal, interruption, goal } = run;
+  const { options, terminal, interruption } = run;
   interruption.check('Nothing was begun.');
   const partFile = frame.output && (isPart(frame.output) ? frame.output : `${frame.output}${PART}`);
   if (options.resume && options.frames && frame.output && existsSync(frame.output) && !existsSync(partFile!)) {
@@ -118,25 +79,23 @@ async function renderFrame(run: Run, frame: Frame): Promise<void> {
   }
   const part = await partFor(run, frame, partFile);
   const held = part.film.samples;
-  const started = performance.now();
-  let ending: Ending;
+  let traced: Traced;
   try {
-    ending = await trace(run, frame, part);
+    traced = await trace(run, frame, part);
   } catch (error) {
     if (error instanceof CommandError) throw error;
     const saved = await save(part, held, partFile);
     throw new CommandError(EXIT.failed, `${frame.name} failed: ${(error as Error).message} ${saved}`);
   }
-  if (ending === 'interrupted') interruption.check(await save(part, held, partFile));
-  const seconds = (performance.now() - started) / 1000;
+  if (traced.ending === 'interrupted') interruption.check(await save(part, held, partFile));
   if (frame.output) await writeFilm(frame.output, part, options);
   if (options.resume && partFile !== frame.output) await rm(partFile!, { force: true });
-  report(run, frame, part, { ending, seconds, held, missing: countOf(missingFrom(goal.wanted, part.film.ranges)) });
+  report(run, frame, part, traced);
 }
 
 /** What is held already, when --resume finds it, or an empty film. */
 async function partFor(
-  { scene, options, settings, area, goal, terminal }: Run,
+  { scene, options, settings, area, terminal }: Run,
   frame: Frame,
   partFile?: string,
 ): Promise<Part> {
@@ -146,11 +105,9 @@ async function partFor(
       const part = await readPart(partFile);
       const differ = differences(part.identity, identity);
       if (differ.length > 0) throw usage(`${partFile} belongs to another picture: it has ${differ.join(', ')}.`);
-      const held = part.film.ranges;
-      if (held.length > 0 && !overlap(held, [goal.wanted]) && part.film.samples > 0)
-        terminal.note(`${partFile} holds samples ${formatRanges(held)}; they stay in the picture.`);
-      terminal.event('resumed', { picture: frame.name, part: partFile, samples: formatRanges(held) });
-      terminal.note(`Going on from ${partFile}: samples ${formatRanges(held)}.`);
+      const samples = formatRanges(part.film.ranges);
+      terminal.event('resumed', { picture: frame.name, part: partFile, samples });
+      terminal.note(`Going on from ${partFile}: samples ${samples}.`);
       return part;
     }
     if (partFile !== frame.output)
@@ -161,20 +118,29 @@ async function partFor(
   return { identity, film, texts, exposure: scene.render.exposure };
 }
 
+/** How a picture got its samples. */
+interface Traced {
+  readonly ending: Ending;
+  readonly seconds: number;
+  /** Samples that were there before. */
+  readonly held: number;
+}
+
 async function trace(
   { scene, options, settings, area, goal, terminal, interruption, backend }: Run,
   frame: Frame,
   part: Part,
-) {
+): Promise<Traced> {
   const { film } = part;
-  if (missingFrom(goal.wanted, film.ranges).length === 0) return 'all samples';
+  const held = film.samples;
+  if (missingFrom(goal.wanted, film.ranges).length === 0) return { ending: 'all samples', seconds: 0, held };
   const { name, tracer } = await backend();
   const { width, height } = options.size;
   await tracer.begin({ scene: sceneAt(scene, frame.time), settings, width, height, area });
   const missing = countOf(missingFrom(goal.wanted, film.ranges));
-  const held = film.samples;
   const { untilError, untilTime } = goal;
   terminal.event('start', { picture: frame.name, backend: name, time: frame.time, held, wanted: held + missing });
+  const started = performance.now();
   const progress = startProgress(terminal, {
     picture: frame.name,
     held,
@@ -183,7 +149,8 @@ async function trace(
     untilTime,
   });
   try {
-    return await runFilm(tracer, film, goal, interruption.signal, progress);
+    const ending = await runFilm(tracer, film, goal, interruption.signal, progress);
+    return { ending, seconds: (performance.now() - started) / 1000, held };
   } finally {
     progress.stop();
   }
@@ -198,14 +165,7 @@ async function save(part: Part, held: number, partFile?: string): Promise<string
   return `Samples ${formatRanges(ranges)} are in ${partFile}; --resume goes on.`;
 }
 
-interface Outcome {
-  readonly ending: Ending;
-  readonly seconds: number;
-  readonly held: number;
-  readonly missing: number;
-}
-
-function report({ options, terminal }: Run, frame: Frame, part: Part, { ending, seconds, held }: Outcome): void {
+function report({ options, terminal }: Run, frame: Frame, part: Part, { ending, seconds, held }: Traced): void {
   const { film } = part;
   const { samples, ranges } = film;
   const error = film.error();
