@@ -1,4 +1,5 @@
 /** How far a picture is: a bar on a terminal, now and then a line in a file, an object a line for programs. */
+import { basename } from 'node:path';
 import { SingleBar } from 'cli-progress';
 import { duration, percent, type Terminal } from './terminal.ts';
 
@@ -65,7 +66,8 @@ export function startProgress(terminal: Terminal, goal: Goal, now = () => perfor
 
 function openBar({ picture, held, wanted }: Goal): SingleBar {
   const bar = new SingleBar({
-    format: `${picture} [{bar}] {value}/{total} samples  error {error}  {left} left`,
+    barsize: 24,
+    format: `${basename(picture)} [{bar}] {value}/{total} samples  error {error}  {left} left`,
     formatValue: (value, _, type) => String(type === 'value' ? Math.floor(value) : value),
     stream: process.stderr,
     hideCursor: true,

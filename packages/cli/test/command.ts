@@ -57,18 +57,22 @@ export function mirrorball(
   });
 }
 
-/** Ends the program by this signal when it first tells of progress. */
-export const killedAtFirstProgress = (signal: NodeJS.Signals) => (stdout: string, child: ChildProcess) => {
-  if (stdout.includes('"progress"') && !child.killed) child.kill(signal);
+/** Ends the program by this signal when it first tells of a whole sample. */
+export const killedOnTheWay = (signal: NodeJS.Signals) => (stdout: string, child: ChildProcess) => {
+  if (/"progress".*"samples":[1-9]/.test(stdout) && !child.killed) child.kill(signal);
 };
 
 export const bytesOf = (name: string): Buffer => readFileSync(inFolder(name));
 /** Red, green, blue of each pixel of an NPY file. */
 export const pixelsOf = (name: string): Float32Array => interleave(arrayAsPicture(readNpyArray(bytesOf(name))));
 
+/** Relative above 1. */
 export function largestDifference(a: ArrayLike<number>, b: ArrayLike<number>): number {
   if (a.length !== b.length) return Number.POSITIVE_INFINITY;
-  return Array.from(a).reduce((most, value, i) => Math.max(most, Math.abs(value - b[i]!)), 0);
+  return Array.from(a).reduce(
+    (most, value, i) => Math.max(most, Math.abs(value - b[i]!) / Math.max(Math.abs(value), 1)),
+    0,
+  );
 }
 
 /** Whether Dawn for Node finds a device here. */
