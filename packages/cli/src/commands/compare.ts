@@ -20,7 +20,7 @@ export async function compare(a: string, b: string, terminal: Terminal): Promise
       'z of blocks',
       `RMS ${numbers.rmsZ.toPrecision(3)}, ${percentage(numbers.beyond3)} beyond 3, worst ${numbers.worstZ.toPrecision(3)} at ${worst.x},${worst.y}`,
     ],
-    ['FLIP', flipMean === null ? 'not known: pip install flip-evaluator' : flipMean.toPrecision(4)],
+    ['FLIP', flipMean === null ? 'not known: pip install flip-evaluator numpy' : flipMean.toPrecision(4)],
     ...(numbers.nonFinitePixels > 0 ? [['NaN or Inf', `${numbers.nonFinitePixels} pixels`]] : []),
     ...(numbers.negativePixels > 0 ? [['negative', `${numbers.negativePixels} pixels`]] : []),
   ];
