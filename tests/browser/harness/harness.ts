@@ -1,6 +1,7 @@
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
+import { headlessFilms } from './headless.ts';
 import { parity, pictureOf } from './parity.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
@@ -13,6 +14,7 @@ export const harness = {
   describeDevices,
   hardNames,
   hardPicture,
+  headlessFilms,
   leaks,
   movedPicture,
   parity,
