@@ -109,7 +109,8 @@ function findBlocks(reader: ByteReader, header: ExrHeader): Block[] {
     const lines = Math.min(compression.lines, height - line);
     checkGrowth(packed.length, size * lines);
     packedBytes += packed.length;
-    if (packedBytes > reader.bytes.length) throw new ImageError('EXR blocks', 'parts in common', 'bytes of their own');
+    if (packedBytes > reader.bytes.length)
+      throw new ImageError('EXR table of blocks', 'blocks that overlap', 'each byte in one block');
     return { packed, line, lines };
   });
 }

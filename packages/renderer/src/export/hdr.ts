@@ -8,7 +8,7 @@ import { checkBytes, checkSize, ImageError } from './image-error.ts';
 const [LEAST_RUN_WIDTH, MOST_RUN_WIDTH] = [8, 32767];
 const NEWLINE = 10;
 const MOST_LINE = 2048;
-const PART = 'HDR pixels';
+const PART = 'HDR pixel data';
 
 /** Negative values and NaN become 0, what is too large becomes the largest value. */
 export function writeHdr(picture: FloatPicture): Uint8Array<ArrayBuffer> {

@@ -38,5 +38,7 @@ export function checkSize(part: string, width: number, height: number, channels:
 
 /** Refuses a part that needs more bytes than there are. */
 export function checkBytes(part: string, needed: number, there: number): void {
-  if (needed > there) throw new ImageError(part, `${there} bytes left`, `the ${needed} bytes that it needs`);
+  if (needed > there) throw new ImageError(part, `${countOf(there)} left`, `the ${countOf(needed)} that it needs`);
 }
+
+const countOf = (bytes: number): string => (bytes === 1 ? '1 byte' : `${bytes} bytes`);

@@ -71,7 +71,7 @@ export function readNpyArray(bytes: Uint8Array): NpyArray {
   const size = type.double ? 8 : 4;
   if (count * size > MOST_BYTES)
     throw new ImageError('NPY head', `${count} numbers`, `at most ${MOST_BYTES / size} of them`);
-  checkBytes('NPY numbers', count * type.bytes, reader.left);
+  checkBytes('NPY data', count * type.bytes, reader.left);
   const view = new DataView(bytes.buffer, bytes.byteOffset + reader.offset);
   const data = type.double ? new Float64Array(count) : new Float32Array(count);
   for (let i = 0; i < count; i++) data[i] = type.get(view, i * type.bytes, little);

@@ -30,7 +30,7 @@ export function readPfm(bytes: Uint8Array): FloatPicture {
   if (!Number.isFinite(scale) || scale === 0) throw new ImageError('PFM line of the scale', 'no such number', 'not 0');
   const [width, height, count] = [Number(size[1]), Number(size[2]), kind === 'PF' ? 3 : 1];
   checkSize('PFM line of sizes', width, height, count);
-  checkBytes('PFM pixels', width * height * count * 4, reader.left);
+  checkBytes('PFM pixel data', width * height * count * 4, reader.left);
   const view = new DataView(bytes.buffer, bytes.byteOffset + reader.offset);
   const values = new Float32Array(width * height * count);
   const row = width * count;

@@ -43,7 +43,7 @@ export function readPng(bytes: Uint8Array): FloatPicture {
   try {
     values = decode(joinChunks(needed)).data;
   } catch {
-    throw new ImageError('PNG pixels', 'damaged lines', 'lines with filters 0 to 4');
+    throw new ImageError('PNG pixel data', 'damaged lines', 'lines with filters 0 to 4');
   }
   const picture = fromInterleaved(width, height, COLOUR_CHANNELS[count]!, values);
   const most = 2 ** bits - 1;
@@ -73,7 +73,7 @@ function checkPixels(chunks: readonly Chunk[]): { width: number; height: number;
   const packed = joinData(chunks.filter(({ type }) => type === 'IDAT').map(({ data }) => data));
   const lines = head[12] === 1 ? interlacedLines(width, height) : [{ width, count: height }];
   const size = lines.reduce((sum, pass) => sum + pass.count * (1 + (pass.width * count * bits) / 8), 0);
-  inflateZlib(packed, size, 'PNG pixels');
+  inflateZlib(packed, size, 'PNG pixel data');
   return { width, height, bits, count };
 }
 

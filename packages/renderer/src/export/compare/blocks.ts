@@ -33,7 +33,7 @@ export function blocksOf(planes: Planes, side: number, tolerance: number): Block
   for (let y = 0; y + side <= planes.height; y += side)
     for (let x = 0; x + side <= planes.width; x += side) {
       const inside = pixelsOf(planes, x, y, side);
-      if (inside.length >= side * side * 0.5) blocks.push(blockOf(planes, x, y, inside, { side, tolerance, floor }));
+      if (inside.length >= side * side * 0.5) blocks.push(blockOf(planes, x, y, inside, { tolerance, floor }));
     }
   return blocks;
 }
@@ -54,7 +54,6 @@ function pixelsOf({ width, counts }: Planes, left: number, top: number, side: nu
 }
 
 interface Scale {
-  readonly side: number;
   readonly tolerance: number;
   /** Relative differences of darker blocks are taken of this. */
   readonly floor: number;
@@ -66,7 +65,7 @@ function blockOf(planes: Planes, x: number, y: number, pixels: readonly number[]
     pixels.reduce((sum, pixel) => sum + value(pixel), 0) / pixels.length;
   const reference = four((c) => mean((i) => planes.reference[c]![i]!));
   const difference = four((c) => mean((i) => planes.a[c]![i]! - planes.reference[c]![i]!));
-  const error = four((c) => errorOf(planes, c, pixels, scale.side));
+  const error = four((c) => errorOf(planes, c, pixels));
   const level = four((c) => Math.max(reference[c]!, scale.floor));
   const relative = four((c) => difference[c]! / level[c]!);
   const z = four((c) => difference[c]! / Math.max(error[c]!, LEAST_ERROR * level[c]!));
@@ -78,12 +77,13 @@ function blockOf(planes: Planes, x: number, y: number, pixels: readonly number[]
  * The standard error of the mean of a − r. Known for both pictures: √(Σ se² + Σ se²) / n. Else it is measured: the scatter of
  * the differences inside the block, less a plane, since bias that varies smoothly is no noise; not below the reference's share.
  */
-function errorOf(planes: Planes, c: number, pixels: readonly number[], side: number): number {
+function errorOf(planes: Planes, c: number, pixels: readonly number[]): number {
   const { a, reference, errorOfA, errorOfReference, width } = planes;
   const known = (colours: readonly Float64Array[] | null): number =>
     colours ? Math.sqrt(pixels.reduce((sum, i) => sum + colours[c]![i]! ** 2, 0)) / pixels.length : 0;
   if (errorOfA) return Math.hypot(known(errorOfA), known(errorOfReference));
-  const points = pixels.map((i) => ({ x: (i % width) / side, y: Math.floor(i / width) / side }));
+  const columns = pixels.map((i) => i % width);
+  const rows = pixels.map((i) => Math.floor(i / width));
   const differences = pixels.map((i) => a[c]![i]! - reference[c]![i]!);
-  return Math.max(Math.sqrt(residualVariance(points, differences) / pixels.length), known(errorOfReference));
+  return Math.max(Math.sqrt(residualVariance(columns, rows, differences) / pixels.length), known(errorOfReference));
 }
