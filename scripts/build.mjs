@@ -1,5 +1,7 @@
 #!/usr/bin/env node
-// npm run build: the studio as one file, apps/studio/dist/index.html, and the library, packages/renderer/dist/mirrorball.js.
+// npm run build: the studio as one file, apps/studio/dist/index.html, the library, packages/renderer/dist/mirrorball.js, and the
+// command line, packages/cli/dist/mirrorball.mjs.
+import { buildCli } from './build-cli.mjs';
 import { buildLibrary } from './build-library.mjs';
 import { buildStudio } from './build-studio.mjs';
 import { installPackages } from './install-packages.mjs';
@@ -7,4 +9,4 @@ import { requireNode } from './node-version.mjs';
 
 requireNode();
 await installPackages();
-process.exitCode = (await buildStudio()) || (await buildLibrary());
+process.exitCode = (await buildStudio()) || (await buildLibrary()) || (await buildCli());

@@ -1,6 +1,7 @@
 // The steps of `npm test`, in order. A step gives its exit code and, when it runs test cases, how they went.
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { buildCli } from './build-cli.mjs';
 import { buildLibrary } from './build-library.mjs';
 import { buildStudio } from './build-studio.mjs';
 import { ensureChromium } from './install-chromium.mjs';
@@ -86,8 +87,8 @@ export const steps = [
   { name: 'unit', about: 'Vitest, in Node', run: unit },
   {
     name: 'build',
-    about: 'the studio as one small file, and the library as one module',
-    run: async () => judge((await buildStudio()) || (await buildLibrary()), null),
+    about: 'the studio as one small file, the library as one module, the command line',
+    run: async () => judge((await buildStudio()) || (await buildLibrary()) || (await buildCli()), null),
   },
   { name: 'browser', about: 'Playwright, in Chromium on WebGPU and WebGL2', needs: 'build', run: browser },
 ];

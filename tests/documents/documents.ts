@@ -12,6 +12,7 @@ export const documents = [
   'CHANGELOG.md',
   'docs/classic.md',
   'docs/scene-file.md',
+  'docs/command-line.md',
   'docs/benchmarks.md',
 ];
 

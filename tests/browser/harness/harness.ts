@@ -7,6 +7,7 @@ import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
+import { headlessFilms } from './headless.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
@@ -23,6 +24,7 @@ export const harness = {
   displayed,
   hardNames,
   hardPicture,
+  headlessFilms,
   leaks,
   movedPicture,
   parity,

@@ -6,6 +6,10 @@ import { toneMap } from './tone-map.ts';
 export const linearToSrgb = (linear: number): number =>
   linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
 
+/** The other way. */
+export const srgbToLinear = (srgb: number): number =>
+  srgb <= 0.04045 ? srgb / 12.92 : ((srgb + 0.055) / 1.055) ** 2.4;
+
 /**
  * Exposure (stops), tone mapping, curve. The film is linear RGB + one more float a pixel, as `Renderer.readFilm` gives it;
  * the result is opaque RGBA for an `ImageData`.

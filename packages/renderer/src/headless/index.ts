@@ -1,4 +1,5 @@
 /** Mirrorball without a window: `mirrorball/headless`. Sums of film samples on a GPU device or by the reference tracer. */
+export { linearToSrgb, srgbToLinear } from '../display/srgb.ts';
 export { type Device, DeviceError } from '../gpu/device.ts';
 export { openWebGl2 } from '../gpu/webgl2/webgl2-device.ts';
 export { openWebGpu } from '../gpu/webgpu/webgpu-device.ts';

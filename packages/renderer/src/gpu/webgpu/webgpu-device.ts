@@ -40,7 +40,10 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null, gpu = browser
     .requestAdapter({ powerPreference: 'high-performance' })
     .catch(refuse('WebGPU gives no adapter'));
   if (!adapter) throw new DeviceError('WebGPU found no graphics adapter.');
-  const device = await adapter.requestDevice().catch(refuse('WebGPU gives no device'));
+  const { maxTextureDimension2D } = adapter.limits; // else 8192, whatever the GPU can do
+  const device = await adapter
+    .requestDevice({ requiredLimits: { maxTextureDimension2D } })
+    .catch(refuse('WebGPU gives no device'));
   return new WebGpuDevice(gpu, device, canvas, describe(adapter.info));
 }
 

@@ -1,0 +1,163 @@
+/** The commands and their options: what can be typed, and nothing of what is done then. */
+import { Command, CommanderError, Option } from 'commander';
+import { SCENE_LIMITS } from 'mirrorball/scene';
+import { EXIT, type ExitCode } from './exit-codes.ts';
+import type { SampleRange } from './sample-ranges.ts';
+import { depth, pixel, positive, range, real, region, size, whole } from './values.ts';
+
+/** A film's sample index must stay exact in float32. */
+const MOST_SAMPLES = 2 ** 24;
+const MOST_SIDE = 32768;
+
+export const BACKENDS = ['webgpu', 'chromium', 'cpu'] as const;
+export type BackendName = (typeof BACKENDS)[number];
+export type BackendChoice = BackendName | 'auto';
+
+export interface CommonOptions {
+  readonly json?: boolean;
+}
+export interface OutputOptions extends CommonOptions {
+  readonly half?: boolean;
+  readonly bits: '8' | '16';
+  readonly exposure?: number;
+}
+export interface RenderOptions extends OutputOptions {
+  readonly output?: string;
+  readonly spp?: number;
+  readonly size: { readonly width: number; readonly height: number };
+  readonly integrator?: 'classic' | 'path';
+  readonly maxDepth?: number;
+  readonly maxReflections?: number;
+  readonly lightSamples?: number;
+  readonly seed: number;
+  readonly time: number;
+  readonly frames?: SampleRange;
+  readonly fps: number;
+  readonly samples?: SampleRange;
+  readonly region?: { readonly x: number; readonly y: number; readonly width: number; readonly height: number };
+  readonly pixel?: { readonly x: number; readonly y: number };
+  readonly untilError?: number;
+  readonly untilTime?: number;
+  readonly backend: BackendChoice;
+  readonly resume?: boolean;
+}
+export interface MergeOptions extends OutputOptions {
+  readonly output: string;
+}
+
+/** What each command does. */
+export interface Actions {
+  render(scene: string, options: RenderOptions): Promise<void>;
+  merge(parts: string[], options: MergeOptions): Promise<void>;
+  compare(a: string, b: string, options: CommonOptions): Promise<void>;
+  validate(scenes: string[], options: CommonOptions): Promise<void>;
+  schema(options: { readonly output?: string }): Promise<void>;
+  info(files: string[], options: CommonOptions): Promise<void>;
+  doctor(options: CommonOptions): Promise<void>;
+}
+
+const json = () => new Option('--json', 'one JSON object a line on standard output');
+const output = () =>
+  new Option('-o, --output <file>', 'where to: .exr, .png, .pfm, .npy, .hdr, or .part to go on later');
+const pictureOptions = (command: Command): Command =>
+  command
+    .addOption(new Option('--half', 'EXR with 16-bit floats'))
+    .addOption(new Option('--bits <n>', 'bits of a PNG channel').choices(['8', '16']).default('8'))
+    .addOption(new Option('--exposure <stops>', "PNG: brightness; default: the scene's").argParser(real(-32, 32)));
+
+function addRender(program: Command, actions: Actions): void {
+  const command = program.command('render').description('render a scene file (or a built-in scene by its name)');
+  command.argument('<scene>', 'scene.json, or cube-room, mirror-blocks, moving-shadows').addOption(output());
+  const option = (flags: string, about: string) => new Option(flags, about);
+  command
+    .addOption(option('--spp <n>', 'samples a pixel (default: 64)').argParser(whole(1, MOST_SAMPLES)))
+    .addOption(option('--samples <a-b>', 'only these samples, to merge later').argParser(range(MOST_SAMPLES - 1)))
+    .addOption(
+      option('--size <WxH>', 'pixels').argParser(size(MOST_SIDE)).default({ width: 1280, height: 720 }, '1280x720'),
+    )
+    .addOption(option('--region <x,y,w,h>', 'only this part of the picture').argParser(region(MOST_SIDE)))
+    .addOption(option('--pixel <x,y>', 'only this pixel; prints its value').argParser(pixel(MOST_SIDE)))
+    .addOption(option('--integrator <name>', "default: the scene's").choices(['classic', 'path']))
+    .addOption(option('--max-depth <n>', 'path: path segments, -1 = no limit').argParser(depth(SCENE_LIMITS.maxDepth)))
+    .addOption(option('--max-reflections <n>', 'classic: mirror rays').argParser(whole(0, SCENE_LIMITS.maxReflections)))
+    .addOption(
+      option('--light-samples <n>', 'classic: points on each light').argParser(whole(1, SCENE_LIMITS.lightSamples)),
+    )
+    .addOption(
+      option('--seed <n>', 'of the random numbers')
+        .argParser(whole(0, 2 ** 32 - 1))
+        .default(0),
+    )
+    .addOption(option('--time <s>', 'seconds into the animation').argParser(real(-1e9, 1e9)).default(0))
+    .addOption(option('--frames <a-b>', 'frames of the animation; the file gets numbers').argParser(range(999_999)))
+    .addOption(option('--fps <n>', 'frames a second').argParser(positive(1e6)).default(24))
+    .addOption(option('--until-error <e>', 'stop when the estimated error is below').argParser(positive(1e6)))
+    .addOption(option('--until-time <s>', 'stop after so many seconds a picture').argParser(positive(1e9)))
+    .addOption(
+      option('--backend <name>', 'what traces')
+        .choices(['auto', ...BACKENDS])
+        .default('auto'),
+    )
+    .addOption(option('--resume', 'go on from what an interrupted run saved'));
+  pictureOptions(command).addOption(json());
+  command.action((scene: string, options: RenderOptions) => actions.render(scene, options));
+}
+
+function addOthers(program: Command, actions: Actions): void {
+  const merge = program.command('merge').description('put part files of one picture together');
+  merge.argument('<parts...>', 'what `render -o x.part` or an interrupted run wrote');
+  pictureOptions(merge.addOption(output().makeOptionMandatory())).addOption(json());
+  merge.action((parts: string[], options: MergeOptions) => actions.merge(parts, options));
+  program
+    .command('compare')
+    .description('how much two pictures differ')
+    .argument('<a>', 'a picture or part file')
+    .argument('<b>', 'the reference')
+    .addOption(json())
+    .action((a: string, b: string, options: CommonOptions) => actions.compare(a, b, options));
+  program
+    .command('validate')
+    .description('list everything that is wrong with scene files')
+    .argument('<scenes...>', 'scene files')
+    .addOption(json())
+    .action((scenes: string[], options: CommonOptions) => actions.validate(scenes, options));
+  program
+    .command('schema')
+    .description('the JSON Schema of scene files')
+    .option('-o, --output <file>', 'write it there')
+    .action((options: { output?: string }) => actions.schema(options));
+  program
+    .command('info')
+    .description('what is in scene, picture and part files')
+    .argument('<files...>', 'files')
+    .addOption(json())
+    .action((files: string[], options: CommonOptions) => actions.info(files, options));
+  program
+    .command('doctor')
+    .description('what can render here, what is missing, and how to get it')
+    .addOption(json())
+    .action((options: CommonOptions) => actions.doctor(options));
+}
+
+export function createProgram(version: string, actions: Actions): Command {
+  const program = new Command('mirrorball');
+  program.description('Renders, merges, checks and compares without a window.').version(version);
+  program.exitOverride().showSuggestionAfterError().enablePositionalOptions();
+  addRender(program, actions);
+  addOthers(program, actions);
+  // Subcommands made before an override would not have it.
+  for (const command of program.commands) {
+    command
+      .copyInheritedSettings(program)
+      .showHelpAfterError(`(mirrorball ${command.name()} --help lists the options)`);
+  }
+  program.showHelpAfterError('(mirrorball --help lists the commands)');
+  return program;
+}
+
+/** Commander's own ends: help and version are done, all else is a mistake in what was typed. Null: not commander's. */
+export function exitOfCommander(error: unknown): ExitCode | null {
+  if (!(error instanceof CommanderError)) return null;
+  const asked = ['commander.helpDisplayed', 'commander.version'].includes(error.code);
+  return asked ? EXIT.done : EXIT.usage;
+}

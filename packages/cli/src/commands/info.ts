@@ -1,0 +1,84 @@
+/** `mirrorball info`: what is in a file. */
+import { readFile } from 'node:fs/promises';
+import { type FloatPicture, formatOf, ImageError } from 'mirrorball/picture-files';
+import { type BadScene, BadSceneError, usage } from '../exit-codes.ts';
+import { readPart } from '../part-file.ts';
+import { isPart } from '../picture-file.ts';
+import { formatRanges } from '../sample-ranges.ts';
+import { readScene } from '../scene-source.ts';
+import { percent, type Terminal } from '../terminal.ts';
+
+/** What is told about a file, by name. */
+type Facts = Readonly<Record<string, unknown>>;
+
+export async function info(files: readonly string[], terminal: Terminal): Promise<void> {
+  const bad: BadScene[] = [];
+  for (const file of files) {
+    const facts = await factsOf(file);
+    if ('problems' in facts) {
+      bad.push(facts as unknown as BadScene);
+      continue;
+    }
+    terminal.event('info', { file, ...facts });
+    terminal.result(file);
+    for (const [name, value] of Object.entries(facts)) terminal.result(`  ${name.padEnd(12)} ${told(value)}`);
+  }
+  if (bad.length > 0) throw new BadSceneError(bad);
+}
+
+const told = (value: unknown): string => (typeof value === 'object' ? JSON.stringify(value) : String(value));
+
+async function factsOf(file: string): Promise<Facts | BadScene> {
+  if (isPart(file)) return partFacts(file);
+  if (!/\.(exr|png|pfm|npy|hdr)$/i.test(file)) return sceneFacts(file);
+  const bytes = await readFile(file).catch((error: Error) => {
+    throw usage(`${file} cannot be read: ${error.message}`);
+  });
+  try {
+    const format = formatOf(file);
+    return { kind: `${format.name} picture`, ...pictureFacts(format.read(bytes)) };
+  } catch (error) {
+    if (error instanceof ImageError) throw usage(`${file}: ${error.message}`);
+    throw error;
+  }
+}
+
+function pictureFacts({ width, height, channels, texts = {} }: FloatPicture): Facts {
+  const ranges = channels.map(({ name, data }) => {
+    let [least, most, strange] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY, 0];
+    for (const value of data) {
+      if (!Number.isFinite(value)) strange++;
+      else [least, most] = [Math.min(least, value), Math.max(most, value)];
+    }
+    return [name, { least, most, nonFinite: strange }] as const;
+  });
+  return { size: `${width} × ${height}`, channels: Object.fromEntries(ranges), ...texts };
+}
+
+async function partFacts(file: string): Promise<Facts> {
+  const { identity, film, texts } = await readPart(file);
+  const { scene, ...rest } = identity;
+  const samples = formatRanges(film.ranges);
+  return { kind: 'part file', title: texts.Title, samples, error: percent(film.error()), ...rest, scene };
+}
+
+async function sceneFacts(file: string): Promise<Facts | BadScene> {
+  const source = await readScene(file);
+  if ('problems' in source) return source;
+  const { name, description, shapes, materials, lights, animation, camera, render } = source.scene;
+  const kinds: Record<string, number> = {};
+  for (const { type } of Object.values(shapes)) kinds[type] = (kinds[type] ?? 0) + 1;
+  const ends = animation.map(({ keys }) => keys.at(-1)!.time);
+  return {
+    kind: 'scene',
+    name,
+    description,
+    shapes: kinds,
+    materials: Object.keys(materials).length,
+    lights: Object.keys(lights).length,
+    tracks: animation.length,
+    seconds: Math.max(0, ...ends),
+    camera,
+    render,
+  };
+}

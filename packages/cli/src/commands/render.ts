@@ -1,0 +1,192 @@
+/** `mirrorball render`: scene → film → file, one picture or many. */
+import { existsSync } from 'node:fs';
+import { rm } from 'node:fs/promises';
+import type { FilmArea, FilmSettings } from 'mirrorball/headless';
+import { type Scene, sceneAt } from 'mirrorball/scene';
+import { writeScene } from 'mirrorball/scene-file';
+import { AccumulatedFilm } from '../accumulated-film.ts';
+import type { RenderOptions } from '../arguments.ts';
+import { type Backend, openBackend } from '../backends/open-backend.ts';
+import { CommandError, EXIT, usage } from '../exit-codes.ts';
+import { differences, identityOf } from '../film-identity.ts';
+import { type Frame, framesOf } from '../frames.ts';
+import { type Interruption, listenForInterruption } from '../interruption.ts';
+import { type Part, readPart, writePart } from '../part-file.ts';
+import { checkOutputName, isPart, PART, writeFilm } from '../picture-file.ts';
+import { startProgress } from '../progress.ts';
+import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
+import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
+import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
+import { requireSceneFile } from '../scene-source.ts';
+import { duration, percent, type Terminal } from '../terminal.ts';
+import { software } from '../version.ts';
+import { checkWritable } from '../write-atomically.ts';
+
+/** What all pictures of a run share. */
+interface Run {
+  readonly scene: Scene;
+  readonly options: RenderOptions;
+  readonly settings: FilmSettings;
+  readonly area: FilmArea;
+  readonly goal: FilmGoal;
+  readonly terminal: Terminal;
+  readonly interruption: Interruption;
+  readonly backend: () => Promise<Backend>;
+}
+
+export async function render(file: string, options: RenderOptions, terminal: Terminal): Promise<void> {
+  const area = areaOf(options);
+  const frames = framesOf(options);
+  await checkOutput(options, frames);
+  const scene = await requireSceneFile(file);
+  const settings = settingsOf(scene, options);
+  const { untilError, untilTime } = options;
+  const goal = { wanted: wantedOf(options), untilError, untilTime };
+  const interruption = listenForInterruption();
+  let opened: Promise<Backend> | null = null;
+  const backend = () => (opened ??= open(options, terminal));
+  try {
+    const run = { scene, options, settings, area, goal, terminal, interruption, backend };
+    for (const frame of frames) await renderFrame(run, frame);
+  } finally {
+    // Also when it was never used, or failed.
+    await (opened as Promise<Backend> | null)?.then(({ tracer }) => tracer.dispose()).catch(() => {});
+  }
+}
+
+async function open(options: RenderOptions, terminal: Terminal): Promise<Backend> {
+  const backend = await openBackend(options.backend);
+  terminal.event('backend', { backend: backend.name, description: backend.tracer.description });
+  terminal.note(`Tracing with ${backend.name}: ${backend.tracer.description}`);
+  return backend;
+}
+
+async function checkOutput({ output, pixel, resume }: RenderOptions, frames: readonly Frame[]): Promise<void> {
+  if (resume && output === undefined) throw usage('--resume needs -o: what was saved lies beside it.');
+  if (output === undefined && !pixel) throw usage('Say where the picture goes: -o out.exr (or ask for one --pixel).');
+  if (output === undefined) return;
+  checkOutputName(output);
+  for (const { output: file } of frames.slice(0, 1)) await checkWritable(file!);
+}
+
+async function renderFrame(run: Run, frame: Frame): Promise<void> {
+  const { options, terminal, interruption } = run;
+  interruption.check('Nothing was begun.');
+  const partFile = frame.output && (isPart(frame.output) ? frame.output : `${frame.output}${PART}`);
+  if (options.resume && options.frames && frame.output && existsSync(frame.output) && !existsSync(partFile!)) {
+    terminal.event('kept', { picture: frame.name });
+    return terminal.note(`${frame.name} is there already.`);
+  }
+  const part = await partFor(run, frame, partFile);
+  const held = part.film.samples;
+  let traced: Traced;
+  try {
+    traced = await trace(run, frame, part);
+  } catch (error) {
+    if (error instanceof CommandError) throw error;
+    const saved = await save(part, held, partFile);
+    throw new CommandError(EXIT.failed, `${frame.name} failed: ${(error as Error).message} ${saved}`);
+  }
+  if (traced.ending === 'interrupted') interruption.check(await save(part, held, partFile));
+  if (frame.output) await writeFilm(frame.output, part, options);
+  if (options.resume && partFile !== frame.output) await rm(partFile!, { force: true });
+  report(run, frame, part, traced);
+}
+
+/** What is held already, when --resume finds it, or an empty film. */
+async function partFor(
+  { scene, options, settings, area, terminal }: Run,
+  frame: Frame,
+  partFile?: string,
+): Promise<Part> {
+  const identity = identityOf(scene, frame.time, settings, { ...options.size, area });
+  if (partFile && existsSync(partFile)) {
+    if (options.resume) {
+      const part = await readPart(partFile);
+      const differ = differences(part.identity, identity);
+      if (differ.length > 0) throw usage(`${partFile} belongs to another picture: it has ${differ.join(', ')}.`);
+      const samples = formatRanges(part.film.ranges);
+      terminal.event('resumed', { picture: frame.name, part: partFile, samples });
+      terminal.note(`Going on from ${partFile}: samples ${samples}.`);
+      return part;
+    }
+    if (partFile !== frame.output)
+      terminal.note(`${partFile} is there from an interrupted run; --resume would go on from it.`);
+  }
+  const film = new AccumulatedFilm(area.width * area.height);
+  const texts = { Title: scene.name, Software: software, Scene: writeScene(scene) };
+  return { identity, film, texts, exposure: scene.render.exposure };
+}
+
+/** How a picture got its samples. */
+interface Traced {
+  readonly ending: Ending;
+  readonly seconds: number;
+  /** Samples that were there before. */
+  readonly held: number;
+}
+
+async function trace(
+  { scene, options, settings, area, goal, terminal, interruption, backend }: Run,
+  frame: Frame,
+  part: Part,
+): Promise<Traced> {
+  const { film } = part;
+  const held = film.samples;
+  if (missingFrom(goal.wanted, film.ranges).length === 0) return { ending: 'all samples', seconds: 0, held };
+  const { name, tracer } = await backend();
+  const { width, height } = options.size;
+  await tracer.begin({ scene: sceneAt(scene, frame.time), settings, width, height, area });
+  const missing = countOf(missingFrom(goal.wanted, film.ranges));
+  const { untilError, untilTime } = goal;
+  terminal.event('start', { picture: frame.name, backend: name, time: frame.time, held, wanted: held + missing });
+  const started = performance.now();
+  const progress = startProgress(terminal, {
+    picture: frame.name,
+    held,
+    wanted: held + missing,
+    untilError,
+    untilTime,
+  });
+  try {
+    const ending = await runFilm(tracer, film, goal, interruption.signal, progress);
+    return { ending, seconds: (performance.now() - started) / 1000, held };
+  } finally {
+    progress.stop();
+  }
+}
+
+/** Keeps what has been done; gives the sentence that says so. */
+async function save(part: Part, held: number, partFile?: string): Promise<string> {
+  const { samples, ranges } = part.film;
+  if (!partFile || samples === 0) return 'There was nothing to save.';
+  if (samples === held) return `${partFile} still holds samples ${formatRanges(ranges)}.`;
+  await writePart(partFile, part);
+  return `Samples ${formatRanges(ranges)} are in ${partFile}; --resume goes on.`;
+}
+
+function report({ options, terminal }: Run, frame: Frame, part: Part, { ending, seconds, held }: Traced): void {
+  const { film } = part;
+  const { samples, ranges } = film;
+  const error = film.error();
+  const pixel = options.pixel && { pixel: [options.pixel.x, options.pixel.y], value: Array.from(film.mean()) };
+  const time = frame.time;
+  terminal.event('done', {
+    picture: frame.name,
+    output: frame.output ?? null,
+    time,
+    samples,
+    ranges,
+    error,
+    seconds,
+    ending,
+    ...pixel,
+  });
+  if (pixel) terminal.result(pixel.value.map((value) => String(Math.fround(value))).join(' '));
+  if (!frame.output) return;
+  const rate = (part.film.pixels * (samples - held)) / Math.max(seconds, 1e-3) / 1e6;
+  const told = ending === 'all samples' ? '' : ` (${ending})`;
+  terminal.result(
+    `${frame.output}: ${samples} samples a pixel${told}, error ${percent(error)}, ${duration(seconds)}, ${rate.toPrecision(3)} million samples/s`,
+  );
+}

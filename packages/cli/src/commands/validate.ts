@@ -1,0 +1,17 @@
+/** `mirrorball validate`: all problems of all files. */
+import { type BadScene, BadSceneError } from '../exit-codes.ts';
+import { readScene } from '../scene-source.ts';
+import type { Terminal } from '../terminal.ts';
+
+export async function validate(files: readonly string[], terminal: Terminal): Promise<void> {
+  const bad: BadScene[] = [];
+  for (const file of files) {
+    const source = await readScene(file);
+    if ('problems' in source) bad.push(source);
+    else {
+      terminal.event('valid', { file, name: source.scene.name });
+      terminal.result(`${file}: good.`);
+    }
+  }
+  if (bad.length > 0) throw new BadSceneError(bad);
+}

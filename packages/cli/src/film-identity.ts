@@ -1,0 +1,58 @@
+/** What two films must have in common to be parts of one picture, and the scene's fingerprint in it. */
+import { createHash } from 'node:crypto';
+import type { FilmArea, FilmSettings } from 'mirrorball/headless';
+import type { Scene } from 'mirrorball/scene';
+
+/** Plain JSON; what is not in it does not change the film. */
+export interface FilmIdentity {
+  /** SHA-256 of the scene, less its name, description and render settings. */
+  readonly scene: string;
+  readonly time: number;
+  readonly width: number;
+  readonly height: number;
+  readonly region: readonly [x: number, y: number, width: number, height: number];
+  readonly integrator: string;
+  readonly seed: number;
+  /** Those that the integrator uses. */
+  readonly settings: Readonly<Record<string, number>>;
+}
+
+/** Order counts among named things (random numbers come from a light's place in the file), not inside a thing. */
+function canonical(value: unknown, ordered: boolean): unknown {
+  if (Array.isArray(value)) return value.map((item) => canonical(item, false));
+  if (typeof value !== 'object' || value === null) return value;
+  const entries = Object.entries(value).map(([key, part]) => [key, canonical(part, false)] as const);
+  return ordered ? entries : entries.sort(([a], [b]) => (a < b ? -1 : 1));
+}
+
+export function sceneHash({ camera, sky, materials, shapes, lights, animation }: Scene): string {
+  const parts = [camera, sky, animation].map((part) => canonical(part, false));
+  const named = [materials, shapes, lights].map((things) => canonical(things, true));
+  return createHash('sha256')
+    .update(JSON.stringify([parts, named]))
+    .digest('hex');
+}
+
+export function identityOf(
+  scene: Scene,
+  time: number,
+  { integrator, seed, maxDepth, maxReflections, lightSamples }: FilmSettings,
+  size: { width: number; height: number; area: FilmArea },
+): FilmIdentity {
+  const { width, height, area } = size;
+  const region = [area.x, area.y, area.width, area.height] as const;
+  const settings: Record<string, number> = integrator === 'classic' ? { maxReflections, lightSamples } : { maxDepth };
+  return { scene: sceneHash(scene), time, width, height, region, integrator, seed, settings };
+}
+
+/** In what two differ, each as a phrase for people; empty: they are parts of one picture. */
+export function differences(there: FilmIdentity, here: FilmIdentity): string[] {
+  const flat = ({ settings, ...rest }: FilmIdentity): Record<string, unknown> => ({ ...rest, ...settings });
+  const [a, b] = [flat(there), flat(here)];
+  const keys = [...new Set([...Object.keys(a), ...Object.keys(b)])];
+  return keys
+    .filter((key) => JSON.stringify(a[key]) !== JSON.stringify(b[key]))
+    .map((key) => (key === 'scene' ? 'another scene' : `${key} ${told(a[key])} instead of ${told(b[key])}`));
+}
+
+const told = (value: unknown): string => (value === undefined ? 'none' : JSON.stringify(value));

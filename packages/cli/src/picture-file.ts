@@ -1,0 +1,98 @@
+/** Films as picture files, and pictures for comparing from any file that holds one. */
+import { readFile } from 'node:fs/promises';
+import { linearToSrgb, srgbToLinear } from 'mirrorball/headless';
+import {
+  arrayAsPicture,
+  type FloatPicture,
+  formatOf,
+  fromInterleaved,
+  ImageError,
+  type MeasuredPicture,
+  pickLayer,
+  readNpz,
+} from 'mirrorball/picture-files';
+import type { OutputOptions } from './arguments.ts';
+import { CommandError, EXIT, usage } from './exit-codes.ts';
+import { type Part, readPart, writePart } from './part-file.ts';
+import { formatRanges } from './sample-ranges.ts';
+import { writeAtomically } from './write-atomically.ts';
+
+export const PART = '.part';
+export const isPart = (path: string): boolean => path.toLowerCase().endsWith(PART);
+
+/** Refuses names that end in nothing known, before any work. */
+export function checkOutputName(path: string): void {
+  if (isPart(path)) return;
+  try {
+    formatOf(path);
+  } catch (error) {
+    if (error instanceof ImageError) throw usage(`${path}: ${error.message} And ${PART}, to go on later.`);
+    throw error;
+  }
+}
+
+const COLOURS = ['R', 'G', 'B'];
+
+/** Writes the film in the format of the file's name. */
+export async function writeFilm(path: string, part: Part, options: OutputOptions): Promise<void> {
+  if (isPart(path)) return writePart(path, part);
+  const { film, identity } = part;
+  const [, , width, height] = identity.region;
+  const format = formatOf(path);
+  const mean = film.mean();
+  const values = format.forScreens ? forScreen(mean, options.exposure ?? part.exposure) : mean;
+  const texts = { ...part.texts, Render: JSON.stringify({ ...identity, samples: formatRanges(film.ranges) }) };
+  const picture: FloatPicture = { ...fromInterleaved(width, height, COLOURS, values), texts };
+  try {
+    const bits = options.bits === '16' ? 16 : 8;
+    await writeAtomically(path, [format.write(picture, { half: options.half === true, bits })]);
+  } catch (error) {
+    if (error instanceof ImageError) throw new CommandError(EXIT.failed, `${path}: ${error.message}`);
+    throw error;
+  }
+}
+
+const forScreen = (values: Float32Array, exposure: number): Float32Array =>
+  values.map((value) => linearToSrgb(Math.min(Math.max(value * 2 ** exposure, 0), 1)));
+
+/** Linear colours of a picture, part file, or NPZ of mean, se and mask, with standard errors where they are known. */
+export async function readMeasured(path: string): Promise<MeasuredPicture & { readonly mask?: ArrayLike<number> }> {
+  if (isPart(path)) return measuredPart(await readPart(path));
+  const bytes = await readFile(path).catch((error: Error) => {
+    throw usage(`The picture ${path} cannot be read: ${error.message}`);
+  });
+  try {
+    if (path.toLowerCase().endsWith('.npz')) return measuredArrays(bytes);
+    const format = formatOf(path);
+    const picture = pickLayer(format.read(bytes), '');
+    return { mean: format.forScreens ? linear(picture) : picture };
+  } catch (error) {
+    if (error instanceof ImageError) throw usage(`${path}: ${error.message}`);
+    throw error;
+  }
+}
+
+function linear(picture: FloatPicture): FloatPicture {
+  const channels = picture.channels.map(({ name, data }) => ({
+    name,
+    data: name === 'A' ? data : data.map(srgbToLinear),
+  }));
+  return { ...picture, channels };
+}
+
+function measuredPart({ film, identity }: Part): MeasuredPicture {
+  const [, , width, height] = identity.region;
+  const errors = film.standardErrors();
+  const mean = fromInterleaved(width, height, COLOURS, film.mean());
+  return errors ? { mean, standardError: fromInterleaved(width, height, COLOURS, errors) } : { mean };
+}
+
+function measuredArrays(bytes: Uint8Array): MeasuredPicture & { readonly mask?: ArrayLike<number> } {
+  const arrays = readNpz(bytes);
+  const picture = (name: string) => arrayAsPicture(arrays.read(name));
+  return {
+    mean: picture('mean'),
+    ...(arrays.has('se') ? { standardError: picture('se') } : {}),
+    ...(arrays.has('mask') ? { mask: Float32Array.from(arrays.read('mask').data, Number) } : {}),
+  };
+}

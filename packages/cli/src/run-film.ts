@@ -1,0 +1,90 @@
+/** Brings a film to its samples, block by block, until it has them, is good enough, has taken its time, or is interrupted. */
+import type { FilmSums, FilmTracer } from 'mirrorball/headless';
+import { type AccumulatedFilm, BLOCK } from './accumulated-film.ts';
+import type { Progress } from './progress.ts';
+import { missingFrom, type SampleRange } from './sample-ranges.ts';
+
+export interface FilmGoal {
+  readonly wanted: SampleRange;
+  readonly untilError?: number;
+  /** Seconds from now. */
+  readonly untilTime?: number;
+}
+
+/** Why a film got no more samples. */
+export type Ending = 'all samples' | 'error reached' | 'time over' | 'interrupted';
+
+/** The tracer has begun the film's job already. What is traced stays in the film when this rejects. */
+export async function runFilm(
+  tracer: FilmTracer,
+  film: AccumulatedFilm,
+  goal: FilmGoal,
+  interrupted: AbortSignal,
+  progress: Progress,
+): Promise<Ending> {
+  const clock = startClock(goal.untilTime, interrupted);
+  try {
+    for (const { first, last } of missingFrom(goal.wanted, film.ranges)) {
+      for (let next = first; next <= last; ) {
+        const end = Math.min(last, blockEnd(next));
+        // However short the time is, one sample there will be.
+        const signal = film.samples > 0 ? clock.signal : interrupted;
+        const until = film.samples > 0 ? end : next;
+        await addSamples(tracer, film, next, until, signal, progress);
+        const ending = endingNow(film, goal, interrupted, clock.signal);
+        if (ending) return ending;
+        next = until + 1;
+      }
+      film.close();
+    }
+    return 'all samples';
+  } finally {
+    clock.stop();
+  }
+}
+
+const blockEnd = (sample: number): number => sample - (sample % BLOCK) + BLOCK - 1;
+
+/** Goes on with the film's open block when it ends just before `first`, else begins one. */
+async function addSamples(
+  tracer: FilmTracer,
+  film: AccumulatedFilm,
+  first: number,
+  last: number,
+  signal: AbortSignal,
+  progress: Progress,
+): Promise<void> {
+  let { open } = film;
+  if (open && open.first + open.sums[3]! !== first) {
+    film.close();
+    open = null;
+  }
+  const held = film.samples;
+  const error = film.error();
+  const onProgress = (samples: number) => progress.update(held + samples, error);
+  const sums: FilmSums = await tracer.trace(first, last - first + 1, open?.sums ?? null, { signal, onProgress });
+  film.put(open?.first ?? first, sums);
+  progress.update(film.samples, film.error());
+}
+
+function endingNow(film: AccumulatedFilm, goal: FilmGoal, interrupted: AbortSignal, clock: AbortSignal): Ending | null {
+  if (interrupted.aborted) return 'interrupted';
+  const error = film.error();
+  if (goal.untilError !== undefined && error !== null && error <= goal.untilError) return 'error reached';
+  return clock.aborted ? 'time over' : null;
+}
+
+/** A signal that comes when the time is over, and with every interruption. */
+function startClock(seconds: number | undefined, interrupted: AbortSignal): { signal: AbortSignal; stop: () => void } {
+  const controller = new AbortController();
+  const abort = () => controller.abort();
+  interrupted.addEventListener('abort', abort);
+  if (interrupted.aborted) abort();
+  // Timers cannot wait longer than 2^31 - 1 milliseconds.
+  const timer = seconds === undefined ? undefined : setTimeout(abort, Math.min(seconds * 1000, 2 ** 31 - 1));
+  const stop = () => {
+    clearTimeout(timer);
+    interrupted.removeEventListener('abort', abort);
+  };
+  return { signal: controller.signal, stop };
+}

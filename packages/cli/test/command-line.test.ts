@@ -1,0 +1,223 @@
+// The built program from outside. `npm run build` is not needed before: it is built here when it is not there or old.
+import { existsSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
+import { buildCliIfStale } from '../../../scripts/build-cli.mjs';
+import { findChromium } from '../src/backends/find-chromium.ts';
+import {
+  bytesOf,
+  folder,
+  hasDawn,
+  inFolder,
+  killedOnTheWay,
+  largestDifference,
+  mirrorball,
+  pixelsOf,
+} from './command.ts';
+
+// A busy machine may take its time; what hangs is broken.
+vi.setConfig({ testTimeout: 300_000 });
+expect(await buildCliIfStale()).toBe(0);
+const dawn = await hasDawn();
+const why = dawn ? '' : ' (skipped: Dawn for Node is not installed or there is no Vulkan driver)';
+/** What the tests of films run on: the faster there is. */
+const backend = dawn ? 'webgpu' : 'cpu';
+const SMALL = '--size 24x16 --light-samples 4';
+
+beforeAll(() => writeFileSync(inFolder('bad.json'), '{"version":2,"name":"Bad","materials":{"a":{"roughness":7}}}'));
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('exit codes', () => {
+  test.each([
+    ['--help', 0],
+    ['render --help', 0],
+    ['schema', 0],
+    ['validate cube-room', 0],
+    ['', 2],
+    ['rendr', 2],
+    ['render cube-room', 2],
+    ['render cube-room -o x.tiff', 2],
+    ['render cube-room -o none/x.exr', 2],
+    ['render none.json -o x.exr', 2],
+    ['render cube-room -o x.exr --resume --size 4x4 --region 0,0,9,9', 2],
+    ['merge none.part -o x.exr', 2],
+    ['compare none.exr none.exr', 2],
+    ['info none.exr', 2],
+    ['render bad.json -o x.exr', 4],
+    ['validate bad.json', 4],
+  ])('mirrorball %s: %i', async (args, code) => {
+    const ended = await mirrorball(args);
+    expect([ended.code, ended.stderr]).toEqual([code, expect.not.stringContaining('    at ')]);
+    expect(existsSync(inFolder('x.exr'))).toBe(false);
+  });
+
+  test('3 when nothing can render, and what to install', async () => {
+    if (process.platform !== 'linux') return; // others do not reach their GPU by Vulkan
+    const ended = await mirrorball('render cube-room -o x.exr --size 4x4 --backend webgpu', undefined, {
+      VK_ICD_FILENAMES: '/nowhere.json',
+    });
+    expect(ended.code).toBe(3);
+    expect(ended.stderr).toContain('Install the package "webgpu"');
+  });
+});
+
+test('a bad scene: all problems, each with file and JSON path, for people and for programs', async () => {
+  const plain = await mirrorball('validate bad.json cube-room');
+  const lines = plain.stderr.trim().split('\n');
+  expect(lines.slice(0, -1).map((line) => line.split(': ')[0])).toEqual([
+    'bad.json#/version',
+    'bad.json#/camera',
+    'bad.json#/materials/a/roughness',
+    'bad.json#/shapes',
+  ]);
+  expect(plain.stdout).toBe('cube-room: good.\n');
+  const { events } = await mirrorball('render bad.json -o x.exr --json');
+  expect(events.map(({ event, file, path }) => [event, file, path])).toEqual([
+    ['problem', 'bad.json', '/version'],
+    ['problem', 'bad.json', '/camera'],
+    ['problem', 'bad.json', '/materials/a/roughness'],
+    ['problem', 'bad.json', '/shapes'],
+    ['error', undefined, undefined],
+  ]);
+});
+
+test('the schema is the one that is committed', async () => {
+  const { stdout } = await mirrorball('schema');
+  expect(JSON.parse(stdout)).toMatchObject({ title: 'Mirrorball scene' });
+});
+
+describe(`films, by ${backend}`, () => {
+  const render = (args: string) => mirrorball(`render cube-room --backend ${backend} ${SMALL} ${args}`);
+
+  test('kill -TERM leaves a part and no picture; --resume ends with the film of an undisturbed run, bit for bit', async () => {
+    writeFileSync(inFolder('a.exr'), 'the old file');
+    const args = `render cube-room --backend ${backend} ${SMALL} --spp 1000000 --json -o`;
+    const killed = await mirrorball(`${args} a.exr`, killedOnTheWay('SIGTERM'));
+    expect(killed.code).toBe(143);
+    expect(bytesOf('a.exr').toString()).toBe('the old file');
+    const { events } = await mirrorball('info a.exr.part --json');
+    const held = Number(String(events[0]!.samples).split('-').at(-1)) + 1;
+    expect(held).toBeGreaterThan(0);
+    const spp = `--spp ${held + 7}`;
+    expect((await render(`${spp} -o a.exr --resume`)).code).toBe(0);
+    expect(existsSync(inFolder('a.exr.part'))).toBe(false);
+    expect((await render(`${spp} -o b.exr`)).code).toBe(0);
+    expect(bytesOf('a.exr').equals(bytesOf('b.exr'))).toBe(true);
+    expect(readdirSync(folder).filter((name) => name.endsWith('.tmp'))).toEqual([]);
+  });
+
+  test('Ctrl+C ends with 130, and a part of another picture is refused', async () => {
+    const args = `render cube-room --backend cpu ${SMALL} --spp 1000000 --json -o c.png`;
+    expect((await mirrorball(args, killedOnTheWay('SIGINT'))).code).toBe(130);
+    const other = await render('--seed 5 --spp 8 -o c.png --resume');
+    expect([other.code, other.stderr]).toEqual([2, expect.stringContaining('seed 0 instead of 5')]);
+    rmSync(inFolder('c.png.part'));
+  });
+
+  test('four ranges merged are one run to 1e-6; overlapping and foreign parts are refused', async () => {
+    expect((await render('--spp 60 -o whole.npy')).code).toBe(0);
+    const ranges = ['0-14', '15-31', '32-40', '41-59'];
+    for (const range of ranges) expect((await render(`--samples ${range} -o p${range}.part`)).code).toBe(0);
+    const files = ranges
+      .map((range) => `p${range}.part`)
+      .reverse()
+      .join(' ');
+    const merged = await mirrorball(`merge ${files} -o merged.npy`);
+    expect([merged.code, merged.stdout]).toEqual([0, expect.stringContaining('60 samples a pixel (0-59)')]);
+    expect(largestDifference(pixelsOf('merged.npy'), pixelsOf('whole.npy'))).toBeLessThanOrEqual(1e-6);
+    const twice = await mirrorball('merge p0-14.part p15-31.part p0-14.part -o x.exr');
+    expect([twice.code, twice.stderr]).toEqual([2, expect.stringContaining('holds samples 0-14, which another')]);
+    expect((await render('--samples 60-61 --seed 1 -o foreign.part')).code).toBe(0);
+    const foreign = await mirrorball('merge p0-14.part foreign.part -o x.exr');
+    expect([foreign.code, foreign.stderr]).toEqual([2, expect.stringContaining('seed 1 instead of 0')]);
+    expect(existsSync(inFolder('x.exr'))).toBe(false);
+  });
+
+  test('--region and --pixel have the values of the whole picture, exactly', async () => {
+    expect((await render('--spp 5 -o all.npy')).code).toBe(0);
+    expect((await render('--spp 5 --region 7,3,5,11 -o some.npy')).code).toBe(0);
+    const [all, some] = [pixelsOf('all.npy'), pixelsOf('some.npy')];
+    const cut = Array.from({ length: 11 * 5 * 3 }, (_, i) => {
+      const [row, column] = [Math.floor(i / 15), i % 15];
+      return all[((3 + row) * 24 + 7) * 3 + column]!;
+    });
+    expect(Array.from(some)).toEqual(cut);
+    const { stdout } = await render('--spp 5 --pixel 20,15');
+    const at = (15 * 24 + 20) * 3;
+    expect(stdout.trim().split(' ').map(Number)).toEqual(Array.from(all.subarray(at, at + 3)));
+  });
+
+  test('frames are pictures of their times; what is there is kept by --resume', async () => {
+    const scene = `render moving-shadows --backend ${backend} --size 16x12 --light-samples 1 --spp 1`;
+    expect((await mirrorball(`${scene} --frames 1-2 --fps 2 -o f.npy`)).code).toBe(0);
+    expect((await mirrorball(`${scene} --time 1 -o g.npy`)).code).toBe(0);
+    expect(bytesOf('f.0002.npy').equals(bytesOf('g.npy'))).toBe(true);
+    expect(bytesOf('f.0001.npy').equals(bytesOf('g.npy'))).toBe(false);
+    const { events } = await mirrorball(`${scene} --frames 1-3 --fps 2 -o f.npy --resume --json`);
+    expect(events.filter(({ event }) => event === 'kept')).toHaveLength(2);
+    expect(existsSync(inFolder('f.0003.npy'))).toBe(true);
+  });
+
+  test('with --json every line is an object, and the last says what came of it', async () => {
+    const { events, stderr, code } = await mirrorball(
+      `render cube-room --backend ${backend} ${SMALL} --spp 64 -o j.png --bits 16 --json`,
+    );
+    expect(code).toBe(0);
+    expect(events.map(({ event }) => event).filter((event) => event !== 'progress')).toEqual([
+      'backend',
+      'start',
+      'done',
+    ]);
+    expect(events.at(-1)).toMatchObject({ samples: 64, ranges: [{ first: 0, last: 63 }], ending: 'all samples' });
+    expect(events.at(-1)!.error).toBeGreaterThan(0);
+    expect(stderr).not.toContain('Tracing');
+    const facts = (await mirrorball('info j.png --json')).events[0]!;
+    expect(JSON.parse(String(facts.Render))).toMatchObject({ samples: '0-63', integrator: 'classic', width: 24 });
+    expect((JSON.parse(String(facts.Scene)) as { name: string }).name).toBe('Cube room');
+  });
+
+  test('plain output has no colour, no cursor movement and no bar under NO_COLOR in a pipe', async () => {
+    const { stdout, stderr } = await render('--spp 2 -o n.hdr');
+    expect(stdout + stderr).not.toContain('\u001b');
+    expect(stdout).toContain('n.hdr: 2 samples a pixel');
+  });
+
+  test('stops when the error is reached', async () => {
+    const { events } = await mirrorball(
+      `render cube-room --backend ${backend} ${SMALL} --until-error 0.5 -o e.exr --json`,
+    );
+    expect(events.at(-1)).toMatchObject({ ending: 'error reached', samples: 64 });
+  });
+});
+
+/** The tolerances of the browser's parity test: rounding moves edges, and nothing else. */
+function expectParity(a: Float32Array, b: Float32Array): void {
+  const differences = Array.from(a, (value, i) => Math.abs(value - b[i]!));
+  expect(differences.reduce((sum, d) => sum + d, 0) / differences.length).toBeLessThan(1e-3);
+  expect(differences.filter((d) => d > 0.02).length / differences.length).toBeLessThan(0.005);
+}
+const picture = `render mirror-blocks --size 32x24 --light-samples 4 --spp 4 --time 0.4`;
+
+test.skipIf(!dawn)(`cpu = webgpu${why}`, async () => {
+  for (const name of ['cpu', 'webgpu'])
+    expect((await mirrorball(`${picture} --backend ${name} -o ${name}.npy`)).code).toBe(0);
+  expectParity(pixelsOf('webgpu.npy'), pixelsOf('cpu.npy'));
+  const { stdout } = await mirrorball('compare webgpu.npy cpu.npy');
+  expect(stdout).toMatch(/^relMSE/);
+});
+
+const chromium = findChromium() !== null;
+test.skipIf(!chromium)(`cpu = chromium${chromium ? '' : ' (skipped: no Chromium is installed)'}`, async () => {
+  for (const name of ['cpu', 'chromium'])
+    expect((await mirrorball(`${picture} --backend ${name} -o ${name}.npy`)).code).toBe(0);
+  expectParity(pixelsOf('chromium.npy'), pixelsOf('cpu.npy'));
+});
+
+test('doctor names each backend', async () => {
+  const { events, code } = await mirrorball('doctor --json');
+  expect(events.filter(({ event }) => event === 'finding').map(({ name }) => name)).toEqual([
+    'webgpu',
+    'chromium',
+    'cpu',
+  ]);
+  expect([0, 3]).toContain(code);
+});

@@ -1,0 +1,46 @@
+import { type FilmSums, GpuFilmTracer, openWebGl2, openWebGpu } from 'mirrorball/headless';
+import type { GpuBackend } from './parity.ts';
+import { sceneNamed } from './scenes.ts';
+
+const WIDTH = 40;
+const HEIGHT = 24;
+const AREA = { x: 9, y: 5, width: 17, height: 11 };
+
+/** How many values of two films differ, and by how much at most. */
+function difference(a: FilmSums, b: FilmSums) {
+  const all = Array.from(a, (value, i) => Math.abs(value - b[i]!));
+  return { count: a.length === b.length ? all.filter((d) => d !== 0).length : -1, largest: Math.max(...all) };
+}
+
+function cut(film: FilmSums): FilmSums {
+  const rows = Array.from({ length: AREA.height }, (_, row) => {
+    const at = ((AREA.y + row) * WIDTH + AREA.x) * 4;
+    return Array.from(film.subarray(at, at + AREA.width * 4));
+  });
+  return Float32Array.from(rows.flat());
+}
+
+/** Six samples of a picture traced at once, in two calls, for a part of it, and in two ranges apart. */
+export async function headlessFilms(backend: GpuBackend) {
+  const device = await (backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas')));
+  const tracer = await GpuFilmTracer.create(device);
+  const settings = { integrator: 'classic', maxDepth: -1, maxReflections: 3, lightSamples: 4, seed: 5 } as const;
+  const job = { scene: sceneNamed('cube-room'), settings, width: WIDTH, height: HEIGHT };
+  await tracer.begin({ ...job, area: { x: 0, y: 0, width: WIDTH, height: HEIGHT } });
+  const whole = await tracer.trace(0, 6, null);
+  const resumed = await tracer.trace(2, 4, await tracer.trace(0, 2, null));
+  const [first, last] = [await tracer.trace(0, 3, null), await tracer.trace(3, 3, null)];
+  await tracer.begin({ ...job, area: AREA });
+  const part = await tracer.trace(2, 4, await tracer.trace(0, 2, null));
+  tracer.dispose();
+  return {
+    samples: whole[3],
+    brightest: Math.max(...whole),
+    resumed: difference(resumed, whole),
+    part: difference(part, cut(whole)),
+    ranges: difference(
+      first.map((value, i) => value + last[i]!),
+      whole,
+    ),
+  };
+}
