@@ -69,7 +69,7 @@ export class AccumulatedFilm {
     if (!this.#open) return;
     const { sums, squares, blocks, ranges } = this.#closed;
     const added = this.#open.sums;
-    const count = samplesIn(added);
+    const count = samplesIn(added, this.pixels);
     for (let pixel = 0; pixel < this.pixels; pixel++)
       for (let c = 0; c < 3; c++) {
         const value = added[pixel * 4 + c]!;

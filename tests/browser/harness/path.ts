@@ -36,7 +36,7 @@ export async function renderPath(backend: GpuBackend, scene: Scene, range: PathR
   const tracer = await tracerOn(backend);
   const { maxDepth, maxReflections, lightSamples } = scene.render;
   const settings = { integrator: 'path', maxDepth, maxReflections, lightSamples, seed } as const;
-  await tracer.begin({ scene, settings, width, height, area: { x: 0, y: 0, width, height } });
+  await tracer.begin({ scene, settings, width, height, area: { x: 0, y: 0, width, height }, squares: true });
   const sums = await tracer.trace(firstSample, samples, null);
   const texels = width * height;
   const channels = (layer: number) =>

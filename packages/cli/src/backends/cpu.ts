@@ -1,7 +1,7 @@
 /** The double-precision reference tracer on all cores: slow, and it needs nothing but Node. */
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
-import type { FilmJob, FilmSums, FilmTracer, TraceOptions } from 'mirrorball/headless';
+import { DeviceError, type FilmJob, type FilmSums, type FilmTracer, type TraceOptions } from 'mirrorball/headless';
 import { workerEntry } from '../entry.ts';
 import type { RowsReply, RowsTask } from './cpu-worker.ts';
 
@@ -28,6 +28,8 @@ class CpuFilmTracer implements FilmTracer {
   }
 
   async begin(job: FilmJob): Promise<void> {
+    if (job.settings.integrator === 'path')
+      throw new DeviceError('The CPU traces the classic integrator only; the path integrator needs a GPU or Chromium.');
     await this.dispose();
     this.#job = job;
     this.#workers = Array.from({ length: this.#threads }, () => new Worker(workerEntry(), { workerData: job }));

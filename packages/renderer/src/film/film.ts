@@ -75,20 +75,19 @@ export class Film {
   resume(next: number, samples: number, sums: Float32Array<ArrayBuffer> | null, area: FilmArea): void {
     this.#samples = samples;
     this.#firstSample = next - samples;
-    if (!sums) {
+    if (!sums || sums.length < 4 * area.width * area.height * this.current.layers.length)
       this.#device.clear(this.current);
-      return;
-    }
+    if (!sums) return;
     const texels = 4 * area.width * area.height;
     this.current.layers.forEach((layer, i) => {
-      this.#device.write(layer, sums.subarray(i * texels, (i + 1) * texels), area);
+      if (sums.length >= (i + 1) * texels) this.#device.write(layer, sums.subarray(i * texels, (i + 1) * texels), area);
     });
   }
 
-  /** The sums of an area as they are, layer after layer, row 0 first: RGB + samples, then RGB of the squares and 0. */
-  async readSums({ x, y, width, height }: FilmArea): Promise<Float32Array<ArrayBuffer>> {
+  /** The first `count` layers' sums of an area as they are, layer after layer, row 0 first: RGB + samples, then RGB of the squares and 0. */
+  async readSums({ x, y, width, height }: FilmArea, count: number): Promise<Float32Array<ArrayBuffer>> {
     const texels = 4 * width * height;
-    const { layers } = this.current;
+    const layers = this.current.layers.slice(0, count);
     const sums = new Float32Array(texels * layers.length);
     for (const [i, layer] of layers.entries())
       sums.set(await this.#device.read(layer, width, height, x, y), i * texels);

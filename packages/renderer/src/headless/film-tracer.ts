@@ -28,11 +28,13 @@ export interface FilmJob {
   readonly height: number;
   /** The part of it that is traced; its values are those of the whole picture. */
   readonly area: FilmArea;
+  /** `path` on a GPU: whether the sums of the samples' squares are wanted too. */
+  readonly squares?: boolean;
 }
 
 /**
- * Sums of linear red, green, blue and the number of samples, float32, for each pixel of the area, row 0 on top. The path integrator
- * adds as many again: the sums of the samples' squares, and 0.
+ * Sums of linear red, green, blue and the number of samples, float32, for each pixel of the area, row 0 on top; with
+ * `squares` as many again follow: the sums of the samples' squares, and 0.
  */
 export type FilmSums = Float32Array<ArrayBuffer>;
 
@@ -58,9 +60,9 @@ export interface FilmTracer {
 }
 
 /** The number of samples that the sums hold. Throws when pixels disagree: then the device has not done what it was asked for. */
-export function samplesIn(sums: FilmSums, area: FilmArea, expected?: number): number {
+export function samplesIn(sums: FilmSums, pixels: number, expected?: number): number {
   const samples = expected ?? sums[3]!;
-  for (let i = 3; i < 4 * area.width * area.height; i += 4) {
+  for (let i = 3; i < 4 * pixels; i += 4) {
     if (sums[i] === samples) continue;
     throw new Error(
       `A pixel holds ${sums[i]} samples where all should have ${samples}: the device has not drawn what it was asked for.`,

@@ -57,15 +57,16 @@ export class GpuFilmTracer implements FilmTracer {
   }
 
   async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {
-    const { area } = this.#job!;
+    const { area, squares } = this.#job!;
+    const pixels = area.width * area.height;
     const { film } = this.#stages;
-    const held = onto ? samplesIn(onto, area) : 0;
+    const held = onto ? samplesIn(onto, pixels) : 0;
     if (held + count > this.#device.maxFilmSamples)
       throw new RangeError(`This device sums up at most ${this.#device.maxFilmSamples} samples at once.`);
     film.resume(first, held, onto, area);
     await this.#orLost(this.#addSamples(count, held, options));
-    const sums = await this.#orLost(film.readSums(area));
-    samplesIn(sums, area, film.samples);
+    const sums = await this.#orLost(film.readSums(area, squares ? 2 : 1));
+    samplesIn(sums, pixels, film.samples);
     return sums;
   }
 
