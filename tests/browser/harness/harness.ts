@@ -1,3 +1,4 @@
+import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
@@ -20,6 +21,10 @@ export const harness = {
   probeShapes,
   shadeMean,
   compileAll,
+  chiSquareSamples,
+  probeEdges,
+  probeEvaluation,
+  probeSamples,
 };
 
 declare global {
