@@ -17,6 +17,8 @@ for (const backend of backends) {
   }) => {
     const report = await harness.evaluate((b) => window.harness.probeSamples(b, 202), backend);
     expect(report.examples, `${report.faults} of ${report.asked}`).toEqual([]);
+    // Leaving an index of 4 makes 16 of radiance 1; lobes chosen too seldom would weigh more.
+    expect(report.heaviest, 'largest weight').toBeLessThan(20);
     expect(report.lit, 'samples of rough lobes').toBeGreaterThan(0.3 * report.asked);
     expect(report.open, 'what rounding leaves open').toBeLessThan(0.05 * report.lit);
   });

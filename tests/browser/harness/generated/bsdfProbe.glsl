@@ -82,8 +82,8 @@ float specularShare(Surface s_5, float cosine_2) {
     vec3 _e2 = metallicRoughnessF0_(s_5);
     vec3 _e3 = schlick(_e2, cosine_2);
     float specular = dot(_e3, vec3(1.0));
-    vec3 _e7 = metallicRoughnessDiffuse(s_5, cosine_2);
-    float diffuse_1 = dot(_e7, vec3(1.0));
+    vec3 _e8 = metallicRoughnessDiffuse(s_5, 1.0);
+    float diffuse_1 = dot(_e8, vec3(1.0));
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 

@@ -313,10 +313,11 @@ const leastContrast = 1e-3;
 // Narrower than this a highlight is a mirror's: 32-bit floats no longer hold the facet's slope well enough for a density.
 const smoothAlpha = 1e-3;
 
-// How often to sample the GGX lobe: about its share of the light that comes back from wo.
+// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
+// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
 fn specularShare(s: Surface, cosine: f32) -> f32 {
   let specular = dot(schlick(metallicRoughnessF0(s), cosine), vec3f(1.0));
-  let diffuse = dot(metallicRoughnessDiffuse(s, cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(s, 1.0), vec3f(1.0));
   return specular / max(specular + diffuse, 1e-20);
 }
 
