@@ -36,7 +36,7 @@ export async function cameraRays(backend: GpuBackend, camera: Camera, width: num
     packFrame(block, { width, height }, camera, scene.sky, packScene(scene, camera.eye), settings, sample);
     frame.write(block.bytes);
     device.draw(pass, film, [frame], { width, height, firstRow: 0, rowCount: height });
-    return Array.from(await device.read(film, width, height));
+    return Array.from(await device.read(film.layers[0]!, width, height));
   };
   const rays = { origins: await cast(0), directions: await cast(1) };
   device.destroy();

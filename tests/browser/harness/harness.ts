@@ -1,3 +1,4 @@
+import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
 import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
@@ -38,6 +39,10 @@ export const harness = {
   probeWildLamps,
   shadeMean,
   compileAll,
+  chiSquareSamples,
+  probeEdges,
+  probeEvaluation,
+  probeSamples,
 };
 
 declare global {

@@ -111,7 +111,7 @@ export class EmitterProbe {
     asked.write(questionTexels(questions), SIDE);
     const film = device.createFilm(SIDE, SIDE);
     device.draw(this.#pass, film, [frame, table, asked], { width: SIDE, height: SIDE, firstRow: 0, rowCount: SIDE });
-    const values = await device.read(film, SIDE, SIDE);
+    const values = await device.read(film.layers[0]!, SIDE, SIDE);
     for (const resource of [frame, table, asked, film]) resource.destroy();
     return questions.map((_, k) => Array.from(values.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
   }

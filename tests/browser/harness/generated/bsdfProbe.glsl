@@ -64,7 +64,7 @@ bool hasSmoothLobe(Surface s_2) {
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
-    float m = (1.0 - cosine);
+    float m = max((1.0 - cosine), 0.0);
     float m2_ = (m * m);
     return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
 }
@@ -82,8 +82,8 @@ float specularShare(Surface s_5, float cosine_2) {
     vec3 _e2 = metallicRoughnessF0_(s_5);
     vec3 _e3 = schlick(_e2, cosine_2);
     float specular = dot(_e3, vec3(1.0));
-    vec3 _e7 = metallicRoughnessDiffuse(s_5, cosine_2);
-    float diffuse_1 = dot(_e7, vec3(1.0));
+    vec3 _e8 = metallicRoughnessDiffuse(s_5, 1.0);
+    float diffuse_1 = dot(_e8, vec3(1.0));
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
@@ -109,7 +109,7 @@ float reflectionBound(vec3 wo, float alpha_1) {
 }
 
 float facetDensity(vec3 h, float alpha_2) {
-    float slope = ((dot(h.xy, h.xy) / (alpha_2 * alpha_2)) + (h.z * h.z));
+    float slope = max(((dot(h.xy, h.xy) / (alpha_2 * alpha_2)) + (h.z * h.z)), 1.0);
     return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
 }
 
@@ -131,7 +131,8 @@ vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k) {
     float sine2_ = (1.0 - cosine2_);
     vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
-    vec3 a = sqrt(max((0.5 * (a2PlusB2_ + difference)), vec3(0.0)));
+    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 a = mix(((eta * k) / larger), larger, greaterThan(difference, vec3(0.0)));
     vec3 across_1 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_6) * a)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_6) * a)) + vec3(1e-20)));
     vec3 sum = ((cosine2_ * a2PlusB2_) + vec3((sine2_ * sine2_)));
     vec3 part = (((2.0 * cosine_6) * sine2_) * a);
@@ -240,14 +241,14 @@ vec3 mirrored(vec3 wo_3) {
 
 vec3 sampleCosine(vec2 u) {
     float radius = sqrt(u.x);
-    float phi = (6.2831855 * u.y);
-    return vec3((radius * cos(phi)), (radius * sin(phi)), sqrt((1.0 - u.x)));
+    float phi = ((6.2831855 * u.y) - 3.1415927);
+    return normalize(vec3((radius * cos(phi)), (radius * sin(phi)), sqrt((1.0 - u.x))));
 }
 
 vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_1) {
     float _e8 = stretched(wo_4, alpha_4);
     vec3 w_1 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
-    float phi_1 = (6.2831855 * u_1.x);
+    float phi_1 = ((6.2831855 * u_1.x) - 3.1415927);
     float drop = (u_1.y * (1.0 + (bound * w_1.z)));
     float sine = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_3 = (w_1 + vec3((sine * cos(phi_1)), (sine * sin(phi_1)), (1.0 - drop)));

@@ -194,7 +194,8 @@ fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
 
 // D(h): facets around the half vector per area and solid angle.
 fn facetDensity(h: vec3f, alpha: f32) -> f32 {
-  let slope = dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z;
+  // At least 1 for a unit vector; opposite directions along the surface have none.
+  let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
   return 0.31830988618 / (alpha * alpha * slope * slope);
 }
 
@@ -236,7 +237,7 @@ const conductor = 2u;
 
 // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
 fn schlick(f0: vec3f, cosine: f32) -> vec3f {
-  let m = 1.0 - cosine;
+  let m = max(1.0 - cosine, 0.0);
   let m2 = m * m;
   return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
@@ -279,7 +280,9 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
   let sine2 = 1.0 - cosine2;
   let difference = eta * eta - k * k - sine2;
   let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
-  let a = sqrt(max(0.5 * (a2PlusB2 + difference), vec3f(0.0)));
+  // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least);
+  let a = select(eta * k / larger, larger, difference > vec3f(0.0));
   // least: an index of 0, or of 1 along the surface, is no division by 0.
   let across = (a2PlusB2 + cosine2 - 2.0 * cosine * a + least) / (a2PlusB2 + cosine2 + 2.0 * cosine * a + least);
   let sum = cosine2 * a2PlusB2 + sine2 * sine2;
@@ -310,10 +313,11 @@ const leastContrast = 1e-3;
 // Narrower than this a highlight is a mirror's: 32-bit floats no longer hold the facet's slope well enough for a density.
 const smoothAlpha = 1e-3;
 
-// How often to sample the GGX lobe: about its share of the light that comes back from wo.
+// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
+// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
 fn specularShare(s: Surface, cosine: f32) -> f32 {
   let specular = dot(schlick(metallicRoughnessF0(s), cosine), vec3f(1.0));
-  let diffuse = dot(metallicRoughnessDiffuse(s, cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(s, 1.0), vec3f(1.0));
   return specular / max(specular + diffuse, 1e-20);
 }
 
@@ -322,8 +326,9 @@ fn specularShare(s: Surface, cosine: f32) -> f32 {
 // Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
 fn sampleCosine(u: vec2f) -> vec3f {
   let radius = sqrt(u.x);
-  let phi = 6.28318530718 * u.y;
-  return vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x));
+  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
+  let phi = 6.28318530718 * u.y - 3.14159265359;
+  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
 }
 
 // A direction that evaluateBsdf gives no density: of a mirror.
@@ -365,7 +370,7 @@ fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
 // "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
 fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
   let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
-  let phi = 6.28318530718 * u.x;
+  let phi = 6.28318530718 * u.x - 3.14159265359;
   // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
   let drop = u.y * (1.0 + bound * w.z);
   let sine = sqrt(max(drop * (2.0 - drop), 0.0));

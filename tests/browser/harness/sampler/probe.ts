@@ -99,7 +99,7 @@ export async function probeSampler(backend: 'webgpu' | 'webgl2'): Promise<Sample
     });
     frame.write(block.bytes);
     device.draw(pass, film, [frame], { width: SIDE, height: SIDE, firstRow: 0, rowCount: SIDE });
-    const answers = await device.read(film, SIDE, SIDE);
+    const answers = await device.read(film.layers[0]!, SIDE, SIDE);
     for (let pixel = 0; pixel < SIDE * SIDE; pixel++)
       expected(order, pixel % SIDE, Math.floor(pixel / SIDE)).forEach((value, d) => {
         const answer = answers[4 * pixel + d]!;

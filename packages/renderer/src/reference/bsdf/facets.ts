@@ -41,10 +41,10 @@ export function matteAlbedo(s: BsdfSurface, cosine: number): Color {
   return mapColor(s.baseColor, (c) => c * through);
 }
 
-/** Probability of sampling the gloss. */
+/** Probability of sampling the gloss. Even seen at grazing the matte part meets most light at half vectors that are not. */
 export function glossShare(s: BsdfSurface, wo: Vec3): number {
   if (s.type === 'diffuse') return 0;
   const total = ([r, g, b]: Color) => r + g + b;
   const gloss = total(facetReflectance(s, wo[2]));
-  return s.type === 'conductor' ? 1 : gloss / Math.max(gloss + total(matteAlbedo(s, wo[2])), 1e-20);
+  return s.type === 'conductor' ? 1 : gloss / Math.max(gloss + total(matteAlbedo(s, 1)), 1e-20);
 }

@@ -19,11 +19,13 @@ const minus = (a: Complex, b: Complex): Complex => [a[0] - b[0], a[1] - b[1]];
 const norm2 = (a: Complex) => a[0] ** 2 + a[1] ** 2;
 function squareRoot([x, y]: Complex): Complex {
   const length = Math.hypot(x, y);
-  return [Math.sqrt((length + x) / 2), Math.sign(y) * Math.sqrt(Math.max(length - x, 0) / 2)];
+  return [Math.sqrt(Math.max(length + x, 0) / 2), (y < 0 ? -1 : 1) * Math.sqrt(Math.max(length - x, 0) / 2)];
 }
 
 /** From vacuum onto metal of index eta + i·k: the same equations as for glass, in complex numbers. */
 export function conductorFresnel(cosine: number, eta: number, k: number): number {
+  // The limit; the formula has 0 / 0.
+  if (eta === 0 && k === 0) return 1;
   const n2 = times([eta, k], [eta, k]);
   const inside = squareRoot(minus(n2, [1 - cosine ** 2, 0]));
   const outside: Complex = [cosine, 0];

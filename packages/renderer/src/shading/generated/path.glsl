@@ -760,7 +760,7 @@ bool hasSmoothLobe(Surface s_6) {
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
-    float m = (1.0 - cosine);
+    float m = max((1.0 - cosine), 0.0);
     float m2_ = (m * m);
     return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
 }
@@ -778,8 +778,8 @@ float specularShare(Surface s_9, float cosine_2) {
     vec3 _e2 = metallicRoughnessF0_(s_9);
     vec3 _e3 = schlick(_e2, cosine_2);
     float specular = dot(_e3, vec3(1.0));
-    vec3 _e7 = metallicRoughnessDiffuse(s_9, cosine_2);
-    float diffuse_1 = dot(_e7, vec3(1.0));
+    vec3 _e8 = metallicRoughnessDiffuse(s_9, 1.0);
+    float diffuse_1 = dot(_e8, vec3(1.0));
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
@@ -805,7 +805,7 @@ float reflectionBound(vec3 wo, float alpha_1) {
 }
 
 float facetDensity(vec3 h_1, float alpha_2) {
-    float slope = ((dot(h_1.xy, h_1.xy) / (alpha_2 * alpha_2)) + (h_1.z * h_1.z));
+    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_2 * alpha_2)) + (h_1.z * h_1.z)), 1.0);
     return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
 }
 
@@ -827,7 +827,8 @@ vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k) {
     float sine2_1 = (1.0 - cosine2_);
     vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_1));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
-    vec3 a_3 = sqrt(max((0.5 * (a2PlusB2_ + difference)), vec3(0.0)));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 a_3 = mix(((eta * k) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
     vec3 across_2 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_6) * a_3)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_6) * a_3)) + vec3(1e-20)));
     vec3 sum_1 = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
     vec3 part = (((2.0 * cosine_6) * sine2_1) * a_3);
@@ -1385,14 +1386,14 @@ vec3 mirrored(vec3 wo_3) {
 
 vec3 sampleCosine(vec2 u_12) {
     float radius_1 = sqrt(u_12.x);
-    float phi_1 = (6.2831855 * u_12.y);
-    return vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_12.x)));
+    float phi_1 = ((6.2831855 * u_12.y) - 3.1415927);
+    return normalize(vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_12.x))));
 }
 
 vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_13) {
     float _e8 = stretched(wo_4, alpha_4);
     vec3 w_2 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
-    float phi_2 = (6.2831855 * u_13.x);
+    float phi_2 = ((6.2831855 * u_13.x) - 3.1415927);
     float drop = (u_13.y * (1.0 + (bound * w_2.z)));
     float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_6 = (w_2 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));

@@ -1,0 +1,95 @@
+/** What the kernels' BSDF is asked, and asking it on a GPU. */
+import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
+import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
+import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
+import { structSize, TABLE_WIDTH, tableColumn } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { type BsdfSurface, grey, mapColor } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
+import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
+import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
+import probeWgsl from '../generated/bsdf_probe.wgsl?raw';
+import probeGlsl from '../generated/bsdfProbe.glsl?raw';
+
+/** As bsdf-probe.wesl numbers them. */
+export const ASKED = { evaluation: 0, sampledDirection: 1, sampledWeight: 2 } as const;
+
+export interface Question {
+  /** Index of the surface. */
+  readonly surface: number;
+  readonly wo: Vec3;
+  /** wi, or random numbers. */
+  readonly second: Vec3;
+  readonly asked: (typeof ASKED)[keyof typeof ASKED];
+}
+export type Answer = readonly [number, number, number, number];
+
+const PROBE: PassSource = {
+  label: 'BSDF probe',
+  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
+  entries: { vertex: 'fullScreen', fragment: 'bsdfProbe' },
+  glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
+  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'questions' }],
+  target: 'film',
+};
+/** Questions in a row of the film. */
+const WIDTH = 256;
+
+export const openDevice = (backend: 'webgpu' | 'webgl2'): Promise<Device> =>
+  backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas'));
+
+/** All numbers as the scene table holds them. */
+export const inFloats = (s: BsdfSurface): BsdfSurface => ({
+  ...s,
+  baseColor: mapColor(s.baseColor, Math.fround),
+  eta: mapColor(s.eta, Math.fround),
+  k: mapColor(s.k, Math.fround),
+  reflectivity: Math.fround(s.reflectivity),
+  metallic: Math.fround(s.metallic),
+  alpha: Math.fround(s.alpha),
+  ior: Math.fround(s.ior),
+});
+export const floatVector = ([x, y, z]: Vec3): Vec3 => [Math.fround(x), Math.fround(y), Math.fround(z)];
+
+const KINDS = ['diffuse', 'metallicRoughness', 'conductor', 'dielectric'];
+
+function surfaceTable(surfaces: readonly BsdfSurface[]) {
+  const rowBytes = TABLE_WIDTH * 16;
+  const block = createBlock(rowBytes * surfaces.length);
+  surfaces.forEach((s, row) => {
+    writeStruct(block, 'Surface', row * rowBytes + tableColumn('Surface') * 16, {
+      baseColor: s.baseColor,
+      code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0),
+      reflectivity: s.reflectivity,
+      eta: s.type === 'dielectric' ? grey(s.ior) : s.eta,
+      alpha: s.alpha,
+      k: s.k,
+      metallic: s.metallic,
+      emitter: -1,
+    });
+  });
+  return block;
+}
+
+export async function ask(
+  device: Device,
+  surfaces: readonly BsdfSurface[],
+  questions: readonly Question[],
+): Promise<Answer[]> {
+  const height = Math.ceil(questions.length / WIDTH);
+  const texels = new Float32Array(WIDTH * height * 8);
+  questions.forEach(({ surface, wo, second, asked }, k) => {
+    texels.set([...wo, surface, ...second, asked], k * 8);
+  });
+  const frame = device.createUniforms(structSize('Frame'));
+  const table = device.createTable(TABLE_WIDTH, surfaces.length);
+  table.write(surfaceTable(surfaces).f32, surfaces.length);
+  const asked = device.createTable(2 * WIDTH, height);
+  asked.write(texels, height);
+  const film = device.createFilm(WIDTH, height);
+  const pass = await device.createPass(PROBE);
+  device.draw(pass, film, [frame, table, asked], { width: WIDTH, height, firstRow: 0, rowCount: height });
+  const all = await device.read(film, WIDTH, height);
+  for (const resource of [frame, table, asked, film]) resource.destroy();
+  return questions.map((_, k) => Array.from(all.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
+}
