@@ -16,6 +16,14 @@ export interface Comparison {
   readonly dividers: readonly [number, number];
 }
 
+/** Which part of the picture the camera looks into. What lies around that part shows more of the scene, and crops nothing. */
+export interface Framing {
+  /** Where the line of sight meets the picture, in shares of its width and height from the top left. */
+  readonly center: readonly [x: number, y: number];
+  /** Share of the picture's height that the camera's field of view spans. */
+  readonly height: number;
+}
+
 /** Everything that may change from frame to frame without touching the scene. Changing any of it compiles nothing. */
 export interface RendererSettings {
   maxReflections: number;
@@ -31,6 +39,8 @@ export interface RendererSettings {
   maxSamples: number;
   seed: number;
   comparison: Comparison | null;
+  /** Null: the whole picture, as the camera says. */
+  framing: Framing | null;
 }
 
 /** Figures of the last drawn frame. */

@@ -1,9 +1,10 @@
 /** "One camera ray" of docs/classic.md. */
+import type { Framing } from '../renderer-types.ts';
 import type { Camera, Vec3 } from '../scene/scene.ts';
 import { cameraRay, type Ray } from './ray.ts';
 import { addScaled, cross, normalize, scale, subtract } from './vec3.ts';
 
-/** The plane one unit in front of the eye: forward to its middle, `right` and `up` to its edges. */
+/** The plane one unit in front of the eye: `forward` to its middle, `right` and `up` to its edges. */
 export interface CameraFrame {
   readonly eye: Vec3;
   readonly forward: Vec3;
@@ -11,15 +12,23 @@ export interface CameraFrame {
   readonly up: Vec3;
 }
 
-export function cameraFrame(camera: Camera, width: number, height: number): CameraFrame {
+/** With a framing, the middle of `framing.center` is looked at, and `framing.height` of the picture spans the field of view. */
+export function cameraFrame(
+  camera: Camera,
+  width: number,
+  height: number,
+  framing: Framing | null = null,
+): CameraFrame {
   const forward = normalize(subtract(camera.target, camera.eye));
   const right = normalize(cross(forward, camera.up));
   const up = cross(right, forward);
-  const halfHeight = Math.tan((camera.verticalFov * Math.PI) / 360);
+  const halfHeight = Math.tan((camera.verticalFov * Math.PI) / 360) / (framing?.height ?? 1);
+  const halfWidth = (halfHeight * width) / height;
+  const [x, y] = framing ? [2 * framing.center[0] - 1, 1 - 2 * framing.center[1]] : [0, 0];
   return {
     eye: camera.eye,
-    forward,
-    right: scale(right, (halfHeight * width) / height),
+    forward: addScaled(addScaled(forward, right, -x * halfWidth), up, -y * halfHeight),
+    right: scale(right, halfWidth),
     up: scale(up, halfHeight),
   };
 }

@@ -3,7 +3,7 @@
  * film sample 0; then the other film samples, one pass each. A generator, so that whoever drives it decides when to
  * pause: the worker runs it straight on, the main thread in slices.
  */
-import type { Comparison } from '../renderer-types.ts';
+import type { Comparison, Framing } from '../renderer-types.ts';
 import type { Camera, Color, Scene } from '../scene/scene.ts';
 import { type ClassicTracer, prepareClassic, traceSample } from './classic.ts';
 
@@ -18,6 +18,7 @@ export interface StillJob {
   readonly lightSamples: number;
   readonly seed: number;
   readonly comparison: Comparison | null;
+  readonly framing?: Framing | null;
   /** Film samples a pixel in the end, at least 1. */
   readonly samples: number;
 }

@@ -10,6 +10,8 @@ import ReferenceWorker from './reference.worker.ts?worker&inline';
 
 export interface StillSettings
   extends Pick<RendererSettings, 'maxReflections' | 'lightSamples' | 'seed' | 'comparison'> {
+  /** Default: the whole picture. */
+  readonly framing?: RendererSettings['framing'];
   /** Film samples a pixel, at least 1. */
   readonly samples: number;
 }
@@ -81,8 +83,19 @@ export async function renderStill(
   signal?: AbortSignal,
 ): Promise<Float32Array<ArrayBuffer>> {
   signal?.throwIfAborted();
-  const { maxReflections, lightSamples, seed, comparison, samples } = settings;
-  const job: StillJob = { scene, camera, width, height, maxReflections, lightSamples, seed, comparison, samples };
+  const { maxReflections, lightSamples, seed, comparison, framing, samples } = settings;
+  const job: StillJob = {
+    scene,
+    camera,
+    width,
+    height,
+    maxReflections,
+    lightSamples,
+    seed,
+    comparison,
+    framing,
+    samples,
+  };
   const worker = startWorker();
   const film = worker && (await renderInWorker(worker, job, onProgress, signal));
   return film ?? renderInSlices(job, onProgress, signal);
