@@ -43,16 +43,16 @@ export interface RendererSettings {
   framing: Framing | null;
 }
 
-/** Figures of the last drawn frame. */
+/** Figures of the last drawn frame; what is measured in time is averaged over the frames of the last second. */
 export interface FrameStats {
   readonly backend: Backend;
-  /** Frames drawn per second, smoothed. 0 while nothing needs drawing. */
+  /** Frames drawn per second. 0 while nothing needs drawing. */
   readonly fps: number;
-  /** Milliseconds the device took for the last frame. */
+  /** Milliseconds the device took for a frame. */
   readonly frameMs: number;
   /** Film samples accumulated in each pixel. */
   readonly samples: number;
-  /** Million rays a second: camera, mirror and shadow rays asked for; an upper bound as rays may end early. */
+  /** Million rays in a second of the device's work: camera, mirror and shadow rays asked for; an upper bound as rays may end early. */
   readonly mraysPerSecond: number;
   readonly filmWidth: number;
   readonly filmHeight: number;
