@@ -137,6 +137,13 @@ test('the CPU’s still picture can be chosen, and says that it is one', async (
   await expect(page.getByText('This is a still picture, computed by the CPU')).toBeVisible();
 });
 
+test('the CPU’s still picture by the address is not excused', async ({ page, openStudio }) => {
+  await page.setViewportSize({ width: 480, height: 320 });
+  await openStudio({ query: { ...quick, backend: 'cpu', size: 64, paused: 1 } });
+  await expect(page.getByText('This is a still picture, computed by the CPU')).toBeVisible();
+  await expect(page.getByText('neither WebGPU nor WebGL2')).toBeHidden();
+});
+
 test('a scene file opens; a broken one lists its problems and changes nothing', async ({ page, openStudio }) => {
   await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
   const file = (name: string, text: string) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });

@@ -82,7 +82,7 @@ export const en = {
   copied: 'Copied',
   fileUnreadable: (file: string, reason: string) => `${file} could not be read: ${reason}`,
 
-  noticeCpuAlone: 'Neither WebGPU nor WebGL2 is to be had here, so this is a still picture, computed by the CPU.',
+  noticeCpuAlone: 'This browser offers neither WebGPU nor WebGL2, so this is a still picture, computed by the CPU.',
   noticeCpuChosen: 'This is a still picture, computed by the CPU in double precision.',
   noticeCpuComputes: 'The CPU is computing its picture. The one before stays until then.',
   noticeLost: 'The graphics device was lost. Bringing the picture back…',
