@@ -93,7 +93,8 @@ export const en = {
     `${backend} could not be started, so another was taken: ${reason}`,
   noticeNothing: (reason: string) => `No picture can be drawn here: ${reason}`,
   noticeSceneFailed: (reason: string) => `The scene could not be shown: ${reason}`,
-  noticeParameters: (problems: string) => `Left out of the address: ${problems}`,
+  noticeParameters: (problems: string) => `Ignored values in the page’s address: ${problems}`,
+  noticeUnknownParameters: (names: string) => `Unknown parameters in the page’s address: ${names}`,
   noticeError: (reason: string) => `Something went wrong: ${reason}`,
 
   keysTitle: 'Keys',

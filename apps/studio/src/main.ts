@@ -68,7 +68,13 @@ function takeParameters(given: UrlParameters): void {
     state.controlsShown.value = given.ui;
     state.panelOpen.value = given.ui && !state.isPhone.value && innerHeight > LOW_PAGE;
   });
-  if (given.problems.length > 0) notify('parameters', (t) => t.noticeParameters(given.problems.join('; ')));
+  const { problems, unknown } = given;
+  if (problems.length + unknown.length === 0) return;
+  notify('parameters', (t) => {
+    const refused = problems.length > 0 ? [t.noticeParameters(problems.join('; '))] : [];
+    const strangers = unknown.length > 0 ? [t.noticeUnknownParameters(unknown.join('; '))] : [];
+    return [...refused, ...strangers].join('\n');
+  });
 }
 
 /** Builds the controls once the first frame is asked for, or when that takes long. */

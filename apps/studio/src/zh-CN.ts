@@ -86,7 +86,8 @@ export const zhCN: Dictionary = {
   noticeStartFailed: (backend, reason) => `${backend} 启动失败，已改用其他后端：${reason}`,
   noticeNothing: (reason) => `无法在此设备上绘制画面：${reason}`,
   noticeSceneFailed: (reason) => `场景无法显示：${reason}`,
-  noticeParameters: (problems) => `网址中有无效参数，已忽略：${problems}`,
+  noticeParameters: (problems) => `网址中有参数取值无效，已忽略：${problems}`,
+  noticeUnknownParameters: (names) => `网址中有无法识别的参数，已忽略：${names}`,
   noticeError: (reason) => `出错了：${reason}`,
 
   keysTitle: '键盘',
