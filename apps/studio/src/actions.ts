@@ -49,6 +49,7 @@ export async function openSceneFile(file: File): Promise<void> {
 }
 
 export function changeReflections(by: number): void {
+  if (state.comparisonMode.peek() === 'reflections') return;
   state.reflections.value = Math.min(Math.max(state.reflections.peek() + by, 0), 64);
 }
 
@@ -58,6 +59,7 @@ export function nextComparison(): void {
 }
 
 export function togglePlaying(): void {
+  if (state.isStill.peek()) return;
   state.playing.value = !state.playing.peek();
 }
 

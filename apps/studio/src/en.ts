@@ -33,6 +33,7 @@ export const en = {
   compareReflections: 'Reflections',
   compareSamples: 'Light samples',
   divider: (n: number) => `Divider ${n} of 2`,
+  setByComparison: (values: string) => `The comparison sets this: ${values}`,
   panelReflections: (n: number) => plural(n, 'reflection', 'reflections'),
   panelSamples: (n: number) => plural(n, 'light sample', 'light samples'),
 
@@ -42,6 +43,7 @@ export const en = {
   step: 'Step 1/60 s',
   speed: 'Speed',
   time: 'Time',
+  stillDoesNotPlay: 'A CPU still does not play. Choose a time instead.',
   seconds: (n: string) => `${n} s`,
 
   view: 'View',

@@ -7,6 +7,8 @@ import { framingFor } from './framing.ts';
 
 /** What draws; null until the first one is ready. */
 export const renderer = signal<Renderer | null>(null);
+/** Whether what draws makes one picture, and does not play. */
+export const isStill = computed(() => renderer.value?.backend === 'cpu');
 /** The scene on show and its id: a built-in scene's, or 'file'. */
 export const shown = signal<{ id: string; scene: Scene; fileName?: string } | null>(null);
 /** Whether the view is the person's own and no longer the scene's. */

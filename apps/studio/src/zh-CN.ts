@@ -28,6 +28,7 @@ export const zhCN: Dictionary = {
   compareReflections: '反射次数',
   compareSamples: '光源采样',
   divider: (n) => `第 ${n} 条分隔线，共 2 条`,
+  setByComparison: (values) => `并排对比时固定为 ${values}`,
   panelReflections: (n) => `反射 ${n} 次`,
   panelSamples: (n) => `光源采样 ${n} 点`,
 
@@ -37,6 +38,7 @@ export const zhCN: Dictionary = {
   step: '前进 1/60 秒',
   speed: '速度',
   time: '时间',
+  stillDoesNotPlay: 'CPU 静帧不能播放，可以拖动时间选择画面。',
   seconds: (n) => `${n} 秒`,
 
   view: '视角',

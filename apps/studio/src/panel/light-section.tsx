@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { exposure, lightSamples, reflections } from '../state.ts';
+import { comparisonMode, exposure, lightSamples, reflections } from '../state.ts';
 import { Section } from './section.tsx';
 
 const presets = [1, 9, 16, 64];
@@ -21,6 +21,7 @@ export function LightSection() {
         value={reflections.value}
         text={String(reflections.value)}
         onInput={(value) => (reflections.value = value)}
+        idle={comparisonMode.value === 'reflections' ? t.setByComparison('1 · 2 · 10') : null}
       />
       <LightSamples />
       <Slider
@@ -39,6 +40,7 @@ export function LightSection() {
 
 function LightSamples() {
   const t = dictionary.value;
+  const compared = comparisonMode.value === 'samples';
   const wishesOther = useSignal(false);
   const other = wishesOther.value || !presets.includes(lightSamples.value);
   const options = [...presets.map((n) => ({ value: n, label: String(n) })), { value: 0, label: t.lightSamplesCustom }];
@@ -58,8 +60,9 @@ function LightSamples() {
         options={options}
         value={other ? 0 : lightSamples.value}
         onChange={choose}
+        idle={compared ? t.setByComparison('1 · 9 · 64') : null}
       />
-      {other && (
+      {other && !compared && (
         <input
           id="light-samples-number"
           class="number"
