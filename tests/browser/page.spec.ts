@@ -163,6 +163,14 @@ test('the CPU’s still picture by the address is not excused, gets finer, and d
   await expectState(page, (state) => state.stats.samples, 16);
 });
 
+test('the address is taken as far as it is understood, and the rest is named', async ({ page, openStudio }) => {
+  const strange = { exposure: 8, reflections: 99, colour: 'red' };
+  await openStudio({ backend: 'webgl2', query: { ...quick, ...strange, paused: 1 } });
+  await expect(page.getByRole('slider', { name: 'Exposure' })).toHaveValue('8');
+  await expect(page.getByText('reflections=99 (0 … 64)')).toBeVisible();
+  await expect(page.getByText('colour=red')).toBeVisible();
+});
+
 test('a scene file opens; a broken one lists its problems and changes nothing', async ({ page, openStudio }) => {
   await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
   const file = (name: string, text: string) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });

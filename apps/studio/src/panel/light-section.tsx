@@ -27,8 +27,8 @@ export function LightSection() {
       <Slider
         id="exposure"
         label={t.exposure}
-        min={-5}
-        max={5}
+        min={-10}
+        max={10}
         step={0.1}
         value={exposure.value}
         text={t.stops(signed(exposure.value))}
