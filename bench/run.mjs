@@ -11,11 +11,12 @@ import { requireNode } from '../scripts/node-version.mjs';
 import { root } from '../scripts/run-command.mjs';
 import { serveFolders } from '../scripts/static-server.mjs';
 
-const USAGE = `npm run bench [-- --only start|frames] [--repeat N] [--rounds N] [--write]
-  --only     measure cold starts alone, or frames alone
-  --repeat   cold starts of each page, 5 unless given
-  --rounds   turns of each page when frames are measured, 8 unless given
-  --write    put the tables into docs/benchmarks.md`;
+const USAGE = `npm run bench -- [options], such as: npm run bench -- --only frames --rounds 2
+  --only start|frames   measure cold starts alone, or frames alone
+  --repeat N            cold starts of each page, 5 unless given
+  --rounds N            turns of each page when frames are measured, 8 unless given
+  --write               put the tables into docs/benchmarks.md
+  --no-build            measure the studio as it was built last`;
 
 function readOptions() {
   try {
@@ -26,8 +27,13 @@ function readOptions() {
         rounds: { type: 'string', default: '8' },
         write: { type: 'boolean', default: false },
         'no-build': { type: 'boolean', default: false },
+        help: { type: 'boolean', short: 'h', default: false },
       },
     });
+    if (values.help) {
+      console.log(USAGE);
+      process.exit(0);
+    }
     const { only, write } = values;
     const [repeat, rounds] = [Number(values.repeat), Number(values.rounds)];
     if (only !== undefined && only !== 'start' && only !== 'frames') throw new Error(`--only ${only} is not known`);

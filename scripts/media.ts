@@ -170,7 +170,7 @@ function shooter(page: Page, origin: string): Shooter {
       const renderer = window.mirrorball.renderer!;
       renderer.stop();
       const { maxReflections, lightSamples } = renderer.scene!.render;
-      renderer.set({ maxReflections, lightSamples, comparison: null, ...settings });
+      renderer.set({ maxReflections, lightSamples, comparison: null, framing: null, ...settings });
       renderer.resetCamera();
       renderer.time = time;
       if (camera) renderer.camera = { ...renderer.camera, ...camera };

@@ -7,7 +7,7 @@ import { requireNode } from './node-version.mjs';
 import { hasDesktop, openBrowser } from './open-browser.mjs';
 import { serveFolders } from './static-server.mjs';
 
-const USAGE = `npm start [-- --port N] [-- --no-open]
+const USAGE = `npm start -- [options], such as: npm start -- --port 8080 --no-open
   --port N    the first port to try, 5173 unless given; the next free one is taken
   --no-open   do not open a browser`;
 

@@ -37,7 +37,7 @@ const noWorker = `delete window.Worker;`;
 const float = 'EXT_color_buffer_float';
 const halfFloat = 'EXT_color_buffer_half_float';
 
-const alone = 'Neither WebGPU nor WebGL2 is to be had here';
+const alone = 'This browser offers neither WebGPU nor WebGL2';
 type Case = [what: string, script: string, drawnBy: 'webgpu' | 'webgl2' | 'cpu', wished?: 'webgpu' | 'webgl2'];
 const cases: readonly Case[] = [
   ['no navigator.gpu', noWebGpu, 'webgl2'],

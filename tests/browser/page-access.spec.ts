@@ -68,6 +68,25 @@ test.describe('in Chinese', () => {
   });
 });
 
+test.describe('on a phone on its side', () => {
+  test.use({ viewport: { width: 780, height: 390 }, hasTouch: true, isMobile: true, locale: 'zh-CN' });
+
+  test('the panel is folded at first, and the figures stay in one line beside it', async ({ page, openStudio }) => {
+    await openStudio(address);
+    await expectPicture(page);
+    await expect(page.getByRole('slider', { name: '反射次数' })).toBeHidden();
+    const status = page.getByRole('region', { name: '上一帧的渲染数据' });
+    const folded = (await status.boundingBox())!.height;
+    await page.getByRole('button', { name: '展开面板' }).tap();
+    await expect(page.getByRole('slider', { name: '反射次数' })).toBeInViewport();
+    const box = (await status.boundingBox())!;
+    expect(box.height).toBe(folded);
+    expect(box.height).toBeLessThan(36);
+    const inside = await status.evaluate((element) => element.scrollWidth <= element.clientWidth);
+    expect(inside, 'nothing is cut off').toBe(true);
+  });
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 700 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
 
@@ -87,6 +106,19 @@ test.describe('on a phone', () => {
     expect(await seriousProblems(page)).toEqual([]);
     await page.getByRole('button', { name: 'Hide controls' }).tap();
     await expect(slider).toBeHidden();
+  });
+
+  test('the scene’s middle square fits into what the controls leave', async ({ page, openStudio }) => {
+    await openStudio(address);
+    await expectPicture(page);
+    const framing = async () => (await rendererState(page))!.settings.framing!;
+    const folded = await framing();
+    expect(folded.height * 700).toBeCloseTo(390, 0);
+    await page.getByRole('button', { name: 'Show controls' }).tap();
+    await expect.poll(async () => (await framing()).height).toBeLessThan(folded.height);
+    const open = await framing();
+    const sheet = (await page.getByRole('complementary', { name: 'Controls' }).boundingBox())!;
+    expect((open.center[1] + open.height / 2) * 700).toBeLessThanOrEqual(sheet.y + 1);
   });
 
   test('a finger orbits', async ({ page, openStudio }) => {

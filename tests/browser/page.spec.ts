@@ -79,7 +79,13 @@ for (const backend of backends) {
       await page.mouse.move(box.x - 60, box.y + box.height / 2, { steps: 3 });
       await page.mouse.up();
       await expect.poll(async () => Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(at);
+      const slider = page.getByRole('slider', { name: 'Reflections' });
+      await expect(slider).toBeDisabled();
+      await expect(slider).toHaveAccessibleDescription(/1 · 2 · 10/);
       await choose(page, 'Side by side', 'Light samples 1 · 9 · 64');
+      await expect(slider).toBeEnabled();
+      await expect(group(page, 'Samples per light')).toHaveAccessibleDescription(/1 · 9 · 64/);
+      await expect(group(page, 'Samples per light').getByRole('radio').first()).toBeDisabled();
       await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.lightSamples), [1, 9, 64]);
       await choose(page, 'Side by side', 'Off');
       await expectState(page, (state) => state.settings.comparison, null);
@@ -148,6 +154,34 @@ test('the CPU’s still picture can be chosen, and says that it is one', async (
   await choose(page, 'Drawn by', 'CPU still');
   await expectState(page, (state) => state.backend, 'cpu');
   await expect(page.getByText('This is a still picture, computed by the CPU')).toBeVisible();
+});
+
+test('the CPU’s still picture by the address is not excused, gets finer, and does not pretend to play', async ({
+  page,
+  openStudio,
+}) => {
+  await openStudio({ query: { ...quick, backend: 'cpu', size: 64, paused: 1 } });
+  await expect(page.getByText('This is a still picture, computed by the CPU')).toBeVisible();
+  await expect(page.getByText('neither WebGPU nor WebGL2')).toBeHidden();
+  await expectState(page, (state) => state.stats.samples, 16);
+  const play = page.getByRole('button', { name: 'Play', exact: true });
+  await expect(play).toBeDisabled();
+  await expect(play).toHaveAccessibleDescription(/does not play/);
+  await expect(group(page, 'Speed')).toHaveAccessibleDescription(/does not play/);
+  await page.locator('main canvas').first().focus();
+  await page.keyboard.press('Space');
+  await expectState(page, (state) => state.playing, false);
+  await page.getByRole('button', { name: 'Step 1/60 s' }).click();
+  await expectState(page, (state) => Math.round(state.stats.time * 60), 1);
+  await expectState(page, (state) => state.stats.samples, 16);
+});
+
+test('the address is taken as far as it is understood, and the rest is named', async ({ page, openStudio }) => {
+  const strange = { exposure: 8, reflections: 99, colour: 'red' };
+  await openStudio({ backend: 'webgl2', query: { ...quick, ...strange, paused: 1 } });
+  await expect(page.getByRole('slider', { name: 'Exposure' })).toHaveValue('8');
+  await expect(page.getByText('reflections=99 (0 … 64)')).toBeVisible();
+  await expect(page.getByText('colour=red')).toBeVisible();
 });
 
 test('a scene file opens; a broken one lists its problems and changes nothing', async ({ page, openStudio }) => {

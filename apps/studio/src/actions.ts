@@ -50,6 +50,7 @@ export async function openSceneFile(file: File): Promise<void> {
 }
 
 export function changeReflections(by: number): void {
+  if (state.comparisonMode.peek() === 'reflections') return;
   state.reflections.value = Math.min(Math.max(state.reflections.peek() + by, 0), 64);
 }
 
@@ -59,6 +60,7 @@ export function nextComparison(): void {
 }
 
 export function togglePlaying(): void {
+  if (state.isStill.peek()) return;
   state.playing.value = !state.playing.peek();
 }
 

@@ -1,4 +1,5 @@
 import type { Camera, Vec3 } from 'mirrorball';
+import { glideAlongWalls, stopAtWalls, type Wall, wallsAround } from './eye-room.ts';
 
 /** How the view is to change. Pure numbers, so that moves can be summed, smoothed and tested. */
 export interface CameraMove {
@@ -83,9 +84,21 @@ export function pan(camera: Camera, x: number, y: number): Camera {
   return { ...camera, eye: add(camera.eye, shift), target: add(camera.target, shift), up: [0, 1, 0] };
 }
 
-export function moveCamera(camera: Camera, move: CameraMove): Camera {
+/** Turns, shifts and comes closer, in this order. The eye stays inside of `walls`. */
+export function moveCamera(camera: Camera, move: CameraMove, walls: readonly Wall[] = []): Camera {
   const turned = orbit(camera, move.yaw, move.pitch);
-  return dolly(pan(turned, move.panX, move.panY), Math.exp(move.dolly));
+  const placed = { ...turned, eye: glideAlongWalls(camera.eye, turned.eye, walls) };
+  const shifted = shiftInside(placed, pan(placed, move.panX, move.panY), walls);
+  const moved = dolly(shifted, Math.exp(move.dolly));
+  return { ...moved, eye: stopAtWalls(shifted.eye, moved.eye, walls) };
+}
+
+/** The eye is shifted as far as walls allow, then the target; both alike, so that the direction stays. */
+function shiftInside(from: Camera, to: Camera, walls: readonly Wall[]): Camera {
+  const shift = subtract(glideAlongWalls(from.eye, to.eye, walls), from.eye);
+  const target = glideAlongWalls(from.target, add(from.target, shift), wallsAround(from.target, walls));
+  const eye = glideAlongWalls(from.eye, add(from.eye, subtract(target, from.target)), walls);
+  return { ...to, eye, target };
 }
 
 export function addMoves(a: CameraMove, b: CameraMove): CameraMove {

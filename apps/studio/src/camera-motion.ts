@@ -1,4 +1,6 @@
+import { type Renderer, sceneAt } from 'mirrorball';
 import { addMoves, type CameraMove, isNegligible, moveCamera, scaleMove, stillMove } from './camera-controls.ts';
+import { type Wall, wallsAbout } from './eye-room.ts';
 import { renderer, viewMoved } from './state.ts';
 import { prefersReducedMotion } from './theme.ts';
 
@@ -60,9 +62,13 @@ function advance(now: number): void {
   const share = prefersReducedMotion() || isNegligible(pending) ? 1 : 1 - Math.exp(-seconds / SMOOTHING);
   const target = renderer.peek();
   if (target?.scene) {
-    target.camera = moveCamera(target.camera, scaleMove(pending, share));
+    target.camera = moveCamera(target.camera, scaleMove(pending, share), wallsNow(target));
     viewMoved.value = true;
   }
   pending = share === 1 ? stillMove : scaleMove(pending, 1 - share);
   if (held.size > 0 || pending !== stillMove) frame = requestAnimationFrame(advance);
 }
+
+/** The walls that the renderer's eye has about it at this moment. They may move. */
+const wallsNow = ({ scene, time, camera }: Renderer): Wall[] =>
+  scene ? wallsAbout(sceneAt(scene, time), camera.eye, camera.target) : [];

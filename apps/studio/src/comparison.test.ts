@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { comparisonFor, evenDividers, moveDivider } from './comparison.ts';
+import { comparisonFor, evenDividers, fitDividers, moveDivider } from './comparison.ts';
 
 test('no comparison is null', () => {
   expect(comparisonFor('off', { maxReflections: 3, lightSamples: 9 }, [0.3, 0.6])).toBeNull();
@@ -17,6 +17,14 @@ test('strips differ in what is compared and in nothing else', () => {
 
 test('even dividers part what is visible', () => {
   expect(evenDividers(0.75)).toEqual([0.25, 0.5]);
+});
+
+test('dividers come out from under a panel, in their order', () => {
+  expect(fitDividers([0.3, 0.6], 0.7)).toEqual([0.3, 0.6]);
+  expect(fitDividers([0.3, 0.9], 0.7)[1]).toBeCloseTo(0.68);
+  const [first, second] = fitDividers([0.8, 0.9], 0.5);
+  expect(first).toBeLessThan(second);
+  expect(second).toBeLessThan(0.5);
 });
 
 test('a divider stops at the other one and at the edges', () => {

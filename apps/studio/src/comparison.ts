@@ -16,6 +16,12 @@ export function evenDividers(visibleShare: number): Dividers {
   return [visibleShare / 3, (visibleShare * 2) / 3];
 }
 
+/** The dividers as near to where they were put as what is visible allows: a panel must not hide them. */
+export function fitDividers([first, second]: Dividers, visibleShare: number): Dividers {
+  const most = Math.max(visibleShare - MIN_STRIP, 2 * MIN_STRIP);
+  return [Math.min(first, most - MIN_STRIP), Math.min(second, most)];
+}
+
 /** Moves one divider; it stops at the other one and at the edges. */
 export function moveDivider(dividers: Dividers, index: 0 | 1, to: number): Dividers {
   const [first, second] = dividers;

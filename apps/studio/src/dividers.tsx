@@ -1,6 +1,6 @@
-import { moveDivider, stripValues } from './comparison.ts';
+import { fitDividers, moveDivider, stripValues } from './comparison.ts';
 import { dictionary } from './i18n.ts';
-import { chosenDividers, comparisonMode, dividers, stageWidth, textShare } from './state.ts';
+import { chosenDividers, comparisonMode, dividers, stageHeight, stageWidth, textShare, visibleShare } from './state.ts';
 
 const percent = (share: number): string => `${share * 100}%`;
 
@@ -15,7 +15,11 @@ export function Dividers() {
   const [first, second] = dividers.value;
   const edges = [0, first, second, 1];
   return (
-    <section class="comparison" aria-label={t.compareWhat} style={{ width: `${stageWidth.value}px` }}>
+    <section
+      class="comparison"
+      aria-label={t.compareWhat}
+      style={{ width: `${stageWidth.value}px`, height: `${stageHeight.value}px` }}
+    >
       {stripValues[mode].map((value, i) => (
         <Label
           key={value}
@@ -43,7 +47,8 @@ function Label({ left, right, text }: { left: number; right: number; text: strin
 function Divider({ index }: { index: 0 | 1 }) {
   const [first, second] = dividers.value;
   const at = dividers.value[index];
-  const moveTo = (share: number): void => void (chosenDividers.value = moveDivider(dividers.peek(), index, share));
+  const moveTo = (share: number): void =>
+    void (chosenDividers.value = fitDividers(moveDivider(dividers.peek(), index, share), visibleShare.peek()));
   const dragged = (event: PointerEvent): void => {
     const element = event.currentTarget as HTMLElement;
     if (element.hasPointerCapture(event.pointerId)) moveTo(event.clientX / stageWidth.peek());
@@ -67,7 +72,7 @@ function Divider({ index }: { index: 0 | 1 }) {
       aria-orientation="vertical"
       aria-label={dictionary.value.divider(index + 1)}
       aria-valuemin={index === 0 ? 0 : Math.round(first * 100)}
-      aria-valuemax={index === 0 ? Math.round(second * 100) : 100}
+      aria-valuemax={Math.round((index === 0 ? second : visibleShare.value) * 100)}
       aria-valuenow={Math.round(at * 100)}
       style={{ left: percent(at) }}
       onPointerDown={(event) => event.currentTarget.setPointerCapture(event.pointerId)}

@@ -35,6 +35,7 @@ export const en = {
   compareReflections: 'Reflections',
   compareSamples: 'Light samples',
   divider: (n: number) => `Divider ${n} of 2`,
+  setByComparison: (values: string) => `The comparison sets this: ${values}`,
   panelReflections: (n: number) => plural(n, 'reflection', 'reflections'),
   panelSamples: (n: number) => plural(n, 'light sample', 'light samples'),
 
@@ -44,6 +45,7 @@ export const en = {
   step: 'Step 1/60 s',
   speed: 'Speed',
   time: 'Time',
+  stillDoesNotPlay: 'A CPU still does not play. Choose a time instead.',
   seconds: (n: string) => `${n} s`,
 
   view: 'View',
@@ -84,7 +86,7 @@ export const en = {
   copied: 'Copied',
   fileUnreadable: (file: string, reason: string) => `${file} could not be read: ${reason}`,
 
-  noticeCpuAlone: 'Neither WebGPU nor WebGL2 is to be had here, so this is a still picture, computed by the CPU.',
+  noticeCpuAlone: 'This browser offers neither WebGPU nor WebGL2, so this is a still picture, computed by the CPU.',
   noticeCpuChosen: 'This is a still picture, computed by the CPU in double precision.',
   noticeCpuComputes: 'The CPU is computing its picture. The one before stays until then.',
   noticeLost: 'The graphics device was lost. Bringing the picture back…',
@@ -95,7 +97,8 @@ export const en = {
     `${backend} could not be started, so another was taken: ${reason}`,
   noticeNothing: (reason: string) => `No picture can be drawn here: ${reason}`,
   noticeSceneFailed: (reason: string) => `The scene could not be shown: ${reason}`,
-  noticeParameters: (problems: string) => `Left out of the address: ${problems}`,
+  noticeParameters: (problems: string) => `Ignored values in the page’s address: ${problems}`,
+  noticeUnknownParameters: (names: string) => `Unknown parameters in the page’s address: ${names}`,
   noticeError: (reason: string) => `Something went wrong: ${reason}`,
 
   keysTitle: 'Keys',

@@ -51,6 +51,9 @@ function start(): void {
   });
 }
 
+/** On a page this low, such as a phone on its side, the panel would hide too much: it starts folded. */
+const LOW_PAGE = 480;
+
 function takeParameters(given: UrlParameters): void {
   batch(() => {
     state.reflections.value = given.reflections ?? state.reflections.value;
@@ -63,9 +66,16 @@ function takeParameters(given: UrlParameters): void {
     state.comparisonMode.value = given.compare ?? state.comparisonMode.value;
     state.time.value = given.time ?? 0;
     state.playing.value = !(given.paused ?? prefersReducedMotion());
-    state.panelOpen.value = given.ui && !state.isPhone.value;
+    state.controlsShown.value = given.ui;
+    state.panelOpen.value = given.ui && !state.isPhone.value && innerHeight > LOW_PAGE;
   });
-  if (given.problems.length > 0) notify('parameters', (t) => t.noticeParameters(given.problems.join('; ')));
+  const { problems, unknown } = given;
+  if (problems.length + unknown.length === 0) return;
+  notify('parameters', (t) => {
+    const refused = problems.length > 0 ? [t.noticeParameters(problems.join('; '))] : [];
+    const strangers = unknown.length > 0 ? [t.noticeUnknownParameters(unknown.join('; '))] : [];
+    return [...refused, ...strangers].join('\n');
+  });
 }
 
 /** Builds the controls once the first frame is asked for, or when that takes long. */

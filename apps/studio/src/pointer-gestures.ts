@@ -1,4 +1,5 @@
 import { pushMove } from './camera-motion.ts';
+import { renderer } from './state.ts';
 
 /** Mouse, touch and pen on the picture: drag to orbit, right drag or two fingers to pan, wheel or pinch to dolly. */
 
@@ -44,9 +45,11 @@ export function followPointers(stage: HTMLElement): void {
     const after: Point = { x: event.clientX, y: event.clientY };
     const height = stage.clientHeight;
     const [dx, dy] = [(after.x - before.x) / height, (after.y - before.y) / height];
+    // So much of the page is as high as the camera's field of view, which is what shifts are counted in.
+    const viewHeight = height * (renderer.peek()?.settings.framing?.height ?? 1);
     const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-    if (other) pushMove(pinch([before, other], [after, other], height));
-    else if (panning) pushMove({ panX: -dx, panY: dy });
+    if (other) pushMove(pinch([before, other], [after, other], viewHeight));
+    else if (panning) pushMove({ panX: (-dx * height) / viewHeight, panY: (dy * height) / viewHeight });
     else pushMove({ yaw: -dx * ORBIT_SPAN, pitch: dy * ORBIT_SPAN });
     pointers.set(event.pointerId, after);
   });

@@ -6,6 +6,8 @@ import { playing, renderer, shown, speed, stats, switchingTo, time, viewMoved, w
 
 /** The life of a renderer in this page: opened, followed by the settings, replaced by one on another backend. */
 
+/** Whether the still picture is wished for, so that it is not excused. */
+let chosenCpu = false;
 let imageSamples = 0;
 
 /** Samples drawn so far for each pixel of the whole canvas; a film of fewer pixels counts by its share. */
@@ -133,6 +135,7 @@ function takeOver(next: Renderer, old: Renderer | null): void {
 /** Starts on the wished backend, or on whatever there is; takes up the scene in `shown`. */
 export async function openSession(backend: Backend | null): Promise<Renderer> {
   let first: Renderer;
+  chosenCpu = backend === 'cpu';
   try {
     first = await prepare(backend ?? 'auto', null);
   } catch (error) {
@@ -165,8 +168,6 @@ export function followState(): void {
   });
 }
 
-let chosenCpu = false;
-/** Remembers that the still picture is wished for, so that it is not excused. */
 export function chooseBackend(backend: Backend): Promise<boolean> {
   chosenCpu = backend === 'cpu';
   return switchBackend(backend);

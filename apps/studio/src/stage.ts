@@ -1,5 +1,6 @@
+import { batch } from '@preact/signals';
 import { dictionary, sceneName } from './i18n.ts';
-import { pageWidth, renderer, shown, stageWidth } from './state.ts';
+import { pageHeight, pageWidth, renderer, shown, stageHeight, stageWidth } from './state.ts';
 
 /**
  * The stage: the element that the picture fills. A canvas belongs to one backend for life, so another backend gets a
@@ -33,8 +34,12 @@ export function describePicture(): string {
 }
 
 function measure(): void {
-  pageWidth.value = innerWidth;
-  stageWidth.value = stage().clientWidth;
+  batch(() => {
+    pageWidth.value = innerWidth;
+    pageHeight.value = innerHeight;
+    stageWidth.value = stage().clientWidth;
+    stageHeight.value = stage().clientHeight;
+  });
 }
 
 function fit(): void {

@@ -1,11 +1,14 @@
 import { computed, signal } from '@preact/signals';
 import type { Backend, FrameStats, Renderer, RendererSettings, Scene, ToneMapping } from 'mirrorball';
-import { type ComparisonMode, comparisonFor, type Dividers, evenDividers } from './comparison.ts';
+import { type ComparisonMode, comparisonFor, type Dividers, evenDividers, fitDividers } from './comparison.ts';
+import { framingFor } from './framing.ts';
 
 /** Everything the page knows. Components read it; `actions.ts` and its neighbours write it. */
 
 /** What draws; null until the first one is ready. */
 export const renderer = signal<Renderer | null>(null);
+/** Whether what draws makes one picture, and does not play. */
+export const isStill = computed(() => renderer.value?.backend === 'cpu');
 /** The scene on show and its id: a built-in scene's, or 'file'. */
 export const shown = signal<{ id: string; scene: Scene; fileName?: string } | null>(null);
 /** Whether the view is the person's own and no longer the scene's. */
@@ -37,13 +40,21 @@ export const time = signal(0);
 export const panelOpen = signal(true);
 export const helpOpen = signal(false);
 export const pageWidth = signal(0);
+export const pageHeight = signal(0);
 export const stageWidth = signal(0);
+export const stageHeight = signal(0);
+/** False: nothing but the picture. */
+export const controlsShown = signal(true);
+/** What the sheet at the bottom of a phone takes of the page's height; at first, what its head takes. */
+export const sheetHeight = signal(60);
 export const dragOver = signal(false);
 
 /** At most this wide, the panel is a sheet at the bottom. The same number stands in styles/panel.css. */
 export const PHONE_WIDTH = 640;
 /** What the open panel takes of the stage's width, its margins included. */
 const PANEL_WIDTH = 320;
+/** What the figures at the top of a phone take. */
+const PHONE_STATUS_HEIGHT = 54;
 
 export const isPhone = computed(() => pageWidth.value <= PHONE_WIDTH);
 
@@ -54,7 +65,18 @@ const shareLeftOf = (pixels: number): number => Math.min((pageWidth.value - pixe
 export const visibleShare = computed(() => shareLeftOf(isPhone.value || !panelOpen.value ? 0 : PANEL_WIDTH));
 /** As far as texts at the top may reach: clear of the panel, or of the button that is left of it. */
 export const textShare = computed(() => (isPhone.value || panelOpen.value ? visibleShare.value : shareLeftOf(68)));
-export const dividers = computed<Dividers>(() => chosenDividers.value ?? evenDividers(visibleShare.value));
+export const dividers = computed<Dividers>(() =>
+  chosenDividers.value ? fitDividers(chosenDividers.value, visibleShare.value) : evenDividers(visibleShare.value),
+);
+
+/** The picture's middle is where it can be seen, and nothing that matters is cropped. */
+const framing = computed(() => {
+  const [width, height] = [stageWidth.value, stageHeight.value];
+  const sheet = controlsShown.value && isPhone.value;
+  const top = sheet ? PHONE_STATUS_HEIGHT : 0;
+  const bottom = sheet ? Math.max(sheetHeight.value - (pageHeight.value - height), 0) : 0;
+  return framingFor({ width, height, top, right: width * (1 - visibleShare.value), bottom });
+});
 
 /** What the renderer is to be set to. */
 export const wantedSettings = computed<
@@ -73,4 +95,5 @@ export const wantedSettings = computed<
     { maxReflections: reflections.value, lightSamples: lightSamples.value },
     dividers.value,
   ),
+  framing: framing.value,
 }));

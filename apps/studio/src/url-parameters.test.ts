@@ -4,9 +4,9 @@ import { readParameters } from './url-parameters.ts';
 const scenes = ['cube-room', 'mirror-blocks'];
 
 test('an empty address leaves everything open and shows the controls', () => {
-  const { ui, problems, ...rest } = readParameters('', scenes);
+  const { ui, problems, unknown, ...rest } = readParameters('', scenes);
   expect(ui).toBe(true);
-  expect(problems).toEqual([]);
+  expect([...problems, ...unknown]).toEqual([]);
   expect(Object.values(rest).every((value) => value === null)).toBe(true);
 });
 
@@ -30,6 +30,7 @@ test('every parameter is read', () => {
     adaptive: false,
     seed: 1,
     problems: [],
+    unknown: [],
   });
 });
 
@@ -44,4 +45,10 @@ test('what cannot be understood is left out and named', () => {
     'paused=yes (0, 1)',
     'scale=NaN (0.1 … 1)',
   ]);
+});
+
+test('parameters that there are not are named, and not without end', () => {
+  expect(readParameters('?reflection=10&scene=nope&size', scenes).unknown).toEqual(['reflection=10']);
+  const many = Array.from({ length: 1000 }, (_, k) => `x${k}=${'y'.repeat(100)}`).join('&');
+  expect(readParameters(many, scenes).unknown.join().length).toBeLessThan(400);
 });

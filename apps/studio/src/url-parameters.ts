@@ -12,7 +12,7 @@
  *     &size=512             a canvas of 512 × 512 pixels at the top left, device pixel ratio 1
  *     &ui=0                 nothing but the picture             &lang=zh       en or zh
  *
- * What cannot be understood is left out and reported in `problems`.
+ * What cannot be understood is left out and reported in `problems` and `unknown`.
  */
 export interface UrlParameters {
   readonly scene: string | null;
@@ -32,17 +32,28 @@ export interface UrlParameters {
   readonly lang: string | null;
   /** Such as "reflections=100 (0 … 64)". */
   readonly problems: readonly string[];
+  /** Parameters that there are not, such as "reflection=10". */
+  readonly unknown: readonly string[];
 }
+
+/** So many parameters that there are not are named. */
+const MOST_UNKNOWN = 8;
 
 class Reader {
   readonly problems: string[] = [];
   private readonly query: URLSearchParams;
+  private readonly known = new Set<string>();
   constructor(search: string) {
     this.query = new URLSearchParams(search);
   }
 
+  private text(name: string): string | null {
+    this.known.add(name);
+    return this.query.get(name);
+  }
+
   number(name: string, low: number, high: number, whole = false): number | null {
-    const text = this.query.get(name);
+    const text = this.text(name);
     if (text === null) return null;
     const value = text.trim() === '' ? Number.NaN : Number(text);
     if (value >= low && value <= high && (!whole || Number.isInteger(value))) return value;
@@ -50,7 +61,7 @@ class Reader {
   }
 
   choice<Choice extends string>(name: string, choices: readonly Choice[]): Choice | null {
-    const text = this.query.get(name);
+    const text = this.text(name);
     if (text === null) return null;
     return choices.find((choice) => choice === text) ?? this.refuse(name, text, choices.join(', '));
   }
@@ -63,6 +74,12 @@ class Reader {
   private refuse(name: string, text: string, allowed: string): null {
     this.problems.push(`${name}=${text.slice(0, 40)} (${allowed})`);
     return null;
+  }
+
+  /** The first few parameters that nobody has asked for. */
+  unknown(): string[] {
+    const strangers = [...this.query].filter(([name]) => !this.known.has(name));
+    return strangers.slice(0, MOST_UNKNOWN).map(([name, text]) => `${name}=${text}`.slice(0, 40));
   }
 }
 
@@ -85,5 +102,6 @@ export function readParameters(search: string, sceneIds: readonly string[]): Url
     ui: read.flag('ui') ?? true,
     lang: read.choice('lang', ['en', 'zh', 'zh-CN']),
     problems: read.problems,
+    unknown: read.unknown(),
   };
 }

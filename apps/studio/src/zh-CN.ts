@@ -30,6 +30,7 @@ export const zhCN: Dictionary = {
   compareReflections: '反射次数',
   compareSamples: '光源采样',
   divider: (n) => `第 ${n} 条分隔线，共 2 条`,
+  setByComparison: (values) => `并排对比时固定为 ${values}`,
   panelReflections: (n) => `反射 ${n} 次`,
   panelSamples: (n) => `光源采样 ${n} 点`,
 
@@ -39,6 +40,7 @@ export const zhCN: Dictionary = {
   step: '前进 1/60 秒',
   speed: '速度',
   time: '时间',
+  stillDoesNotPlay: 'CPU 静帧不能播放，可以拖动时间选择画面。',
   seconds: (n) => `${n} 秒`,
 
   view: '视角',
@@ -88,7 +90,8 @@ export const zhCN: Dictionary = {
   noticeStartFailed: (backend, reason) => `${backend} 启动失败，已改用其他后端：${reason}`,
   noticeNothing: (reason) => `无法在此设备上绘制画面：${reason}`,
   noticeSceneFailed: (reason) => `场景无法显示：${reason}`,
-  noticeParameters: (problems) => `网址中有无效参数，已忽略：${problems}`,
+  noticeParameters: (problems) => `网址中有参数取值无效，已忽略：${problems}`,
+  noticeUnknownParameters: (names) => `网址中有无法识别的参数，已忽略：${names}`,
   noticeError: (reason) => `出错了：${reason}`,
 
   keysTitle: '键盘',

@@ -1,4 +1,5 @@
 import { filmToSrgb } from './display/srgb.ts';
+import type { StillStart } from './reference/progressive.ts';
 import { renderStill } from './reference/reference-renderer.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Scene } from './scene/scene.ts';
@@ -7,6 +8,8 @@ import { View } from './view.ts';
 
 /** Film pixels of a still picture at most: a few seconds' work. */
 const MOST_PIXELS = 480 * 360;
+/** Samples in each pixel after which a running still picture is fine enough; `maxSamples` may say fewer. */
+const MOST_SAMPLES = 16;
 /** Changes by hand that follow one another closely start one picture, not many, milliseconds. */
 const SETTLE_MS = 120;
 
@@ -16,7 +19,7 @@ const DISPOSED = new Error('The renderer was disposed of.');
 
 /**
  * One still picture by the double-precision reference tracer, where there is no GPU interface at all. It does not play; a change
- * of time, view or settings begins a new picture, coarse first.
+ * of time, view or settings begins a new picture, coarse first. While nothing changes it gets more samples, one after the other.
  */
 export class CpuRenderer implements Renderer {
   readonly backend = 'cpu';
@@ -26,13 +29,16 @@ export class CpuRenderer implements Renderer {
   readonly #options: RendererOptions;
   readonly #view: View;
   readonly #showStill: ShowStill;
+  /** What is shown: the film so far. */
   #film: { width: number; height: number; pixels: Float32Array<ArrayBuffer> } | null = null;
+  /** The last film with equally many samples in all pixels, and the picture that it is of. */
+  #whole: (StillStart & { readonly of: string }) | null = null;
   #stats: FrameStats;
   #abort: AbortController | null = null;
   #timer: ReturnType<typeof setInterval> | undefined;
-  /** What the view was like when it was last looked at, and when the picture was begun. */
+  /** What the view was like when it was last looked at, and the picture that is being drawn. */
   #seen = '';
-  #drawn = '';
+  #drawing = '';
   #shownRevision = -1;
 
   static async create(canvas: HTMLCanvasElement, options: RendererOptions): Promise<CpuRenderer> {
@@ -94,14 +100,19 @@ export class CpuRenderer implements Renderer {
     this.#timer = undefined;
   }
 
-  /** Begins a picture once the view has changed and then kept still. */
+  /** Begins a picture once the view has changed and then kept still; then goes on with it. */
   #look(): void {
     const { shownRevision, scene } = this.#view;
     const wanted = this.#wanted();
     const settled = wanted === this.#seen;
     this.#seen = wanted;
     if (shownRevision !== this.#shownRevision || this.#canvasCleared()) this.#show();
-    if (scene && settled && this.#drawn !== wanted) this.render().catch(this.#report);
+    if (scene && settled && this.#drawing !== wanted && !this.#enough(wanted)) this.render().catch(this.#report);
+  }
+
+  #enough(wanted: string): boolean {
+    const samples = this.#whole?.of === wanted ? this.#whole.samples : 0;
+    return samples >= Math.min(this.settings.maxSamples, MOST_SAMPLES);
   }
 
   /** All that a picture depends on, in few words. */
@@ -120,32 +131,33 @@ export class CpuRenderer implements Renderer {
     return this.canvas.width !== this.#stats.canvasWidth || this.canvas.height !== this.#stats.canvasHeight;
   }
 
-  /** Resolves when the picture is finished. Rejects when another one took its place. */
+  /** Resolves when each pixel has a sample, or one more than before. Rejects when another picture took its place. */
   async render(): Promise<void> {
     if (!this.#view.scene) throw new Error('Set a scene before rendering.');
     this.#abort?.abort(REPLACED);
     this.#abort = new AbortController();
-    this.#drawn = this.#wanted();
-    const { settings } = this.#view;
+    const of = this.#wanted();
+    const start = this.#whole?.of === of ? this.#whole : undefined;
+    const samples = (start?.samples ?? 0) + 1;
     const { width, height } = this.#filmSize();
     const started = performance.now();
-    const progress = (pixels: Float32Array<ArrayBuffer>) => {
+    const progress = (pixels: Float32Array<ArrayBuffer>, done: number) => {
       this.#film = { width, height, pixels };
-      this.#count(performance.now() - started);
+      this.#count(performance.now() - started, done, done === 1 ? samples : samples - 1);
       this.#show();
       this.#options.onFrame?.(this.#stats);
     };
-    const still = { ...settings, samples: 1 };
-    const film = await renderStill(
-      this.#view.sceneNow(),
-      this.#view.camera,
-      still,
-      width,
-      height,
-      progress,
-      this.#abort.signal,
-    );
-    progress(film);
+    const still = { ...this.#view.settings, samples, start };
+    const { signal } = this.#abort;
+    this.#drawing = of;
+    try {
+      const film = await renderStill(this.#view.sceneNow(), this.#view.camera, still, width, height, progress, signal);
+      this.#whole = { film, samples, of };
+      progress(film, 1);
+    } finally {
+      // Aborted, another picture is being drawn already.
+      if (!signal.aborted) this.#drawing = '';
+    }
   }
 
   #filmSize() {
@@ -154,13 +166,14 @@ export class CpuRenderer implements Renderer {
     return { width: Math.max(Math.round(width * scale), 1), height: Math.max(Math.round(height * scale), 1) };
   }
 
-  #count(frameMs: number): void {
+  /** `done`: share of one sample of each pixel. */
+  #count(frameMs: number, done: number, samples: number): void {
     const film = this.#film!;
-    const rays = film.width * film.height * this.#view.raysPerPixel();
+    const rays = film.width * film.height * this.#view.raysPerPixel() * done;
     this.#stats = {
       ...this.#stats,
       frameMs,
-      samples: 1,
+      samples,
       mraysPerSecond: rays / frameMs / 1000,
       filmWidth: film.width,
       filmHeight: film.height,

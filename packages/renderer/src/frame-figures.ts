@@ -1,8 +1,10 @@
 /** The figures of drawn frames: how many a second, how long each took, how many rays. Pure arithmetic, no clock of its own. */
 import type { Backend, FrameStats } from './renderer-types.ts';
 
-/** A pause of this many milliseconds between two frames begins the count of frames a second anew. */
-const PAUSE_MS = 1000;
+/** Figures are those of the frames of the last second, of the newest one at least. */
+const WINDOW_MS = 1000;
+/** Clocks of browsers are coarse: no frame in one figure takes less. */
+const LEAST_MS = 0.1;
 
 export interface DrawnFrame {
   /** When it was begun and when the device had finished it, milliseconds. */
@@ -21,31 +23,53 @@ export interface DrawnFrame {
 
 const NONE = { fps: 0, frameMs: 0, samples: 0, mraysPerSecond: 0, filmWidth: 0, filmHeight: 0, time: 0 };
 
+interface CountedFrame {
+  readonly finished: number;
+  /** How long the device worked on it, and how long after the one before it was there, milliseconds. */
+  readonly busy: number;
+  readonly interval: number;
+  readonly rays: number;
+}
+
 export class FrameFigures {
   stats: FrameStats;
-  #interval = PAUSE_MS;
-  #lastFinish = 0;
+  #window: CountedFrame[] = [];
+  #lastFinish = Number.NEGATIVE_INFINITY;
 
   constructor(backend: Backend, canvas: { readonly width: number; readonly height: number }) {
     this.stats = { backend, ...NONE, canvasWidth: canvas.width, canvasHeight: canvas.height };
   }
 
+  /**
+   * Sums over a second and not the last frame alone: a page often learns of two frames at once, and of the second one it cannot
+   * tell when the device began it. Their sums are right all the same.
+   */
   count({ started, finished, raysPerPixel, ...frame }: DrawnFrame): FrameStats {
-    const frameMs = Math.max(finished - Math.max(started, this.#lastFinish), 0.01);
-    const interval = finished - this.#lastFinish;
-    // The mean of the intervals, not of their reciprocals: two frames that finish together are not a thousand a second.
-    this.#interval = interval > PAUSE_MS ? interval : this.#interval + (interval - this.#interval) * 0.1;
+    const busy = Math.max(finished - Math.max(started, this.#lastFinish), 0);
+    const gap = finished - this.#lastFinish;
+    // After a rest the time before the frame was begun does not count.
+    const interval = gap > WINDOW_MS ? busy : gap;
     this.#lastFinish = finished;
-    const mraysPerSecond = (frame.filmWidth * frame.filmHeight * raysPerPixel) / frameMs / 1000;
-    this.stats = { backend: this.stats.backend, ...frame, fps: 1000 / this.#interval, frameMs, mraysPerSecond };
+    const rays = frame.filmWidth * frame.filmHeight * raysPerPixel;
+    const recent = this.#window.filter((earlier) => earlier.finished > finished - WINDOW_MS);
+    this.#window = [...recent, { finished, busy, interval, rays }];
+    this.stats = { backend: this.stats.backend, ...frame, ...this.#averages() };
     return this.stats;
+  }
+
+  #averages(): Pick<FrameStats, 'fps' | 'frameMs' | 'mraysPerSecond'> {
+    const sum = (of: 'busy' | 'interval' | 'rays') => this.#window.reduce((total, frame) => total + frame[of], 0);
+    const frames = this.#window.length;
+    const busy = Math.max(sum('busy'), LEAST_MS);
+    const fps = (1000 * frames) / Math.max(sum('interval'), LEAST_MS);
+    return { fps, frameMs: busy / frames, mraysPerSecond: sum('rays') / busy / 1000 };
   }
 
   /** Nothing needs drawing. */
   rest(canvas: { readonly width: number; readonly height: number }): void {
     if (this.stats.fps === 0 && this.stats.canvasWidth === canvas.width && this.stats.canvasHeight === canvas.height)
       return;
-    this.#interval = PAUSE_MS;
+    this.#window = [];
     this.stats = { ...this.stats, fps: 0, canvasWidth: canvas.width, canvasHeight: canvas.height };
   }
 }

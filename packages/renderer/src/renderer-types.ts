@@ -17,6 +17,14 @@ export interface Comparison {
   readonly dividers: readonly [number, number];
 }
 
+/** Which part of the picture the camera looks into. What lies around that part shows more of the scene, and crops nothing. */
+export interface Framing {
+  /** Where the line of sight meets the picture, in shares of its width and height from the top left. */
+  readonly center: readonly [x: number, y: number];
+  /** Share of the picture's height that the camera's field of view spans. */
+  readonly height: number;
+}
+
 /** Everything that may change from frame to frame without touching the scene. Changing any of it compiles nothing. */
 export interface RendererSettings {
   integrator: Integrator;
@@ -41,18 +49,20 @@ export interface RendererSettings {
   maxSamples: number;
   seed: number;
   comparison: Comparison | null;
+  /** Null: the whole picture, as the camera says. */
+  framing: Framing | null;
 }
 
-/** Figures of the last drawn frame. */
+/** Figures of the last drawn frame; what is measured in time is averaged over the frames of the last second. */
 export interface FrameStats {
   readonly backend: Backend;
-  /** Frames drawn per second, smoothed. 0 while nothing needs drawing. */
+  /** Frames drawn per second. 0 while nothing needs drawing. */
   readonly fps: number;
-  /** Milliseconds the device took for the last frame. */
+  /** Milliseconds the device took for a frame. */
   readonly frameMs: number;
   /** Film samples accumulated in each pixel. */
   readonly samples: number;
-  /** Million rays a second: camera, mirror and shadow rays asked for; an upper bound as rays may end early. */
+  /** Million rays in a second of the device's work: camera, mirror and shadow rays asked for; an upper bound as rays may end early. */
   readonly mraysPerSecond: number;
   readonly filmWidth: number;
   readonly filmHeight: number;

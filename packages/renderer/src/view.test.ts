@@ -49,6 +49,8 @@ describe('settings', () => {
     ['seed', -1, /from 0/],
     ['seed', 2 ** 32, /4294967295/],
     ['comparison', {}, /three panels/],
+    ['framing', { center: [0.5, 1.5], height: 1 }, /two shares/],
+    ['framing', { center: [0.5, 0.5], height: 0 }, /height from 0\.01/],
     ['comparison', { panels: [{}, {}, {}], dividers: [0, 1] }, /three panels/],
   ];
   test.each(wrong)('%s = %j is refused, with what is allowed', (key, value, message) => {

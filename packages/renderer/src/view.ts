@@ -28,6 +28,7 @@ export const DEFAULT_SETTINGS: RendererSettings = {
   maxSamples: 1024,
   seed: 0,
   comparison: null,
+  framing: null,
 };
 
 /** Segments that paths without limit are taken to have. */
@@ -67,6 +68,12 @@ const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) =>
         c.dividers?.length === 2 &&
         c.dividers.every((d) => d >= 0 && d <= 1)),
     'null, or three panels and two dividers from 0 to 1',
+  ],
+  framing: [
+    (f) =>
+      f === null ||
+      (f?.center?.length === 2 && f.center.every((c) => c >= 0 && c <= 1) && f.height >= 0.01 && f.height <= 100),
+    'null, or a center of two shares from 0 to 1 and a height from 0.01 to 100',
   ],
 };
 

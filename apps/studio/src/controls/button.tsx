@@ -11,16 +11,20 @@ interface ButtonProps {
   readonly kind?: 'plain' | 'primary' | 'round';
   readonly expanded?: boolean;
   readonly controls?: string;
+  /** Why it has no effect now; then it cannot be pressed. */
+  readonly idle?: string | null;
 }
 
-export function Button({ id, icon, onClick, name, children, kind = 'plain', expanded, controls }: ButtonProps) {
+export function Button({ id, icon, onClick, name, children, kind = 'plain', expanded, controls, idle }: ButtonProps) {
   return (
     <button
       id={id}
       type="button"
       class={`button ${kind}${children ? '' : ' wordless'}`}
       aria-label={name}
-      title={name}
+      title={idle ?? name}
+      aria-description={idle ?? undefined}
+      disabled={Boolean(idle)}
       aria-expanded={expanded}
       aria-controls={controls}
       onClick={onClick}

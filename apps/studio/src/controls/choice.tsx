@@ -1,3 +1,5 @@
+import { Idle } from './idle.tsx';
+
 export interface Option<Value extends string | number> {
   readonly value: Value;
   readonly label: string;
@@ -13,13 +15,20 @@ interface ChoiceProps<Value extends string | number> {
   /** One below the other instead of side by side. */
   readonly stacked?: boolean;
   readonly disabled?: boolean;
+  /** Why it has no effect now; then nothing can be chosen. */
+  readonly idle?: string | null;
 }
 
 /** One of a few: radio buttons that look like segments of a bar. */
 export function Choice<Value extends string | number>(props: ChoiceProps<Value>) {
-  const { id, label, options, value, onChange, stacked = false, disabled = false } = props;
+  const { id, label, options, value, onChange, stacked = false, disabled = false, idle } = props;
   return (
-    <fieldset id={id} class={stacked ? 'choice stacked' : 'choice'} disabled={disabled}>
+    <fieldset
+      id={id}
+      class={stacked ? 'choice stacked' : 'choice'}
+      disabled={disabled || Boolean(idle)}
+      aria-describedby={idle ? `${id}-idle` : undefined}
+    >
       <legend>{label}</legend>
       <div class="segments">
         {options.map((option) => (
@@ -35,6 +44,7 @@ export function Choice<Value extends string | number>(props: ChoiceProps<Value>)
           </label>
         ))}
       </div>
+      {idle && <Idle id={id} why={idle} />}
     </fieldset>
   );
 }

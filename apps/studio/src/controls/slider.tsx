@@ -1,3 +1,5 @@
+import { Idle } from './idle.tsx';
+
 interface SliderProps {
   readonly id: string;
   readonly label: string;
@@ -8,10 +10,12 @@ interface SliderProps {
   /** The value in words. */
   readonly text: string;
   readonly onInput: (value: number) => void;
+  /** Why it has no effect now; then it cannot be moved. */
+  readonly idle?: string | null;
 }
 
 /** A named slider with its value in words beside the name. */
-export function Slider({ id, label, value, min, max, step, text, onInput }: SliderProps) {
+export function Slider({ id, label, value, min, max, step, text, onInput, idle }: SliderProps) {
   return (
     <div class="slider">
       <label for={id}>{label}</label>
@@ -24,9 +28,12 @@ export function Slider({ id, label, value, min, max, step, text, onInput }: Slid
         step={step}
         value={value}
         aria-valuetext={text}
+        disabled={Boolean(idle)}
+        aria-describedby={idle ? `${id}-idle` : undefined}
         style={{ '--share': `${((value - min) / (max - min)) * 100}%` }}
         onInput={(event) => onInput(event.currentTarget.valueAsNumber)}
       />
+      {idle && <Idle id={id} why={idle} />}
     </div>
   );
 }

@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { exposure, lightSamples, reflections, toneMapping } from '../state.ts';
+import { comparisonMode, exposure, lightSamples, reflections, toneMapping } from '../state.ts';
 import { Section } from './section.tsx';
 
 const toneMappings = ['none', 'aces', 'agx', 'neutral'] as const;
@@ -22,13 +22,14 @@ export function LightSection() {
         value={reflections.value}
         text={String(reflections.value)}
         onInput={(value) => (reflections.value = value)}
+        idle={comparisonMode.value === 'reflections' ? t.setByComparison('1 · 2 · 10') : null}
       />
       <LightSamples />
       <Slider
         id="exposure"
         label={t.exposure}
-        min={-5}
-        max={5}
+        min={-10}
+        max={10}
         step={0.1}
         value={exposure.value}
         text={t.stops(signed(exposure.value))}
@@ -47,6 +48,7 @@ export function LightSection() {
 
 function LightSamples() {
   const t = dictionary.value;
+  const compared = comparisonMode.value === 'samples';
   const wishesOther = useSignal(false);
   const other = wishesOther.value || !presets.includes(lightSamples.value);
   const options = [...presets.map((n) => ({ value: n, label: String(n) })), { value: 0, label: t.lightSamplesCustom }];
@@ -66,8 +68,9 @@ function LightSamples() {
         options={options}
         value={other ? 0 : lightSamples.value}
         onChange={choose}
+        idle={compared ? t.setByComparison('1 · 9 · 64') : null}
       />
-      {other && (
+      {other && !compared && (
         <input
           id="light-samples-number"
           class="number"

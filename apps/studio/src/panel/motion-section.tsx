@@ -3,7 +3,7 @@ import { Button } from '../controls/button.tsx';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { playing, shown, speed, time } from '../state.ts';
+import { isStill, playing, shown, speed, time } from '../state.ts';
 import { Section } from './section.tsx';
 
 const speeds = [0.25, 0.5, 1, 2, 4].map((value) => ({ value, label: `${value}×` }));
@@ -17,6 +17,7 @@ export function PlayButton() {
       kind="primary"
       name={playing.value ? t.pause : t.play}
       onClick={togglePlaying}
+      idle={isStill.value ? t.stillDoesNotPlay : null}
     />
   );
 }
@@ -46,6 +47,7 @@ export function MotionSection() {
         options={speeds}
         value={speed.value}
         onChange={(value) => (speed.value = value)}
+        idle={isStill.value ? t.stillDoesNotPlay : null}
       />
     </Section>
   );

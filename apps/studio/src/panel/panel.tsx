@@ -1,6 +1,7 @@
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { Button } from '../controls/button.tsx';
 import { dictionary, sceneName } from '../i18n.ts';
-import { isPhone, panelOpen, shown } from '../state.ts';
+import { isPhone, panelOpen, sheetHeight, shown } from '../state.ts';
 import { ComparisonSection } from './comparison-section.tsx';
 import { LightSection } from './light-section.tsx';
 import { MotionSection, PlayButton } from './motion-section.tsx';
@@ -14,8 +15,16 @@ const toggle = (): void => void (panelOpen.value = !panelOpen.peek());
 /** All controls: a card at the right, or a sheet at the bottom of a phone. Folded, its head remains. */
 export function Panel() {
   const open = panelOpen.value;
+  const element = useRef<HTMLElement>(null);
+  useLayoutEffect(() => {
+    const observer = new ResizeObserver(([entry]) => {
+      sheetHeight.value = Math.round(entry!.borderBoxSize[0]!.blockSize);
+    });
+    observer.observe(element.current!);
+    return () => observer.disconnect();
+  }, []);
   return (
-    <aside id="panel" class={open ? 'panel open' : 'panel'} aria-label={dictionary.value.controls}>
+    <aside ref={element} id="panel" class={open ? 'panel open' : 'panel'} aria-label={dictionary.value.controls}>
       {isPhone.value ? <SheetHead /> : <CardHead />}
       <div id="panel-body" class="panel-body" hidden={!open}>
         <SceneSection />

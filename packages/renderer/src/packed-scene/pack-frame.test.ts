@@ -49,13 +49,14 @@ test('a ray through any point of the film is that of the definition (seed 62)', 
   const random = seededRandom(62);
   for (let k = 0; k < 50; k++) {
     const view: Camera = { ...camera, eye: inCube(random, 9), verticalFov: 5 + 160 * random() };
-    const { floats } = frame({}, 0, view);
+    const framing = k % 2 ? { center: [random(), random()] as const, height: 0.1 + random() } : null;
+    const { floats } = frame({ framing }, 0, view);
     const [right, up, forward] = (['right', 'up', 'forward'] as const).map((f) => floats(f, 3)) as unknown as Vec3[];
     const [column, row] = [random() * film.width, random() * film.height];
     const x = (2 * column) / film.width - 1;
     const y = 1 - (2 * row) / film.height;
     const direction = normalize(addScaled(add(forward!, scale(right!, x)), up!, y));
-    const exact = rayThrough(cameraFrame(view, film.width, film.height), column, row, film.width, film.height);
+    const exact = rayThrough(cameraFrame(view, film.width, film.height, framing), column, row, film.width, film.height);
     expect(length(subtract(direction, exact.direction))).toBeLessThan(1e-6);
   }
 });
@@ -83,6 +84,22 @@ test('projection, lens and focus; where rays may start', () => {
   close(reach({ aperture: 0.5 }), [0.5, 0.5]);
   close(reach({ projection: 'orthographic', viewHeight: 4 }), [4, 2]);
   close(reach({ projection: 'equirectangular', aperture: 0.5 }), [0, 0]);
+});
+
+test('a framing puts what the camera looks at, and its field of view, where it says', () => {
+  const framing = { center: [0.3, 0.2], height: 0.4 } as const;
+  const { forward, up } = cameraAxes(camera);
+  const through = (x: number, y: number) =>
+    rayThrough(
+      cameraFrame(camera, film.width, film.height, framing),
+      x * film.width,
+      y * film.height,
+      film.width,
+      film.height,
+    );
+  expect(dot(through(0.3, 0.2).direction, forward)).toBeCloseTo(1, 12);
+  const edge = normalize(addScaled(forward, up, Math.tan((25 * Math.PI) / 180)));
+  expect(dot(through(0.3, 0.2 - 0.4 / 2).direction, edge)).toBeCloseTo(1, 12);
 });
 
 test('numbers of the frame', () => {

@@ -1,5 +1,5 @@
 /** Camera, sky and settings of one film sample → the Frame block. */
-import type { Comparison, Panel } from '../renderer-types.ts';
+import type { Comparison, Framing, Panel } from '../renderer-types.ts';
 import { cameraAxes, focusOf, PROJECTIONS, wholeCamera } from '../scene/camera.ts';
 import type { Camera, Sky, Vec3 } from '../scene/scene.ts';
 import { type PixelFilter, packFilter } from './pack-filter.ts';
@@ -15,8 +15,11 @@ export interface FrameSettings extends Panel {
   readonly pixelFilter?: PixelFilter;
   /** Independent random numbers instead of the Sobol sequence. Default: false. */
   readonly independentSamples?: boolean;
+  /** Default: the whole picture. */
+  readonly framing?: Framing | null;
 }
 
+const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 const NOWHERE: Vec3 = [0, 0, 0];
 
@@ -39,6 +42,24 @@ export function viewReach(camera: Camera, aspect: number): ViewReach {
   return { right: scale(axes.right, half * aspect + aperture), up: scale(axes.up, half + aperture) };
 }
 
+/**
+ * The film one metre in front of the eye: the way to its middle, and from there to its right and upper edges. A framing makes the
+ * film larger and shifts it in its own plane, as a view camera does: what is upright stays upright. An orthographic film is not
+ * shifted, and a panorama has no framing.
+ */
+function filmPlane(camera: Camera, film: { width: number; height: number }, framing: Framing | null) {
+  const whole = wholeCamera(camera);
+  const axes = cameraAxes(camera);
+  if (whole.projection === 'equirectangular') return axes;
+  const { center, height } = framing ?? { center: [0.5, 0.5], height: 1 };
+  const half = halfHeight(whole) / height;
+  const right = scale(axes.right, (half * film.width) / film.height);
+  const up = scale(axes.up, half);
+  if (whole.projection === 'orthographic') return { right, up, forward: axes.forward };
+  const shift = add(scale(right, 1 - 2 * center[0]), scale(up, 2 * center[1] - 1));
+  return { right, up, forward: add(axes.forward, shift) };
+}
+
 /** Where film sample s lies inside the pixel: Roberts' R2 sequence from the centre, so that any number of samples is even. */
 export function filmJitter(s: number): readonly [number, number] {
   return [(0.5 + s * 0.7548776662466927) % 1, (0.5 + s * 0.5698402909980532) % 1];
@@ -54,17 +75,15 @@ export function packFrame(
   sampleIndex: number,
 ): void {
   const whole = wholeCamera(camera);
-  const axes = cameraAxes(camera);
-  const half = halfHeight(whole);
-  const aspect = whole.projection === 'equirectangular' ? 1 : film.width / film.height;
+  const { right, up, forward } = filmPlane(camera, film, settings.framing ?? null);
   const panels = settings.comparison?.panels ?? [settings, settings, settings];
   const dividers = settings.comparison?.dividers ?? [2, 2];
   writeStruct(block, 'Frame', 0, {
-    right: scale(axes.right, half * aspect),
+    right,
     width: film.width,
-    up: scale(axes.up, half),
+    up,
     height: film.height,
-    forward: axes.forward,
+    forward,
     lightCount: packed.lightCount,
     horizon: sky.horizon,
     sampleIndex,

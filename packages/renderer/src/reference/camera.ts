@@ -1,11 +1,12 @@
 /** "One camera ray" of docs/classic.md. */
+import type { Framing } from '../renderer-types.ts';
 import { wholeCamera } from '../scene/camera.ts';
 import type { Camera, Projection, Vec3 } from '../scene/scene.ts';
 import { cameraRay, type Ray } from './ray.ts';
 import { addScaled, cross, normalize, scale, subtract } from './vec3.ts';
 
 /**
- * Perspective: the plane one unit in front of the eye, forward to its middle, `right` and `up` to its edges. Orthographic: the
+ * Perspective: the plane one unit in front of the eye, `forward` to its middle, `right` and `up` to its edges. Orthographic: the
  * same two in the plane through the eye. Equirectangular: unit axes.
  */
 export interface CameraFrame {
@@ -16,18 +17,28 @@ export interface CameraFrame {
   readonly up: Vec3;
 }
 
-export function cameraFrame(camera: Camera, width: number, height: number): CameraFrame {
+/** With a framing, the middle of `framing.center` is looked at, and `framing.height` of the picture spans the field of view. */
+export function cameraFrame(
+  camera: Camera,
+  width: number,
+  height: number,
+  framing: Framing | null = null,
+): CameraFrame {
   const forward = normalize(subtract(camera.target, camera.eye));
   const right = normalize(cross(forward, camera.up));
   const up = cross(right, forward);
   const { projection, viewHeight, verticalFov } = wholeCamera(camera);
   if (projection === 'equirectangular') return { projection, eye: camera.eye, forward, right, up };
-  const halfHeight = projection === 'orthographic' ? viewHeight / 2 : Math.tan((verticalFov * Math.PI) / 360);
+  const perspective = projection === 'perspective';
+  const half = perspective ? Math.tan((verticalFov * Math.PI) / 360) : viewHeight / 2;
+  const halfHeight = half / (framing?.height ?? 1);
+  const halfWidth = (halfHeight * width) / height;
+  const [x, y] = framing && perspective ? [2 * framing.center[0] - 1, 1 - 2 * framing.center[1]] : [0, 0];
   return {
     projection,
     eye: camera.eye,
-    forward,
-    right: scale(right, (halfHeight * width) / height),
+    forward: addScaled(addScaled(forward, right, -x * halfWidth), up, -y * halfHeight),
+    right: scale(right, halfWidth),
     up: scale(up, halfHeight),
   };
 }

@@ -2,7 +2,7 @@
  * The classic integrator in double precision: docs/classic.md, line by line. Slow and plain on purpose. The tests hold
  * the GPU kernel against it, and where a browser has no GPU interface it draws the still picture.
  */
-import type { Comparison, Panel } from '../renderer-types.ts';
+import type { Comparison, Framing, Panel } from '../renderer-types.ts';
 import type { Camera, Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { type CameraFrame, cameraFrame, rayThrough, sampleOffset } from './camera.ts';
 import { closestHit, surfaceAt } from './cast.ts';
@@ -31,10 +31,13 @@ export interface ClassicSettings {
   readonly lightSamples?: number;
   /** Instead of the two above, where three panels are compared. */
   readonly comparison?: Comparison | null;
+  /** Default: the whole picture. */
+  readonly framing?: Framing | null;
 }
 
 /** Everything that tracing a pixel needs. Made by `prepareClassic`. */
-export interface ClassicTracer extends Required<Omit<ClassicSettings, 'camera' | 'maxReflections' | 'lightSamples'>> {
+export interface ClassicTracer
+  extends Required<Omit<ClassicSettings, 'camera' | 'framing' | 'maxReflections' | 'lightSamples'>> {
   readonly scene: PreparedScene;
   readonly cameraFrame: CameraFrame;
   /** The settings of the whole picture where nothing is compared. */
@@ -52,7 +55,7 @@ export function prepareClassic(scene: Scene, settings: ClassicSettings): Classic
     sampleCount,
     comparison,
     scene: prepareScene(scene),
-    cameraFrame: cameraFrame(settings.camera ?? scene.camera, width, height),
+    cameraFrame: cameraFrame(settings.camera ?? scene.camera, width, height, settings.framing),
     panel: { maxReflections, lightSamples },
   };
 }

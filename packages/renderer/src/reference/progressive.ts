@@ -3,7 +3,7 @@
  * film sample 0; then the other film samples, one pass each. A generator, so that whoever drives it decides when to
  * pause: the worker runs it straight on, the main thread in slices.
  */
-import type { Comparison } from '../renderer-types.ts';
+import type { Comparison, Framing } from '../renderer-types.ts';
 import type { Camera, Color, Scene } from '../scene/scene.ts';
 import { type ClassicTracer, prepareClassic, traceSample } from './classic.ts';
 
@@ -18,14 +18,22 @@ export interface StillJob {
   readonly lightSamples: number;
   readonly seed: number;
   readonly comparison: Comparison | null;
+  readonly framing?: Framing | null;
   /** Film samples a pixel in the end, at least 1. */
+  readonly samples: number;
+  /** A finished film of the same picture with fewer samples, to go on from. */
+  readonly start?: StillStart;
+}
+export interface StillStart {
+  readonly film: Float32Array<ArrayBuffer>;
+  /** In each of its pixels. */
   readonly samples: number;
 }
 /** The film so far; the generator goes on writing to it. */
 export interface StillProgress {
   /** width × height × (linear RGB, film samples taken), row 0 on top; 0 samples: borrowed from a coarser pixel. */
   readonly film: Float32Array<ArrayBuffer>;
-  /** Share of all film samples that are done, 0 … 1. */
+  /** Share of all film samples to be taken that are done, 0 … 1. */
   readonly done: number;
   /** Whether a whole pass has just been finished. */
   readonly passDone: boolean;
@@ -67,18 +75,18 @@ function refineRow(tracer: ClassicTracer, film: Float32Array, j: number, s: numb
 
 /** Yields after each row. */
 export function* renderProgressively(job: StillJob): Generator<StillProgress, void> {
-  const { width, height } = job;
+  const { width, height, start } = job;
   const tracer = prepareClassic(job.scene, job);
-  const film = new Float32Array(width * height * 4);
-  const total = width * height * job.samples;
+  const film = start ? start.film.slice() : new Float32Array(width * height * 4);
+  const total = width * height * (job.samples - (start?.samples ?? 0));
   let traced = 0;
-  for (let step = COARSEST; step >= 1; step /= 2) {
+  for (let step = start ? 0 : COARSEST; step >= 1; step /= 2) {
     for (let j = 0; j < height; j += step) {
       traced += traceCoarseRow(tracer, job, film, j, step);
       yield { film, done: traced / total, passDone: j + step >= height };
     }
   }
-  for (let s = 1; s < job.samples; s++) {
+  for (let s = start?.samples ?? 1; s < job.samples; s++) {
     for (let j = 0; j < height; j++) {
       refineRow(tracer, film, j, s);
       traced += width;

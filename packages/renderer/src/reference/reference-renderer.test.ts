@@ -29,6 +29,14 @@ test('coarse to fine ends at the film of the classic tracer, and every pixel is 
   expectFinished(film);
 });
 
+test('a film can be gone on from, and ends as if it had been made at once', async () => {
+  const one = await renderStill(baselineRoom, camera, { ...settings, samples: 1 }, width, height);
+  const before = one.slice();
+  const start = { film: one, samples: 1 };
+  expectFinished(await renderStill(baselineRoom, camera, { ...settings, start }, width, height));
+  expect(one, 'what was handed in is left as it was').toEqual(before);
+});
+
 test('the first pass already covers the picture', () => {
   for (const { film, passDone } of renderProgressively(job)) {
     if (!passDone) continue;

@@ -4,14 +4,18 @@
  */
 import type { RendererSettings } from '../renderer-types.ts';
 import type { Camera, Scene } from '../scene/scene.ts';
-import { isWorthShowing, renderProgressively, type StillJob } from './progressive.ts';
+import { isWorthShowing, renderProgressively, type StillJob, type StillStart } from './progressive.ts';
 import type { StillMessage } from './reference.worker.ts';
 import ReferenceWorker from './reference.worker.ts?worker&inline';
 
 export interface StillSettings
   extends Pick<RendererSettings, 'maxReflections' | 'lightSamples' | 'seed' | 'comparison'> {
+  /** Default: the whole picture. */
+  readonly framing?: RendererSettings['framing'];
   /** Film samples a pixel, at least 1. */
   readonly samples: number;
+  /** A finished film of the same picture with fewer samples, to go on from. */
+  readonly start?: StillStart;
 }
 /** Called with the film so far, coarse first, and the share of the work that is done. The film is the caller's. */
 export type OnStillProgress = (film: Float32Array<ArrayBuffer>, done: number) => void;
@@ -59,6 +63,12 @@ async function renderInSlices(job: StillJob, onProgress: OnStillProgress, signal
   return film;
 }
 
+/** Nothing but what the tracer needs: a setting may hold what cannot be posted to a worker. */
+function stillPart(settings: StillSettings): StillSettings {
+  const { maxReflections, lightSamples, seed, comparison, framing, samples, start } = settings;
+  return { maxReflections, lightSamples, seed, comparison, framing, samples, start };
+}
+
 function startWorker(): Worker | null {
   try {
     return new ReferenceWorker();
@@ -81,8 +91,7 @@ export async function renderStill(
   signal?: AbortSignal,
 ): Promise<Float32Array<ArrayBuffer>> {
   signal?.throwIfAborted();
-  const { maxReflections, lightSamples, seed, comparison, samples } = settings;
-  const job: StillJob = { scene, camera, width, height, maxReflections, lightSamples, seed, comparison, samples };
+  const job: StillJob = { scene, camera, width, height, ...stillPart(settings) };
   const worker = startWorker();
   const film = worker && (await renderInWorker(worker, job, onProgress, signal));
   return film ?? renderInSlices(job, onProgress, signal);
