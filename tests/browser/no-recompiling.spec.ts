@@ -8,6 +8,8 @@ for (const backend of backends)
   test(`after start-up nothing is compiled any more (${backend})`, async ({ page, openStudio }) => {
     await hookGpu(page);
     await openStudio({ backend, query: { ...quick, size: 160, paused: 1 } });
+    // The path integrator is compiled when it is first wanted; that is its start-up.
+    await choose(page, 'Scene', 'Materials');
     await settled(page);
     const { compiled } = await hooks(page);
     const unchanged = async (what: string) => {
@@ -32,6 +34,9 @@ async function everyControl(page: Page): Promise<void> {
   await unfold(page, 'Performance');
   for (const value of ['0', '3']) await page.getByRole('slider', { name: 'Reflections' }).fill(value);
   for (const value of ['9', '1']) await choose(page, 'Samples per light', value);
+  await choose(page, 'Method', 'Path tracing');
+  for (const value of ['2', 'No limit']) await choose(page, 'Path segments', value);
+  await choose(page, 'Method', 'Classic ray tracing');
   for (const mode of ['Reflections 1 · 2 · 10', 'Light samples 1 · 9 · 64', 'Off'])
     await choose(page, 'Side by side', mode);
   await page.getByRole('slider', { name: 'Exposure' }).fill('1');

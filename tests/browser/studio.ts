@@ -8,6 +8,7 @@ export const scenes = [
   { id: 'cube-room', en: 'Cube room', zh: '立方体房间' },
   { id: 'mirror-blocks', en: 'Mirror blocks', zh: '镜面积木' },
   { id: 'moving-shadows', en: 'Moving shadows', zh: '流动的阴影' },
+  { id: 'materials', en: 'Materials', zh: '材质陈列' },
 ] as const;
 
 /** Keeps software rendering quick: what these tests look at does not need many pixels. */

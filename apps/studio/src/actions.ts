@@ -18,6 +18,8 @@ export function takeScene(next: { id: string; scene: Scene; fileName?: string })
     state.reflections.value = next.scene.render.maxReflections;
     state.lightSamples.value = next.scene.render.lightSamples;
     state.exposure.value = next.scene.render.exposure;
+    state.integrator.value = next.scene.render.integrator;
+    state.maxDepth.value = next.scene.render.maxDepth;
     state.toneMapping.value = next.scene.render.toneMapping;
     state.viewMoved.value = false;
     state.time.value = 0;
@@ -50,11 +52,12 @@ export async function openSceneFile(file: File): Promise<void> {
 }
 
 export function changeReflections(by: number): void {
-  if (state.comparisonMode.peek() === 'reflections') return;
+  if (state.integrator.peek() !== 'classic' || state.comparing.peek() === 'reflections') return;
   state.reflections.value = Math.min(Math.max(state.reflections.peek() + by, 0), 64);
 }
 
 export function nextComparison(): void {
+  if (state.integrator.peek() !== 'classic') return;
   const at = comparisonModes.indexOf(state.comparisonMode.peek());
   state.comparisonMode.value = comparisonModes[(at + 1) % comparisonModes.length]!;
 }

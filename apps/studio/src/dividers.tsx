@@ -1,6 +1,6 @@
 import { fitDividers, moveDivider, stripValues } from './comparison.ts';
 import { dictionary } from './i18n.ts';
-import { chosenDividers, comparisonMode, dividers, stageHeight, stageWidth, textShare, visibleShare } from './state.ts';
+import { chosenDividers, comparing, dividers, stageHeight, stageWidth, textShare, visibleShare } from './state.ts';
 
 const percent = (share: number): string => `${share * 100}%`;
 
@@ -9,7 +9,7 @@ const STEP = 0.01;
 
 /** The comparison view's two dividers and the names of its strips, over the picture. */
 export function Dividers() {
-  const mode = comparisonMode.value;
+  const mode = comparing.value;
   if (mode === 'off') return null;
   const t = dictionary.value;
   const [first, second] = dividers.value;

@@ -59,6 +59,8 @@ function takeParameters(given: UrlParameters): void {
     state.reflections.value = given.reflections ?? state.reflections.value;
     state.lightSamples.value = given.samples ?? state.lightSamples.value;
     state.exposure.value = given.exposure ?? state.exposure.value;
+    state.integrator.value = given.integrator ?? state.integrator.value;
+    state.maxDepth.value = given.depth ?? state.maxDepth.value;
     state.toneMapping.value = given.tone ?? state.toneMapping.value;
     state.resolutionScale.value = given.scale ?? state.resolutionScale.value;
     state.adaptive.value = given.adaptive ?? state.adaptive.value;

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Backend, FrameStats, Renderer, RendererSettings, Scene, ToneMapping } from 'mirrorball';
+import type { Backend, FrameStats, Integrator, Renderer, RendererSettings, Scene, ToneMapping } from 'mirrorball';
 import { type ComparisonMode, comparisonFor, type Dividers, evenDividers, fitDividers } from './comparison.ts';
 import { framingFor } from './framing.ts';
 
@@ -23,6 +23,9 @@ export const reflections = signal(10);
 export const lightSamples = signal(9);
 export const exposure = signal(0);
 export const toneMapping = signal<ToneMapping>('none');
+export const integrator = signal<Integrator>('classic');
+/** Segments of a path; −1: no limit. */
+export const maxDepth = signal(-1);
 export const resolutionScale = signal(1);
 export const adaptive = signal(true);
 export const targetFps = signal<30 | 60>(60);
@@ -78,22 +81,29 @@ const framing = computed(() => {
   return framingFor({ width, height, top, right: width * (1 - visibleShare.value), bottom });
 });
 
+/** What is compared now: only what the classic integrator knows can be. */
+export const comparing = computed<ComparisonMode>(() =>
+  integrator.value === 'classic' ? comparisonMode.value : 'off',
+);
+
 /** What the renderer is to be set to. */
-export const wantedSettings = computed<
-  Omit<RendererSettings, 'maxSamples' | 'integrator' | 'maxDepth' | 'pixelFilter' | 'independentSamples'>
->(() => ({
-  maxReflections: reflections.value,
-  lightSamples: lightSamples.value,
-  exposure: exposure.value,
-  toneMapping: toneMapping.value,
-  resolutionScale: resolutionScale.value,
-  adaptive: adaptive.value,
-  targetFps: targetFps.value,
-  seed: seed.value,
-  comparison: comparisonFor(
-    comparisonMode.value,
-    { maxReflections: reflections.value, lightSamples: lightSamples.value },
-    dividers.value,
-  ),
-  framing: framing.value,
-}));
+export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples' | 'pixelFilter' | 'independentSamples'>>(
+  () => ({
+    integrator: integrator.value,
+    maxDepth: maxDepth.value,
+    maxReflections: reflections.value,
+    lightSamples: lightSamples.value,
+    exposure: exposure.value,
+    toneMapping: toneMapping.value,
+    resolutionScale: resolutionScale.value,
+    adaptive: adaptive.value,
+    targetFps: targetFps.value,
+    seed: seed.value,
+    comparison: comparisonFor(
+      comparing.value,
+      { maxReflections: reflections.value, lightSamples: lightSamples.value },
+      dividers.value,
+    ),
+    framing: framing.value,
+  }),
+);

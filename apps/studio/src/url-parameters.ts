@@ -1,8 +1,9 @@
 /**
  * The address as an input, so that a picture can be linked, tested and measured:
  *
- *     ?scene=cube-room      one of the built-in scenes: cube-room, mirror-blocks, moving-shadows
+ *     ?scene=cube-room      one of the built-in scenes: cube-room, mirror-blocks, moving-shadows, materials
  *     &backend=webgl2       webgpu, webgl2 or cpu; else the best there is
+ *     &integrator=path      classic or path     &depth=8       segments of a path, 1 … 4096; -1: no limit
  *     &reflections=10       0 … 64               &samples=9     points on each light, 1 … 256
  *     &exposure=0.5         stops, −10 … 10      &compare=reflections    or samples: three strips side by side
  *     &tone=agx             tone mapping: none, aces, agx or neutral
@@ -18,6 +19,8 @@ export interface UrlParameters {
   readonly scene: string | null;
   readonly backend: 'webgpu' | 'webgl2' | 'cpu' | null;
   readonly size: number | null;
+  readonly integrator: 'classic' | 'path' | null;
+  readonly depth: number | null;
   readonly reflections: number | null;
   readonly samples: number | null;
   readonly exposure: number | null;
@@ -60,6 +63,12 @@ class Reader {
     return this.refuse(name, text, `${low} … ${high}`);
   }
 
+  /** Segments of a path. */
+  depth(name: string): number | null {
+    const depth = this.number(name, -1, 4096, true);
+    return depth === 0 ? this.refuse(name, '0', '1 … 4096, or -1') : depth;
+  }
+
   choice<Choice extends string>(name: string, choices: readonly Choice[]): Choice | null {
     const text = this.text(name);
     if (text === null) return null;
@@ -89,6 +98,8 @@ export function readParameters(search: string, sceneIds: readonly string[]): Url
     scene: read.choice('scene', sceneIds),
     backend: read.choice('backend', ['webgpu', 'webgl2', 'cpu']),
     size: read.number('size', 1, 8192, true),
+    integrator: read.choice('integrator', ['classic', 'path']),
+    depth: read.depth('depth'),
     reflections: read.number('reflections', 0, 64, true),
     samples: read.number('samples', 1, 256, true),
     exposure: read.number('exposure', -10, 10),

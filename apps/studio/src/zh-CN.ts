@@ -10,11 +10,22 @@ export const zhCN: Dictionary = {
   dismiss: '知道了',
 
   scene: '场景',
-  sceneNames: { 'cube-room': '立方体房间', 'mirror-blocks': '镜面积木', 'moving-shadows': '流动的阴影' },
+  sceneNames: {
+    'cube-room': '立方体房间',
+    'mirror-blocks': '镜面积木',
+    'moving-shadows': '流动的阴影',
+    materials: '材质陈列',
+  },
   openFile: '打开场景文件…',
   dropHere: '松开鼠标即可打开 scene.json',
 
   light: '光照',
+  integrator: '渲染方法',
+  integratorNames: { classic: '经典光线追踪', path: '路径追踪' },
+  maxDepth: '路径段数',
+  noLimit: '不限',
+  onlyClassic: '仅用于经典光线追踪',
+  onlyPath: '仅用于路径追踪',
   reflections: '反射次数',
   lightSamples: '光源采样数',
   lightSamplesCustom: '自定',

@@ -3,7 +3,7 @@ import { FrameFigures } from './frame-figures.ts';
 import { type Device, DeviceError } from './gpu/device.ts';
 import { Painter } from './painter.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
-import type { Camera, Scene } from './scene/scene.ts';
+import type { Camera, Integrator, Scene } from './scene/scene.ts';
 import { Stages } from './stages.ts';
 import { View } from './view.ts';
 
@@ -14,6 +14,9 @@ const REOPEN_TRIES = 8;
 const REOPEN_PAUSE_MS = 150;
 /** Work on a lost device may fail before the loss itself is told, but not much longer, milliseconds. */
 const LOSS_NEWS_MS = 250;
+
+/** What a ray and its shading cost, roughly; measured soon after. */
+const RAY_WORK: Readonly<Record<Integrator, number>> = { classic: 1, path: 8 };
 
 /** Draws with a GPU device; gets a new one when it is lost. */
 export class GpuRenderer implements Renderer {
@@ -28,7 +31,7 @@ export class GpuRenderer implements Renderer {
   #frameRequest = 0;
   #lastTick: number | null = null;
   #lastChange = 0;
-  #rays = 0;
+  #work = 0;
   /** Why nothing can be drawn any more. */
   #gone: string | null = null;
 
@@ -124,9 +127,9 @@ export class GpuRenderer implements Renderer {
   }
 
   #workChanged(): void {
-    const rays = this.#view.raysPerPixel();
-    if (this.#rays > 0 && rays > this.#rays) this.#controller.workChanged(rays / this.#rays);
-    this.#rays = rays;
+    const work = this.#view.raysPerPixel() * RAY_WORK[this.#view.settings.integrator];
+    if (this.#work > 0 && work > this.#work) this.#controller.workChanged(work / this.#work);
+    this.#work = work;
   }
 
   start(): void {

@@ -2,10 +2,12 @@ import { useSignal } from '@preact/signals';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { comparisonMode, exposure, lightSamples, reflections, toneMapping } from '../state.ts';
+import { comparing, exposure, integrator, lightSamples, maxDepth, reflections, toneMapping } from '../state.ts';
 import { Section } from './section.tsx';
 
 const toneMappings = ['none', 'aces', 'agx', 'neutral'] as const;
+const integrators = ['classic', 'path'] as const;
+const depths: readonly number[] = [1, 2, 3, 5, 12, -1];
 const presets = [1, 9, 16, 64];
 const signed = (n: number): string => (n > 0 ? '+' : n < 0 ? '−' : '') + Math.abs(n).toFixed(1);
 
@@ -13,6 +15,21 @@ export function LightSection() {
   const t = dictionary.value;
   return (
     <Section id="light" title={t.light}>
+      <Choice
+        id="integrator"
+        label={t.integrator}
+        options={integrators.map((value) => ({ value, label: t.integratorNames[value] }))}
+        value={integrator.value}
+        onChange={(kind) => (integrator.value = kind)}
+      />
+      <Choice
+        id="max-depth"
+        label={t.maxDepth}
+        options={depths.map((value) => ({ value, label: value < 0 ? t.noLimit : String(value) }))}
+        value={depths.includes(maxDepth.value) ? maxDepth.value : null}
+        onChange={(depth) => (maxDepth.value = depth)}
+        idle={integrator.value === 'path' ? null : t.onlyPath}
+      />
       <Slider
         id="reflections"
         label={t.reflections}
@@ -22,7 +39,7 @@ export function LightSection() {
         value={reflections.value}
         text={String(reflections.value)}
         onInput={(value) => (reflections.value = value)}
-        idle={comparisonMode.value === 'reflections' ? t.setByComparison('1 · 2 · 10') : null}
+        idle={classicIdle('reflections', '1 · 2 · 10')}
       />
       <LightSamples />
       <Slider
@@ -46,9 +63,16 @@ export function LightSection() {
   );
 }
 
+/** Why a setting of the classic integrator has no effect now. */
+function classicIdle(compared: 'reflections' | 'samples', values: string): string | null {
+  const t = dictionary.value;
+  if (integrator.value !== 'classic') return t.onlyClassic;
+  return comparing.value === compared ? t.setByComparison(values) : null;
+}
+
 function LightSamples() {
   const t = dictionary.value;
-  const compared = comparisonMode.value === 'samples';
+  const idle = classicIdle('samples', '1 · 9 · 64');
   const wishesOther = useSignal(false);
   const other = wishesOther.value || !presets.includes(lightSamples.value);
   const options = [...presets.map((n) => ({ value: n, label: String(n) })), { value: 0, label: t.lightSamplesCustom }];
@@ -68,9 +92,9 @@ function LightSamples() {
         options={options}
         value={other ? 0 : lightSamples.value}
         onChange={choose}
-        idle={compared ? t.setByComparison('1 · 9 · 64') : null}
+        idle={idle}
       />
-      {other && !compared && (
+      {other && !idle && (
         <input
           id="light-samples-number"
           class="number"

@@ -119,13 +119,14 @@ describe.each(builtInScenes)('$name', ({ scene }) => {
 
 const count = (scene: Scene, type: Shape['type']) => Object.values(scene.shapes).filter((s) => s.type === type).length;
 
-test('the three scenes are what their names say', () => {
-  expect(builtInScenes.map(({ id }) => id)).toEqual(['cube-room', 'mirror-blocks', 'moving-shadows']);
+test('the scenes are what their names say', () => {
+  expect(builtInScenes.map(({ id }) => id)).toEqual(['cube-room', 'mirror-blocks', 'moving-shadows', 'materials']);
   const [room, blocks, shadows] = builtInScenes.map(({ scene }) => scene);
   expect([count(room!, 'plane'), count(room!, 'box'), count(room!, 'sphere')]).toEqual([6, 2, 4]);
   expect(Object.keys(room!.lights)).toHaveLength(1);
   expect(count(blocks!, 'box')).toBeGreaterThanOrEqual(4);
   expect(count(blocks!, 'sphere')).toBeGreaterThanOrEqual(3);
   expect(Object.keys(shadows!.lights)).toHaveLength(2);
-  expect(builtInScenes.map(({ scene }) => scene.render.lightSamples)).toEqual([9, 9, 16]);
+  expect(builtInScenes.map(({ scene }) => scene.render.integrator)).toEqual(['classic', 'classic', 'classic', 'path']);
+  expect([room!, blocks!, shadows!].map(({ render }) => render.lightSamples)).toEqual([9, 9, 16]);
 });

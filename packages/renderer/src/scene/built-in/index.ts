@@ -1,6 +1,7 @@
 import { parseScene } from '../../scene-file/parse-scene.ts';
 import type { Scene } from '../scene.ts';
 import cubeRoom from './cube-room.scene.json';
+import materials from './materials.scene.json';
 import mirrorBlocks from './mirror-blocks.scene.json';
 import movingShadows from './moving-shadows.scene.json';
 
@@ -18,6 +19,7 @@ export const builtInScenes: readonly BuiltInScene[] = [
   builtIn('cube-room', cubeRoom),
   builtIn('mirror-blocks', mirrorBlocks),
   builtIn('moving-shadows', movingShadows),
+  builtIn('materials', materials),
 ];
 
 function builtIn(id: string, file: { readonly name: string }): BuiltInScene {
