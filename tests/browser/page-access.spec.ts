@@ -57,6 +57,15 @@ test.describe('in Chinese', () => {
     await expect(page.getByRole('slider', { name: 'Reflections' }), 'the choice is remembered').toBeVisible();
   });
 
+  test('what is wrong with a scene file is said in Chinese, and once', async ({ page, openStudio }) => {
+    await openStudio(address);
+    const buffer = Buffer.from(JSON.stringify({ version: 1, name: 'x', camera: { eye: [0, 1, 5], target: 7 } }));
+    await page.locator('input[type=file]').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
+    const dialog = page.getByRole('dialog', { name: '无法打开 x.json' });
+    await expect(dialog).toContainText('在 /camera/target 处：找到 7，应为由三个数组成的列表');
+    expect((await dialog.innerText()).match(/找到/g)).toHaveLength(1);
+  });
+
   test('nothing but names is left in English', async ({ page, openStudio }) => {
     await openStudio(address);
     await expectPicture(page);

@@ -1,3 +1,5 @@
+import type { Problem } from 'mirrorball';
+
 const plural = (n: number, one: string, many: string): string => `${n} ${n === 1 ? one : many}`;
 
 /** English, and the measure for every other language: a missing or extra key there is a type error. */
@@ -86,8 +88,7 @@ export const en = {
 
   problemsTitle: (file: string) => `${file} could not be opened`,
   problemsIntro: 'This is what is wrong with it. The scene before keeps running.',
-  problemFound: 'Found',
-  problemAllowed: 'Allowed',
+  problem: ({ message }: Problem) => message,
   wholeFile: '(whole file)',
   copy: 'Copy',
   copied: 'Copied',

@@ -2,10 +2,10 @@ import { useSignal } from '@preact/signals';
 import type { Problem } from 'mirrorball';
 import { refusedFile } from './actions.ts';
 import { Dialog } from './controls/dialog.tsx';
-import { dictionary } from './i18n.ts';
+import { type Dictionary, dictionary } from './i18n.ts';
 
-const asText = (problems: readonly Problem[]): string =>
-  problems.map((p) => `${p.path || '/'}: ${p.message} | ${p.found} | ${p.allowed}`).join('\n');
+const asText = (problems: readonly Problem[], t: Dictionary): string =>
+  problems.map((problem) => `${problem.path || '/'}: ${t.problem(problem)}`).join('\n');
 
 /** Puts the text on the clipboard; where the browser refuses, it selects the list, ready to be copied by hand. */
 async function copyText(text: string): Promise<boolean> {
@@ -34,7 +34,7 @@ export function ProblemsDialog() {
       id="copy-problems"
       type="button"
       class="button"
-      onClick={async () => (copied.value = await copyText(asText(problems)))}
+      onClick={async () => (copied.value = await copyText(asText(problems, t)))}
     >
       {copied.value ? t.copied : t.copy}
     </button>
@@ -51,18 +51,12 @@ export function ProblemsDialog() {
   );
 }
 
-function ProblemItem({ path, found, allowed, message }: Problem) {
+function ProblemItem(problem: Problem) {
   const t = dictionary.value;
   return (
     <li>
-      <code class="path">{path || t.wholeFile}</code>
-      <p>{message}</p>
-      <dl>
-        <dt>{t.problemFound}</dt>
-        <dd>{found}</dd>
-        <dt>{t.problemAllowed}</dt>
-        <dd>{allowed}</dd>
-      </dl>
+      <code class="path">{problem.path || t.wholeFile}</code>
+      <p>{t.problem(problem)}</p>
     </li>
   );
 }

@@ -1,4 +1,5 @@
 import type { Dictionary } from './i18n.ts';
+import { problemInChinese } from './problem-zh-CN.ts';
 
 export const zhCN: Dictionary = {
   title: 'Mirrorball 光线追踪',
@@ -85,8 +86,7 @@ export const zhCN: Dictionary = {
 
   problemsTitle: (file) => `无法打开 ${file}`,
   problemsIntro: '发现以下问题，原来的场景继续运行。',
-  problemFound: '实际内容',
-  problemAllowed: '允许的取值',
+  problem: problemInChinese,
   wholeFile: '（整个文件）',
   copy: '复制',
   copied: '已复制',

@@ -1,0 +1,66 @@
+import { type Problem, parseScene } from 'mirrorball';
+import { describe, expect, test } from 'vitest';
+import {
+  brokenAnimation,
+  brokenObjects,
+  brokenParts,
+  brokenShapes,
+} from '../../../packages/renderer/src/scene-file/broken/broken-scenes.ts';
+import { goodScene } from '../../../packages/renderer/src/scene-file/broken/good-scene.ts';
+import { problemInChinese } from './problem-zh-CN.ts';
+
+function problemsOf(input: unknown): readonly Problem[] {
+  const parsed = parseScene(input);
+  return parsed.ok ? [] : parsed.problems;
+}
+/** Words that are left when names, texts of the file and paths are taken out; "one" is the name of a symbol there. */
+const englishWords = (sentence: string): string[] =>
+  (
+    sentence
+      .replace(/^在 .*? 处：/s, '')
+      .replace(/"[^"]*"|（.*?）/g, '')
+      .match(/[A-Za-z]{2,}/g) ?? []
+  ).filter(
+    (word) =>
+      !['true', 'false', 'null', 'JSON', 'Pointer', 'NaN', 'Infinity', 'Symbol', 'BigInt', 'one'].includes(word),
+  );
+
+describe.each(Object.entries({ brokenParts, brokenShapes, brokenAnimation, brokenObjects }))('%s', (_, table) => {
+  test.each(table)('%s: all said in Chinese', (_defect, breakIt) => {
+    const scene = goodScene();
+    breakIt(scene);
+    for (const problem of problemsOf(scene)) {
+      const sentence = problemInChinese(problem);
+      expect(englishWords(sentence), sentence).toEqual([]);
+      expect(sentence).toContain('应为');
+    }
+  });
+});
+
+test.each(['', '{"version": 1,}', '{"a": 1 "b": 2}', '{ version: 1 }', '["\\x"]', '[', '{} {}', '{"a": "b', '[[1]'])(
+  'text that is not JSON: %j',
+  (text) => {
+    const [problem] = problemsOf(text);
+    expect(englishWords(problemInChinese(problem!)).filter((word) => word !== 'version')).toEqual([]);
+  },
+);
+
+test('sentences', () => {
+  const scene = goodScene();
+  scene.camera.verticalFov = 180;
+  scene.materials.clay.colour = [1, 0, 0];
+  delete scene.name;
+  const sentences = problemsOf(scene).map(problemInChinese);
+  expect(sentences).toContain('在 /camera/verticalFov 处：找到 180，应为 0.01 到 179 之间的数。');
+  expect(sentences).toContain('在 /name 处：缺少内容，应为不超过 200 个字符的文本。');
+  expect(
+    sentences.find((sentence) => sentence.startsWith('在 /materials/clay/colour 处：找到未知的键 "colour"')),
+  ).toBeDefined();
+  expect(problemInChinese({ path: '', found: '7 more', allowed: 'none', message: '' })).toBe('……另有 7 个问题。');
+});
+
+test('a phrase that has no form here stays as it is', () => {
+  expect(problemInChinese({ path: '/x', found: 'a unicorn', allowed: 'a horse', message: '' })).toBe(
+    '在 /x 处：找到 a unicorn，应为 a horse。',
+  );
+});

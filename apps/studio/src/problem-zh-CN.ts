@@ -1,0 +1,130 @@
+import type { Problem } from 'mirrorball';
+
+/**
+ * Problems of scene files in Chinese. The reader tells them in English phrases of few forms; here stands each form, and a phrase of
+ * none of them stays as it is. What a property is for is left out: the path before it says which one is meant.
+ */
+
+type Form = readonly [pattern: RegExp, say: (...parts: string[]) => string];
+
+/** `"a", "b" or "c"`: names in quotes, which stay as they are. */
+const listed = (names: string): string => names.replace(/ (?:or|and) (?=")|, (?=")/g, '、');
+
+const allowedForms: readonly Form[] = [
+  [/^(?:.*: )?a number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
+  [/^(?:.*: )?a whole number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的整数`],
+  [/^one number of .*: from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
+  [
+    /: a list of three numbers, each from (\S+) to (\S+)$/,
+    (low, high) => `由三个数组成的列表，每个数在 ${low} 到 ${high} 之间`,
+  ],
+  [/: a text of at most (\S+) characters$/, (most) => `不超过 ${most} 个字符的文本`],
+  [/(?:^|: )true or false$/, () => 'true 或 false'],
+  [/^a name: 1 to (\d+) characters/, (most) => `1 到 ${most} 个字符的名称，不能换行，首尾不能有空格`],
+  [/ by name, at most (\d+) of them$/, (most) => `以名称为键的对象，最多 ${most} 项`],
+  [/: a list of 1 to (\d+) keys$/, (most) => `1 到 ${most} 个关键帧组成的列表`],
+  [/: a list of at most (\d+) tracks$/, (most) => `最多 ${most} 条轨道组成的列表`],
+  [/: a number or a list of three numbers$/, () => '一个数，或由三个数组成的列表'],
+  [
+    /^the sky: one colour \[red, green, blue\], or an object with (.*)$/,
+    (names) => `一个颜色 [红, 绿, 蓝]，或含有 ${listed(names)} 的对象`,
+  ],
+  [/^the metal: (.*), or an object with (.*)$/, (metals, names) => `${listed(metals)}，或含有 ${listed(names)} 的对象`],
+  [/: an object whose "type" is (.*)$/, (names) => `"type" 为 ${listed(names)} 之一的对象`],
+  [/: an object with (.*)$/, (names) => `含有 ${listed(names)} 的对象`],
+  [/: an object$/, () => '一个对象'],
+  [/^(?:[^"]*: )?("[^"]*")$/, (name) => name],
+  [/^(?:[^"]*: )?("[^"]*"(?:, | or )"[^"]*".*)$/, (names) => `${listed(names)} 之一`],
+  [/^the version of the file format, which is 1$/, () => '文件格式的版本号 1'],
+  [/^a point at least (\S+) metres from "eye"$/, (least) => `与 "eye" 相距至少 ${least} 米的点`],
+  [/^a direction across the line from "eye" to "target"$/, () => '与视线（从 "eye" 到 "target"）不平行的方向'],
+  [/^at least one shape or a visible light$/, () => '至少一个形体或一个可见的光源'],
+  [/^at most (\d+) of this type$/, (most) => `这种形体最多 ${most} 个`],
+  [/^a material; this scene has none yet$/, () => '一种材质，而此场景还没有定义材质'],
+  [/^one of (.*) and (\d+) more$/, (names, more) => `${listed(names)} 或另外 ${more} 个名称之一`],
+  [/^one of (.*)$/, (names) => `${listed(names)} 之一`],
+  [/^a material of another type than "dielectric"$/, () => '"dielectric" 以外的材质'],
+  [/^a material without "emission"$/, () => '不带 "emission" 的材质'],
+  [/^0 for a plane$/, () => '0（平面不能发光）'],
+  [/^a direction of length (\S+) or more$/, (least) => `长度不小于 ${least} 的方向`],
+  [
+    /^a side that is not along "u", both at least (\S+) metres long$/,
+    (least) => `与 "u" 不平行的边，两条边都不短于 ${least} 米`,
+  ],
+  [/^a time after (\S+)$/, (before) => `晚于 ${before} 的时间`],
+  [/^a target of its own$/, () => '其他轨道没有使用的目标'],
+  [
+    /^a pointer to a number or a triple of numbers under (.*)$/,
+    (names) => `JSON Pointer，指向 ${listed(names)} 之下的一个数或三个数`,
+  ],
+  [/^the keys (.*?)(?:\. Did you mean .*)?$/, (names) => `以下键之一：${listed(names)}`],
+  [/^any other name$/, () => '别的名称'],
+  [/^names that can be told apart$/, () => '能够区分的名称'],
+  [/^at most (\d+) values$/, (most) => `最多 ${most} 个值`],
+  [/^at most (\d+) characters$/, (most) => `最多 ${most} 个字符`],
+  [/^a scene$/, () => '一个场景'],
+  [/^each key once$/, () => '每个键只出现一次'],
+  [/^a value$/, () => '一个值'],
+  [/^less nesting$/, () => '更少的嵌套层数'],
+  [/^a key in double quotes$/, () => '用双引号括起来的键'],
+  [/^the end of the file$/, () => '文件结尾'],
+  [/^a text that ends with a double quote on its own line$/, () => '在同一行内以双引号结束的文本'],
+  [/^one of (\\.*)$/, (escapes) => `${escapes} 之一`],
+  [/^JSON text that this browser can read$/, () => '浏览器能够读取的 JSON 文本'],
+];
+
+const foundForms: readonly Form[] = [
+  [/^the text (".*")$/, (text) => `文本 ${text}`],
+  [/^an object \((.*)\)$/, (kind) => `对象（${kind}）`],
+  [/^an object$/, () => '一个对象'],
+  [/^a list of (\d+) items$/, (count) => `含 ${count} 项的列表`],
+  [/^a function$/, () => '一个函数'],
+  [/^a symbol$/, () => '一个 Symbol'],
+  [/^a BigInt$/, () => '一个 BigInt'],
+  [/^the place of the eye$/, () => '与 "eye" 相同的位置'],
+  [/^no shape, and no visible light$/, () => '没有形体，也没有可见的光源'],
+  [/^(\d+) shapes of type (".*")$/, (count, type) => `${count} 个 ${type} 形体`],
+  [/^more than (\d+) names$/, (most) => `超过 ${most} 个名称`],
+  [/^the name (".*")$/, (name) => `名称 ${name}`],
+  [/^the dielectric material (".*")$/, (name) => `透光的材质 ${name}`],
+  [/^the shining material (".*")$/, (name) => `发光的材质 ${name}`],
+  [/^u = (\[.*\]) and v = (\[.*\]), which span no area$/, (u, v) => `u = ${u} 与 v = ${v}，围不成面积`],
+  [/^(\S+) after (\S+)$/, (time, before) => `${time}，排在 ${before} 之后`],
+  [/^(".*"), which track (\d+) moves already$/, (pointer, track) => `${pointer}，已由轨道 ${track} 使用`],
+  [/^the target (".*")$/, (pointer) => `目标 ${pointer}`],
+  [/^the unknown key (".*")$/, (key) => `未知的键 ${key}`],
+  [/^the reserved name (".*")$/, (name) => `保留的名称 ${name}`],
+  [/^a name that looks the same as another, (".*")$/, (name) => `与另一个名称看起来相同的 ${name}`],
+  [/^too many values$/, () => '过多的值'],
+  [/^(\d+) characters$/, (count) => `${count} 个字符`],
+  [/^\[(.*the text .*)\]$/, (items) => `[${items.replaceAll('the text "', '文本 "')}]`],
+  [/^something that throws when it is read$/, () => '读取时出错的内容'],
+  [/^something that cannot be read$/, () => '无法读取的内容'],
+  [/^nothing more at line (\d+), column (\d+)$/, (line, column) => `第 ${line} 行第 ${column} 列已到结尾`],
+  [/^(".*") at line (\d+), column (\d+)$/, (text, line, column) => `第 ${line} 行第 ${column} 列的 ${text}`],
+  [/^the same key again, in line (\d+)$/, (line) => `第 ${line} 行又有同样的键`],
+];
+
+function translate(phrase: string, forms: readonly Form[]): string {
+  for (const [pattern, say] of forms) {
+    const match = pattern.exec(phrase);
+    if (match) return say(...match.slice(1).map((part) => part ?? ''));
+  }
+  return phrase;
+}
+
+export const foundInChinese = (found: string): string => translate(found, foundForms);
+export const allowedInChinese = (allowed: string): string => translate(allowed, allowedForms);
+
+/** Between Chinese and anything else stands a space. */
+const spaced = (phrase: string): string => (/^[!-~]/.test(phrase) ? ` ${phrase}` : phrase);
+
+/** One sentence that says where, what was found and what may stand there. */
+export function problemInChinese({ path, found, allowed, message }: Problem): string {
+  const beyond = /^(\d+) more$/.exec(found);
+  if (beyond) return `……另有 ${beyond[1]} 个问题。`;
+  const place = path === '' ? '文件中' : `在 ${path} 处`;
+  const what = found === 'nothing' ? '缺少内容' : `找到${spaced(foundInChinese(found))}`;
+  const meant = /Did you mean (".+")\?$/.exec(message);
+  return `${place}：${what}，应为${spaced(allowedInChinese(allowed))}。${meant ? `你是不是想写 ${meant[1]}？` : ''}`;
+}
