@@ -19,6 +19,7 @@ for (const backend of backends)
     expect(compiled).toBeGreaterThanOrEqual(3);
 
     for (const { en } of scenes) await choose(page, 'Scene', en);
+    await choose(page, 'Scene', scenes[0]!.en);
     await unchanged('switching scenes');
     await everyControl(page);
     await unchanged('changing every control');

@@ -68,6 +68,20 @@ for (const backend of backends) {
       }
     });
 
+    test('path tracing: method and path segments', async ({ page }) => {
+      const before = await lookAtPicture(page);
+      await choose(page, 'Method', 'Path tracing');
+      await expectState(page, (state) => state.settings.integrator, 'path');
+      await expect
+        .poll(async () => difference(before, await lookAtPicture(page)), 'another picture')
+        .toBeGreaterThan(3);
+      await choose(page, 'Path segments', '2');
+      await expectState(page, (state) => state.settings.maxDepth, 2);
+      await expect(page.getByRole('slider', { name: 'Reflections' })).toHaveCount(0);
+      await choose(page, 'Method', 'Classic ray tracing');
+      await expectState(page, (state) => state.settings.integrator, 'classic');
+    });
+
     test('comparison: strips with dividers that move', async ({ page }) => {
       await choose(page, 'Side by side', 'Reflections 1 · 2 · 10');
       await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.maxReflections), [1, 2, 10]);

@@ -28,7 +28,6 @@ export const en = {
   maxDepth: 'Path segments',
   noLimit: 'No limit',
   onlyClassic: 'Only classic ray tracing uses this',
-  onlyPath: 'Only path tracing uses this',
   reflections: 'Reflections',
   lightSamples: 'Samples per light',
   lightSamplesCustom: 'Other',

@@ -26,7 +26,6 @@ export const zhCN: Dictionary = {
   maxDepth: '路径段数',
   noLimit: '不限',
   onlyClassic: '仅用于经典光线追踪',
-  onlyPath: '仅用于路径追踪',
   reflections: '反射次数',
   lightSamples: '光源采样数',
   lightSamplesCustom: '自定',

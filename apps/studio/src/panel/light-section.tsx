@@ -15,6 +15,7 @@ export function LightSection() {
   const t = dictionary.value;
   return (
     <Section id="light" title={t.light}>
+      {integrator.value === 'classic' ? <ClassicControls /> : <PathControls />}
       <Choice
         id="integrator"
         label={t.integrator}
@@ -22,26 +23,6 @@ export function LightSection() {
         value={integrator.value}
         onChange={(kind) => (integrator.value = kind)}
       />
-      <Choice
-        id="max-depth"
-        label={t.maxDepth}
-        options={depths.map((value) => ({ value, label: value < 0 ? t.noLimit : String(value) }))}
-        value={depths.includes(maxDepth.value) ? maxDepth.value : null}
-        onChange={(depth) => (maxDepth.value = depth)}
-        idle={integrator.value === 'path' ? null : t.onlyPath}
-      />
-      <Slider
-        id="reflections"
-        label={t.reflections}
-        min={0}
-        max={64}
-        step={1}
-        value={reflections.value}
-        text={String(reflections.value)}
-        onInput={(value) => (reflections.value = value)}
-        idle={classicIdle('reflections', '1 · 2 · 10')}
-      />
-      <LightSamples />
       <Slider
         id="exposure"
         label={t.exposure}
@@ -63,16 +44,42 @@ export function LightSection() {
   );
 }
 
-/** Why a setting of the classic integrator has no effect now. */
-function classicIdle(compared: 'reflections' | 'samples', values: string): string | null {
+function ClassicControls() {
   const t = dictionary.value;
-  if (integrator.value !== 'classic') return t.onlyClassic;
-  return comparing.value === compared ? t.setByComparison(values) : null;
+  return (
+    <>
+      <Slider
+        id="reflections"
+        label={t.reflections}
+        min={0}
+        max={64}
+        step={1}
+        value={reflections.value}
+        text={String(reflections.value)}
+        onInput={(value) => (reflections.value = value)}
+        idle={comparing.value === 'reflections' ? t.setByComparison('1 · 2 · 10') : null}
+      />
+      <LightSamples />
+    </>
+  );
+}
+
+function PathControls() {
+  const t = dictionary.value;
+  return (
+    <Choice
+      id="max-depth"
+      label={t.maxDepth}
+      options={depths.map((value) => ({ value, label: value < 0 ? t.noLimit : String(value) }))}
+      value={depths.includes(maxDepth.value) ? maxDepth.value : null}
+      onChange={(depth) => (maxDepth.value = depth)}
+    />
+  );
 }
 
 function LightSamples() {
   const t = dictionary.value;
-  const idle = classicIdle('samples', '1 · 9 · 64');
+  const idle = comparing.value === 'samples' ? t.setByComparison('1 · 9 · 64') : null;
   const wishesOther = useSignal(false);
   const other = wishesOther.value || !presets.includes(lightSamples.value);
   const options = [...presets.map((n) => ({ value: n, label: String(n) })), { value: 0, label: t.lightSamplesCustom }];
