@@ -33,8 +33,6 @@ function textOf(scene: unknown): string | null {
 interface Listed {
   readonly path: string;
   readonly message: string;
-  readonly found: string;
-  readonly allowed: string;
 }
 /** A file by its text, or by its size in MiB and the byte that it is full of. */
 type Given = { name: string; text: string } | { name: string; mebibytes: number; byte: number };
@@ -61,8 +59,6 @@ function openAll(page: Page, files: readonly Given[]): Promise<Listed[][]> {
         [...dialog.querySelectorAll('.problems li')].map((item) => ({
           path: texts(item, '.path'),
           message: texts(item, 'p'),
-          found: texts(item, 'dd:nth-of-type(1)'),
-          allowed: texts(item, 'dd:nth-of-type(2)'),
         })),
       );
       dialog.close();
