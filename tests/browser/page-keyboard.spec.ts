@@ -65,6 +65,8 @@ test('shortcuts: scenes, reflections, comparison, play, step', async ({ page }) 
     await page.keyboard.press(String(index + 1));
     await expect(page.getByRole('img', { name: en })).toBeVisible();
   }
+  await page.keyboard.press('1');
+  await expect(page.getByRole('img', { name: scenes[0]!.en })).toBeVisible();
   const { maxReflections } = (await rendererState(page))!.settings;
   await page.keyboard.press(']');
   await expectState(page, (state) => state.settings.maxReflections, maxReflections + 1);

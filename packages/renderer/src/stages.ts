@@ -108,7 +108,7 @@ export class Stages {
     this.#pass = this.#integrators.get(shot.settings.integrator) ?? this.#preview;
     this.#paths = this.#pass === this.#integrators.get('path');
     const pack = this.#paths ? packPathScene : packScene;
-    const reach = viewReach(shot.camera, width / height);
+    const reach = viewReach(shot.camera, width / height, shot.settings.framing);
     const packed = pack(shot.scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
     if (!this.#table || this.#table.height < packed.rows) {

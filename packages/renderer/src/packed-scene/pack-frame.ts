@@ -33,12 +33,12 @@ function halfHeight({ projection, verticalFov, viewHeight }: Required<Camera>): 
  * Where the camera's rays may start: the parallelogram eye ± right ± up. A pinhole's start at the eye; those of an orthographic
  * camera start on the plane through the eye across the line of sight, those of a lens anywhere on it.
  */
-export function viewReach(camera: Camera, aspect: number): ViewReach {
+export function viewReach(camera: Camera, aspect: number, framing: Framing | null = null): ViewReach {
   const whole = wholeCamera(camera);
   const { projection, aperture } = whole;
   const axes = cameraAxes(camera);
   if (projection === 'equirectangular') return { right: NOWHERE, up: NOWHERE };
-  const half = projection === 'orthographic' ? halfHeight(whole) : 0;
+  const half = projection === 'orthographic' ? halfHeight(whole) / (framing?.height ?? 1) : 0;
   return { right: scale(axes.right, half * aspect + aperture), up: scale(axes.up, half + aperture) };
 }
 
