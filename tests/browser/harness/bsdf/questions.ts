@@ -89,7 +89,7 @@ export async function ask(
   const film = device.createFilm(WIDTH, height);
   const pass = await device.createPass(PROBE);
   device.draw(pass, film, [frame, table, asked], { width: WIDTH, height, firstRow: 0, rowCount: height });
-  const all = await device.read(film, WIDTH, height);
+  const all = await device.read(film.layers[0]!, WIDTH, height);
   for (const resource of [frame, table, asked, film]) resource.destroy();
   return questions.map((_, k) => Array.from(all.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
 }
