@@ -56,6 +56,21 @@ for (const backend of backends) {
     }
   });
 
+  test(`${backend}: white furnaces are 1, within 1e-3 (${seeds})`, async ({ harness }) => {
+    for (const name of ['F1_diffuse', 'F1_glass']) {
+      const furnace = referenceScene(name);
+      // So near that every pixel sees the ball.
+      const scene = { ...furnace, camera: { ...furnace.camera, verticalFov: 18 } };
+      for (const [c, { mean, error }] of (await measure(harness, backend, scene, 64)).entries()) {
+        expect.soft(error, `${name}, channel ${c}: noise`).toBeLessThan(5e-4);
+        expect.soft(Math.abs(mean - 1), `${name}, channel ${c}`).toBeLessThan(1e-3);
+      }
+    }
+  });
+
+  // The long ones on one backend: reference.spec.ts shows that the other one's films are the same, or judges them.
+  if (backend === 'webgpu') continue;
+
   test(`${backend}: the penumbra of a square lamp behind an edge, within 0.3 % (${seeds})`, async ({ harness }) => {
     const lamp: QuadLight = { type: 'quad', ...PENUMBRA.lamp, color: [1, 1, 1], visible: true };
     const materials = { white: testMaterial({ baseColor: PENUMBRA.albedo }), black };
@@ -66,18 +81,6 @@ for (const backend of backends) {
       for (const [c, measured] of channels.entries()) {
         const exact = (PENUMBRA.albedo[c]! * penumbraIrradiance(x)) / Math.PI;
         expectShare(measured, exact, 0.003, `at x = ${x}, channel ${c}`);
-      }
-    }
-  });
-
-  test(`${backend}: white furnaces are 1, within 1e-3 (${seeds})`, async ({ harness }) => {
-    for (const name of ['F1_diffuse', 'F1_glass']) {
-      const furnace = referenceScene(name);
-      // So near that every pixel sees the ball.
-      const scene = { ...furnace, camera: { ...furnace.camera, verticalFov: 18 } };
-      for (const [c, { mean, error }] of (await measure(harness, backend, scene, 64)).entries()) {
-        expect.soft(error, `${name}, channel ${c}: noise`).toBeLessThan(5e-4);
-        expect.soft(Math.abs(mean - 1), `${name}, channel ${c}`).toBeLessThan(1e-3);
       }
     }
   });

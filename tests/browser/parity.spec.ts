@@ -8,7 +8,9 @@ const SIZE = { width: 128, height: 96, seed: 20 };
 
 const names = ['cube-room', 'mirror-blocks', 'moving-shadows', 'baseline-room'];
 const projections = ['orthographic', 'equirectangular'];
-const projected = projections.flatMap((projection) => names.map((name) => `${name} ${projection}`));
+const projected = projections.flatMap((projection) =>
+  ['cube-room', 'moving-shadows'].map((name) => `${name} ${projection}`),
+);
 for (const scene of [...names, ...projected]) {
   const few = projected.includes(scene);
   test(`${scene}: the same picture from WebGPU, WebGL2 and the reference`, async ({ harness }) => {
