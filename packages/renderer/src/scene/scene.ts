@@ -36,7 +36,7 @@ export interface Sky {
 
 /**
  * What a surface is made of. The classic integrator sees `baseColor`, `roughness`, `specular` and `reflectivity` only, whatever
- * the type; the path integrator sees everything but `specular`. docs/materials.md has the formulas.
+ * the type; the path integrator sees everything but `specular`.
  */
 export interface Material {
   /**
