@@ -7,20 +7,26 @@ import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
-import { createPathPass, drawPath, PATH_LAYERS } from './integrator/path/path.ts';
+import { drawPath, PATH_LAYERS } from './integrator/path/path.ts';
+import { pathFeatures } from './integrator/path/path-features.ts';
+import { PathPrograms } from './integrator/path/path-programs.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
 import { createBlock } from './packed-scene/write-struct.ts';
 import type { RendererSettings } from './renderer-types.ts';
-import type { Camera, Integrator, Scene } from './scene/scene.ts';
+import type { Camera, Scene } from './scene/scene.ts';
 
-/** One state of the world, as the film is to hold it. */
-export interface Shot {
+/** What a program is needed for. */
+export interface Subject {
   readonly scene: Scene;
   readonly camera: Camera;
   readonly settings: Readonly<RendererSettings>;
+}
+
+/** One state of the world, as the film is to hold it. */
+export interface Shot extends Subject {
   /** At most. */
   readonly raysPerPixel: number;
   /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
@@ -41,14 +47,15 @@ export class Stages {
   readonly #preview: Pass;
   readonly #frame: UniformBuffer;
   readonly #frameBlock = createBlock(structSize('Frame'));
-  readonly #integrators = new Map<Integrator, Pass>();
-  readonly #compiling = new Map<Integrator, Promise<void>>();
+  readonly #paths: PathPrograms;
+  #classic: Pass | null = null;
+  #compilingClassic: Promise<void> | null = null;
   #table: TableTexture | null = null;
   #packed: PackedScene | undefined;
   #shot: Shot | null = null;
   /** What draws the samples of the shot, and whether it is the path integrator. */
   #pass: Pass;
-  #paths = false;
+  #tracesPaths = false;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -57,15 +64,19 @@ export class Stages {
   /** The integrators that have drawn something. */
   readonly #warm = new Set<Pass>();
 
-  /** Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. */
-  static async open(device: Device): Promise<Stages> {
+  /**
+   * Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. `exact`: path programs are made for
+   * exactly what is asked of them, whenever that changes.
+   */
+  static async open(device: Device, exact = false): Promise<Stages> {
     const [display, preview] = await Promise.all([Display.create(device), createPreviewPass(device)]);
     device.attach();
-    return new Stages(device, display, preview);
+    return new Stages(device, display, preview, exact);
   }
 
-  private constructor(device: Device, display: Display, preview: Pass) {
+  private constructor(device: Device, display: Display, preview: Pass, exact: boolean) {
     this.device = device;
+    this.#paths = new PathPrograms(device, exact);
     this.#display = display;
     this.#preview = preview;
     this.#pass = preview;
@@ -78,36 +89,42 @@ export class Stages {
     return this.#pending;
   }
 
-  /** Whether the film gets this integrator's samples and not the preview's. */
-  has(integrator: Integrator): boolean {
-    return this.#integrators.has(integrator);
+  #program(subject: Subject): Pass | null {
+    if (subject.settings.integrator === 'classic') return this.#classic;
+    return this.#paths.get(pathFeatures(subject)) ?? null;
   }
 
-  /** Compiles the integrator, and the display's tone mapping, once. Call it when the first picture is on its way. */
-  ready(integrator: Integrator): Promise<void> {
-    let compiling = this.#compiling.get(integrator);
-    if (!compiling) {
-      const create = integrator === 'path' ? createPathPass : createClassicPass;
-      compiling = Promise.all([create(this.device), this.#display.ready()]).then(([pass]) => {
-        this.#integrators.set(integrator, pass);
-      });
-      this.#compiling.set(integrator, compiling);
-    }
-    return compiling;
+  /** Whether the film of this subject gets its integrator's samples and not the preview's. */
+  has(subject: Subject): boolean {
+    return this.#program(subject) !== null;
   }
 
-  /** Layers that the film of such a shot has now. */
-  layersFor(integrator: Integrator): number {
-    return integrator === 'path' && this.has('path') ? PATH_LAYERS : 1;
+  /** Compiles the subject's integrator, and the display's tone mapping, once. Call it when the first picture is on its way. */
+  async ready(subject: Subject): Promise<void> {
+    const program =
+      subject.settings.integrator === 'path' ? this.#paths.ready(pathFeatures(subject)) : this.#readyClassic();
+    await Promise.all([program, this.#display.ready()]);
+  }
+
+  #readyClassic(): Promise<void> {
+    this.#compilingClassic ??= createClassicPass(this.device).then((pass) => {
+      this.#classic = pass;
+    });
+    return this.#compilingClassic;
+  }
+
+  /** Layers that the film of such a subject has now. */
+  layersFor(subject: Subject): number {
+    return subject.settings.integrator === 'path' && this.has(subject) ? PATH_LAYERS : 1;
   }
 
   /** Points the film at a new shot, empty, of this size in pixels. */
   begin(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
     this.film.restart(width, height);
-    this.#pass = this.#integrators.get(shot.settings.integrator) ?? this.#preview;
-    this.#paths = this.#pass === this.#integrators.get('path');
-    const pack = this.#paths ? packPathScene : packScene;
+    this.#pass = this.#program(shot) ?? this.#preview;
+    this.#tracesPaths = shot.settings.integrator === 'path' && this.#pass !== this.#preview;
+    const pack = this.#tracesPaths ? packPathScene : packScene;
     const reach = viewReach(shot.camera, width / height, shot.settings.framing);
     const packed = pack(shot.scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
@@ -159,7 +176,7 @@ export class Stages {
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
-    const draw = this.#paths ? drawPath : drawClassic;
+    const draw = this.#tracesPaths ? drawPath : drawClassic;
     draw(device, pass, film.next, inputs, region);
   }
 

@@ -12,6 +12,7 @@ import type { Camera, Scene } from './scene/scene.ts';
 import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
 import { cameraFault } from './scene/well-formed.ts';
 import { requireScene } from './scene-file/require-scene.ts';
+import type { Subject } from './stages.ts';
 
 export const DEFAULT_SETTINGS: RendererSettings = {
   integrator: 'classic',
@@ -160,6 +161,19 @@ export class View {
   /** The scene as it is at the present time. */
   sceneNow(): Scene {
     return this.#at(this.#time);
+  }
+
+  /** What is to be drawn now. Its scene is worked out when somebody reads it. */
+  get subject(): Subject {
+    const { camera, settings } = this;
+    const scene = () => this.sceneNow();
+    return {
+      camera,
+      settings,
+      get scene() {
+        return scene();
+      },
+    };
   }
 
   set(settings: Partial<RendererSettings>): void {

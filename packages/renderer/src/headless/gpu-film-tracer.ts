@@ -19,7 +19,7 @@ export class GpuFilmTracer implements FilmTracer {
 
   /** Takes the device for good. Rejects with `DeviceError` when it cannot run the integrator. */
   static async create(device: Device): Promise<GpuFilmTracer> {
-    const stages = await Stages.open(device);
+    const stages = await Stages.open(device, true);
     return new GpuFilmTracer(device, stages);
   }
 
@@ -44,16 +44,10 @@ export class GpuFilmTracer implements FilmTracer {
     this.#rays = rays;
     this.#job = job;
     const { film } = this.#stages;
-    await this.#orLost(this.#stages.ready(settings.integrator));
-    film.reserve(width, height, this.#stages.layersFor(settings.integrator));
-    const shot = {
-      scene,
-      camera: scene.camera,
-      settings: { ...DEFAULT_SETTINGS, ...settings },
-      raysPerPixel: rays,
-      area,
-    };
-    this.#stages.begin(shot, width, height);
+    const subject = { scene, camera: scene.camera, settings: { ...DEFAULT_SETTINGS, ...settings } };
+    await this.#orLost(this.#stages.ready(subject));
+    film.reserve(width, height, this.#stages.layersFor(subject));
+    this.#stages.begin({ ...subject, raysPerPixel: rays, area }, width, height);
   }
 
   async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {

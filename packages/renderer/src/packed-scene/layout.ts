@@ -57,7 +57,7 @@ export const STRUCTS = {
     ),
     code: field(
       'f32',
-      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp',
+      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none',
     ),
     emission: field('vec3f', 'radiance sent out'),
     reflectivity: field('f32', 'share of the perfect mirror layer over the base'),
@@ -66,7 +66,7 @@ export const STRUCTS = {
     k: field('vec3f', 'conductor: extinction coefficient per channel'),
     metallic: field('f32', 'metallicRoughness: share of metal'),
     absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
-    emitter: field('f32', 'index of the emitter that this shape is; -1: none'),
+    spare0: field('f32', 'unused'),
   },
   Emitter: {
     position: field(

@@ -103,6 +103,7 @@ export interface Quad extends ShapeBase {
   readonly v: Vec3;
 }
 export type Shape = Sphere | Box | Plane | Quad;
+export type ShapeType = Shape['type'];
 
 /**
  * A spherical light; the one kind that the classic integrator knows. A sample point at distance d lights a surface with

@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct EmitterChoice {
     uint index;
     float probability;
@@ -118,14 +127,28 @@ const uint directionAndPdf = 0u;
 const uint radianceAndDistance = 1u;
 const uint pdfOfSample = 2u;
 const uint pdfOfDirection = 3u;
-const uint choice = 4u;
+const uint choice_1 = 4u;
 const uint noShape = 4294967295u;
 
 uniform highp sampler2D questions;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
+const bool hasManyLights = true;
+
+const bool hasQuadLights = true;
+
+const bool hasSuns = true;
+
+const bool hasPointLights = true;
+
+const bool hasSky = true;
+
 uniform highp sampler2D sceneTable;
+
+const bool hasSphereLights = true;
+
+const bool hasBoxLights = true;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -135,25 +158,41 @@ float spotFalloff(Emitter e, vec3 toLight) {
 }
 
 float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
-    if ((e_1.kind == 6.0)) {
-        return e_1.power;
-    }
-    bool isQuad = (e_1.kind == 1.0);
-    bool isFar = (e_1.kind == 5.0);
-    vec3 middle = (e_1.position + (isQuad ? (0.5 * (e_1.u + e_1.v)) : vec3(0.0)));
-    vec3 toLight_1 = (isFar ? -(e_1.u) : (middle - point));
+    float estimate = 0.0;
+    const bool _e4 = hasQuadLights;
+    bool isQuad = pick(_e4, (e_1.kind == 1.0), false);
+    const bool _e10 = hasSuns;
+    bool isFar = pick(_e10, (e_1.kind == 5.0), false);
+    vec3 middle = (e_1.position + pick(isQuad, (0.5 * (e_1.u + e_1.v)), vec3(0.0)));
+    vec3 toLight_1 = pick(isFar, -(e_1.u), (middle - point));
     float distance2_ = dot(toLight_1, toLight_1);
     float distance_5 = sqrt(distance2_);
     float grown = max((distance_5 + e_1.reach), 1e-15);
     float above = clamp(((dot(normal_1, toLight_1) + e_1.reach) / grown), 0.0, 1.0);
-    float cosine = ((dot(normal_1, normal_1) == 0.0) ? 1.0 : above);
-    float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
-    float side = ((e_1.oneSided == 1.0) ? max(height_1, 0.0) : abs(height_1));
-    float lampCosine = ((side > 0.0) ? ((side + e_1.reach) / grown) : 0.0);
-    float _e74 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_5, 1e-15))));
-    float share_1 = ((e_1.kind == 4.0) ? _e74 : (isQuad ? lampCosine : 1.0));
-    float square = (isQuad ? (distance2_ + (e_1.area / 3.1415927)) : max(distance2_, (e_1.area / 12.566371)));
-    return (((e_1.power * cosine) * share_1) / (isFar ? 1.0 : max(square, 1e-15)));
+    float cosine = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
+    float square = pick(isQuad, (distance2_ + (e_1.area / 3.1415927)), max(distance2_, (e_1.area / 12.566371)));
+    estimate = ((e_1.power * cosine) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e65 = hasQuadLights;
+    if (_e65) {
+        float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
+        float side = pick((e_1.oneSided == 1.0), max(height_1, 0.0), abs(height_1));
+        float lampCosine = pick((side > 0.0), ((side + e_1.reach) / grown), 0.0);
+        float _e89 = estimate;
+        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    }
+    const bool _e94 = hasPointLights;
+    if (_e94) {
+        float _e95 = estimate;
+        float _e100 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_5, 1e-15))));
+        estimate = (_e95 * pick((e_1.kind == 4.0), _e100, 1.0));
+    }
+    const bool _e108 = hasSky;
+    if (_e108) {
+        float _e109 = estimate;
+        estimate = pick((e_1.kind == 6.0), e_1.power, _e109);
+    }
+    float _e115 = estimate;
+    return _e115;
 }
 
 Emitter fetchEmitter(uint i) {
@@ -166,58 +205,66 @@ Emitter fetchEmitter(uint i) {
 }
 
 EmitterChoice chooseEmitter(vec3 point_1, vec3 normal_2, float u) {
+    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
     float total = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
     uint i_1 = 0u;
-    uint _e5 = frame.emitterCount;
-    if ((_e5 <= 1u)) {
-        uint _e11 = frame.emitterCount;
-        return EmitterChoice(0u, float(_e11), 1.0);
-    }
-    rest = u;
-    while(true) {
-        uint _e24 = i_1;
-        Emitter _e25 = fetchEmitter(_e24);
-        float _e26 = estimatedIrradiance(_e25, point_1, normal_2);
-        float _e27 = total;
-        total = (_e27 + _e26);
-        float _e29 = total;
-        float share_2 = (_e26 / max(_e29, 1e-37));
-        float _e33 = rest;
-        bool take = (_e33 < share_2);
-        uint _e35 = chosen;
-        uint _e36 = i_1;
-        chosen = (take ? _e36 : _e35);
-        float _e38 = chosenWeight;
-        chosenWeight = (take ? _e26 : _e38);
-        float _e40 = rest;
-        float _e47 = rest;
-        rest = (take ? (_e47 / max(share_2, 1e-37)) : ((_e40 - share_2) / max((1.0 - share_2), 1e-7)));
-        uint _e53 = i_1;
-        i_1 = (_e53 + 1u);
-        uint _e55 = i_1;
-        uint _e58 = frame.emitterCount;
-        if ((_e55 >= _e58)) {
-            break;
+    uint _e6 = frame.emitterCount;
+    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
+    const bool _e14 = hasManyLights;
+    uint _e17 = frame.emitterCount;
+    if (pick(_e14, (_e17 > 1u), false)) {
+        rest = u;
+        while(true) {
+            uint _e30 = i_1;
+            Emitter _e31 = fetchEmitter(_e30);
+            float _e32 = estimatedIrradiance(_e31, point_1, normal_2);
+            float _e33 = total;
+            total = (_e33 + _e32);
+            float _e35 = total;
+            float share_1 = (_e32 / max(_e35, 1e-37));
+            float _e39 = rest;
+            bool take = (_e39 < share_1);
+            uint _e41 = chosen;
+            uint _e42 = i_1;
+            chosen = pick(take, _e42, _e41);
+            float _e44 = chosenWeight;
+            chosenWeight = pick(take, _e32, _e44);
+            float _e46 = rest;
+            float _e53 = rest;
+            rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
+            uint _e59 = i_1;
+            i_1 = (_e59 + 1u);
+            uint _e61 = i_1;
+            uint _e64 = frame.emitterCount;
+            if ((_e61 >= _e64)) {
+                break;
+            }
         }
+        uint _e66 = chosen;
+        float _e67 = chosenWeight;
+        float _e68 = total;
+        float _e72 = total;
+        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
     }
-    uint _e60 = chosen;
-    float _e61 = chosenWeight;
-    float _e62 = total;
-    float _e66 = total;
-    return EmitterChoice(_e60, (_e61 / max(_e62, 1e-37)), _e66);
+    EmitterChoice _e74 = choice;
+    return _e74;
 }
 
 float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
+    float probability = 0.0;
     uint _e6 = frame.emitterCount;
-    if ((_e6 <= 1u)) {
-        uint _e11 = frame.emitterCount;
-        return float(_e11);
+    probability = float(min(_e6, 1u));
+    const bool _e12 = hasManyLights;
+    uint _e15 = frame.emitterCount;
+    if (pick(_e12, (_e15 > 1u), false)) {
+        float _e19 = estimatedIrradiance(e_2, point_2, normal_3);
+        probability = (_e19 / max(total_1, 1e-37));
     }
-    float _e13 = estimatedIrradiance(e_2, point_2, normal_3);
-    return (_e13 / max(total_1, 1e-37));
+    float _e23 = probability;
+    return _e23;
 }
 
 SphereView viewSphere(Emitter e_3, vec3 point_3) {
@@ -227,11 +274,11 @@ SphereView viewSphere(Emitter e_3, vec3 point_3) {
     bool inside = (d_1 <= e_3.radius);
     float sine = min((e_3.radius / max(d_1, 1e-30)), 1.0);
     float cosine_1 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter, d_1, power, inside, (inside ? 2.0 : ((sine * sine) / (1.0 + cosine_1))));
+    return SphereView(toCenter, d_1, power, inside, pick(inside, 2.0, ((sine * sine) / (1.0 + cosine_1))));
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
-    float s_2 = ((axis.z >= 0.0) ? 1.0 : -1.0);
+    float s_2 = pick((axis.z >= 0.0), 1.0, -1.0);
     float a = (-1.0 / (s_2 + axis.z));
     float b_1 = ((axis.x * axis.y) * a);
     vec3 x_3 = vec3((1.0 + (((s_2 * axis.x) * axis.x) * a)), (s_2 * b_1), (-(s_2) * axis.x));
@@ -256,13 +303,13 @@ float conePdf(float width_1) {
 
 LightSample sampleSphere(Emitter e_4, vec3 point_4, vec2 u_2) {
     SphereView _e3 = viewSphere(e_4, point_4);
-    vec3 axis_2 = ((_e3.distance_ < 1e-30) ? vec3(0.0, 0.0, 1.0) : (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_2);
     float along = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_4.radius * e_4.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along) + halfChord);
-    bool takeLarger = (_e3.inside && (along > 0.0));
-    float distance_6 = (takeLarger ? larger : (_e3.power / max(larger, 1e-30)));
+    bool takeLarger = pick(_e3.inside, (along > 0.0), false);
+    float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
     return LightSample(_e19.direction, distance_6, e_4.radiance, _e49, false);
 }
@@ -270,9 +317,9 @@ LightSample sampleSphere(Emitter e_4, vec3 point_4, vec2 u_2) {
 float arctangent(float x) {
     float a_1 = abs(x);
     bool steep = (a_1 > 2.4142137);
-    bool middle_1 = ((a_1 > 0.41421357) && !(steep));
-    float r = (steep ? (-1.0 / max(a_1, 1.0)) : (middle_1 ? ((a_1 - 1.0) / (a_1 + 1.0)) : a_1));
-    float base = (steep ? 1.5707964 : (middle_1 ? 0.7853982 : 0.0));
+    bool middle_1 = pick((a_1 > 0.41421357), !(steep), false);
+    float r = pick(steep, (-1.0 / max(a_1, 1.0)), pick(middle_1, ((a_1 - 1.0) / (a_1 + 1.0)), a_1));
+    float base = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
     float z = (r * r);
     float series = ((((((0.080537446 * z) - 0.13877685) * z) + 0.19977711) * z) - 0.3333295);
     return (sign(x) * (base + (((series * z) * r) + r)));
@@ -294,7 +341,7 @@ QuadView viewQuad(Emitter e_5, vec3 point_5) {
     float signedHeight = dot(corner, normal_7);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
-    bool lit = ((abs(signedHeight) > least) && ((e_5.oneSided == 0.0) || (signedHeight < 0.0)));
+    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high = (low + lengths);
     vec2 y_2 = vec2(low.y, high.y);
@@ -302,8 +349,8 @@ QuadView viewQuad(Emitter e_5, vec3 point_5) {
     float _e46 = stretch(high.x, y_2, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_7 * ((signedHeight > 0.0) ? 1.0 : -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
+    vec3 axisZ = (normal_7 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 vec2 cosineAndSine(float x_2) {
@@ -329,21 +376,21 @@ vec3 sphericalRectangle(QuadView q, vec2 u_3) {
 }
 
 float areaPdf(float area, float height, float distance_) {
-    float pdf = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
-    return min(pdf, 1e30);
+    float pdf_1 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf_1, 1e30);
 }
 
 float pdfOfView(QuadView q_1, float area_1, float distance_1) {
     float _e4 = areaPdf(area_1, q_1.height, distance_1);
-    float pdf_1 = (q_1.bySolidAngle ? (1.0 / max(q_1.solidAngle, 0.01)) : _e4);
-    return (q_1.lit ? pdf_1 : 0.0);
+    float pdf_2 = pick(q_1.bySolidAngle, (1.0 / max(q_1.solidAngle, 0.01)), _e4);
+    return pick(q_1.lit, pdf_2, 0.0);
 }
 
 LightSample sampleQuad(Emitter e_6, vec3 point_6, vec2 u_4) {
     QuadView _e3 = viewQuad(e_6, point_6);
     vec3 onArea = ((_e3.corner + (u_4.x * e_6.u)) + (u_4.y * e_6.v));
     vec3 _e13 = sphericalRectangle(_e3, u_4);
-    vec3 toLight_2 = (_e3.bySolidAngle ? _e13 : onArea);
+    vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_7 = max(length(toLight_2), _e3.height);
     float _e23 = pdfOfView(_e3, e_6.area, distance_7);
     return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_6.radiance, _e23, false);
@@ -373,12 +420,12 @@ vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_5) {
     float both = (b.faces.x + b.faces.y);
     float at = (u_5.x * b.area);
     bool onX = (at < b.faces.x);
-    bool onY = (!(onX) && (at < both));
-    float face = (onX ? b.faces.x : (onY ? b.faces.y : b.faces.z));
-    float within = clamp(((at - (onX ? 0.0 : (onY ? b.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    vec3 p = vec3(((dot(axis_3, b.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
-    vec3 toLight_3 = (((onX ? p.xyz : (onY ? p.zxy : p.yzx)) * e_8.u) - b.point);
+    bool onY = pick(!(onX), (at < both), false);
+    float face = pick(onX, b.faces.x, pick(onY, b.faces.y, b.faces.z));
+    float within = clamp(((at - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_3 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
+    vec3 p = vec3(pick((dot(axis_3, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
+    vec3 toLight_3 = ((pick(onX, p.xyz, pick(onY, p.zxy, p.yzx)) * e_8.u) - b.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
 
@@ -407,20 +454,20 @@ LightSample sampleBox(Emitter e_9, vec3 point_8, vec2 u_6) {
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_6);
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_9.u);
-    float distance_8 = (_e3.inside ? max(_e16.far, 0.0) : length(_e4.xyz));
-    vec3 direction_15 = (_e3.inside ? outwards : (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_15 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
-    float pdf_2 = (_e3.inside ? _e33 : _e31);
+    float pdf_3 = pick(_e3.inside, _e33, _e31);
     vec3 _e37 = rotateBack(_e3.rotation, direction_15);
-    return LightSample(_e37, distance_8, e_9.radiance, pdf_2, false);
+    return LightSample(_e37, distance_8, e_9.radiance, pdf_3, false);
 }
 
 LightSample samplePoint(Emitter e_10, vec3 point_9) {
     vec3 toLight_4 = (e_10.position - point_9);
     float distance_9 = length(toLight_4);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_10.radiance / vec3((safe * safe))), ((distance_9 > 1e-15) ? 1.0 : 0.0), true);
+    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_10.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_11, vec3 point_10) {
@@ -432,7 +479,7 @@ LightSample sampleSpot(Emitter e_11, vec3 point_10) {
     vec3 _e8 = s.radiance;
     s.radiance = (_e8 * _e6);
     float _e12 = s.pdf;
-    s.pdf = ((_e6 > 0.0) ? _e12 : 0.0);
+    s.pdf = pick((_e6 > 0.0), _e12, 0.0);
     LightSample _e17 = s;
     return _e17;
 }
@@ -440,7 +487,7 @@ LightSample sampleSpot(Emitter e_11, vec3 point_10) {
 LightSample sampleDirectional(Emitter e_12, vec2 u_7) {
     bool delta = (e_12.area == 0.0);
     ConeDirection _e10 = sampleCone(-(e_12.u), (e_12.area / 6.2831855), u_7);
-    return LightSample(_e10.direction, 1e30, e_12.radiance, (delta ? 1.0 : (1.0 / max(e_12.area, 1e-31))), delta);
+    return LightSample(_e10.direction, 1e30, e_12.radiance, pick(delta, 1.0, (1.0 / max(e_12.area, 1e-31))), delta);
 }
 
 vec3 sky(vec3 direction_1) {
@@ -461,48 +508,52 @@ LightSample sampleSky(vec2 u_8) {
     return LightSample(direction_16, 1e30, _e8, _e9, false);
 }
 
-LightSample sampleKind(Emitter e_13, vec3 point_11, vec2 u_9) {
-    if ((e_13.kind == 0.0)) {
-        LightSample _e6 = sampleSphere(e_13, point_11, u_9);
-        return _e6;
+LightSample sampleEmitter(Emitter e_13, vec3 point_11, vec2 u_9) {
+    LightSample s_1 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+    const bool _e15 = hasSphereLights;
+    if (pick(_e15, (e_13.kind == 0.0), false)) {
+        LightSample _e20 = sampleSphere(e_13, point_11, u_9);
+        s_1 = _e20;
     }
-    if ((e_13.kind == 1.0)) {
-        LightSample _e10 = sampleQuad(e_13, point_11, u_9);
-        return _e10;
+    const bool _e22 = hasQuadLights;
+    if (pick(_e22, (e_13.kind == 1.0), false)) {
+        LightSample _e27 = sampleQuad(e_13, point_11, u_9);
+        s_1 = _e27;
     }
-    if ((e_13.kind == 2.0)) {
-        LightSample _e14 = sampleBox(e_13, point_11, u_9);
-        return _e14;
+    const bool _e29 = hasBoxLights;
+    if (pick(_e29, (e_13.kind == 2.0), false)) {
+        LightSample _e34 = sampleBox(e_13, point_11, u_9);
+        s_1 = _e34;
     }
-    if ((e_13.kind == 3.0)) {
-        LightSample _e18 = samplePoint(e_13, point_11);
-        return _e18;
+    const bool _e36 = hasPointLights;
+    if (pick(_e36, (e_13.kind == 3.0), false)) {
+        LightSample _e41 = samplePoint(e_13, point_11);
+        s_1 = _e41;
     }
-    if ((e_13.kind == 4.0)) {
-        LightSample _e22 = sampleSpot(e_13, point_11);
-        return _e22;
+    const bool _e43 = hasPointLights;
+    if (pick(_e43, (e_13.kind == 4.0), false)) {
+        LightSample _e48 = sampleSpot(e_13, point_11);
+        s_1 = _e48;
     }
-    if ((e_13.kind == 5.0)) {
-        LightSample _e26 = sampleDirectional(e_13, u_9);
-        return _e26;
+    const bool _e50 = hasSuns;
+    if (pick(_e50, (e_13.kind == 5.0), false)) {
+        LightSample _e55 = sampleDirectional(e_13, u_9);
+        s_1 = _e55;
     }
-    LightSample _e27 = sampleSky(u_9);
-    return _e27;
+    const bool _e57 = hasSky;
+    if (pick(_e57, (e_13.kind == 6.0), false)) {
+        LightSample _e62 = sampleSky(u_9);
+        s_1 = _e62;
+    }
+    float _e65 = s_1.pdf;
+    float _e67 = s_1.distance_;
+    s_1.pdf = pick((_e67 <= (1e-5 * length(point_11))), 0.0, _e65);
+    LightSample _e74 = s_1;
+    return _e74;
 }
 
-LightSample sampleEmitter(Emitter e_14, vec3 point_12, vec2 u_10) {
-    LightSample s_1 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e3 = sampleKind(e_14, point_12, u_10);
-    s_1 = _e3;
-    float _e7 = s_1.pdf;
-    float _e9 = s_1.distance_;
-    s_1.pdf = ((_e9 <= (1e-5 * length(point_12))) ? 0.0 : _e7);
-    LightSample _e16 = s_1;
-    return _e16;
-}
-
-Start onSurface(vec3 point_13, uint shape, bool seenFromInside) {
-    return Start(point_13, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point_13)));
+Start onSurface(vec3 point_12, uint shape, bool seenFromInside) {
+    return Start(point_12, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_12)));
 }
 
 bool isSphere(uint i_3) {
@@ -518,19 +569,19 @@ float intersectSphere(vec3 origin_2, vec3 direction_3, vec3 center, float radius
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along_1 - half_);
     float far = (along_1 + half_);
-    float t_3 = ((near > tMin) ? near : far);
-    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_3 > tMin)) ? t_3 : 1e30));
+    float t_3 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
 }
 
 float hitSphere(uint i_4, Bounds bounds, Ray ray) {
     float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_4 == ray.start.inside));
-    return ((i_4 == ray.start.leaves) ? 1e30 : _e13);
+    return pick((i_4 == ray.start.leaves), 1e30, _e13);
 }
 
 bool isBox(uint i_5) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return ((i_5 >= _e4) && (i_5 < _e9));
+    return pick((i_5 >= _e4), (i_5 < _e9), false);
 }
 
 bool isTurned(vec4 q_4) {
@@ -539,8 +590,8 @@ bool isTurned(vec4 q_4) {
 
 float intersectBox(vec3 origin_3, vec3 direction_4, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_4, halfSize_1);
-    float t_4 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_4 > tMin_1)) ? t_4 : 1e30));
+    float t_4 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_4 > tMin_1), false), t_4, 1e30));
 }
 
 float hitBox(uint i_6, Bounds bounds_1, Ray ray_1) {
@@ -561,7 +612,7 @@ float hitBox(uint i_6, Bounds bounds_1, Ray ray_1) {
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_5;
     float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_6 == ray_1.start.inside));
-    return ((i_6 == ray_1.start.leaves) ? 1e30 : _e28);
+    return pick((i_6 == ray_1.start.leaves), 1e30, _e28);
 }
 
 bool isQuad0_(uint i_7) {
@@ -573,30 +624,30 @@ float intersectQuad(vec3 origin_5, vec3 direction_6, vec3 center_1, vec3 recipro
     vec3 normal_8 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_6, normal_8);
     vec3 toCenter_2 = (center_1 - origin_5);
-    float t_5 = (dot(toCenter_2, normal_8) / ((speed == 0.0) ? 1e-30 : speed));
+    float t_5 = (dot(toCenter_2, normal_8) / pick((speed == 0.0), 1e-30, speed));
     vec3 p_1 = ((t_5 * direction_6) - toCenter_2);
     bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
-    return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within_1) ? t_5 : 1e30);
+    return pick(pick(pick((t_5 > tMin_2), (t_5 < 1e30), false), within_1, false), t_5, 1e30);
 }
 
 float hitQuad(uint i_8, Bounds bounds_2, Ray ray_2) {
     Extent _e3 = fetchExtent(i_8);
     float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
-    return ((i_8 == ray_2.start.leaves) ? 1e30 : _e14);
+    return pick((i_8 == ray_2.start.leaves), 1e30, _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_7, vec3 normal_4, float offset, float tMin_3) {
     float speed_1 = dot(direction_7, normal_4);
-    float t_6 = ((offset - dot(origin_6, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
-    bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
+    float t_6 = ((offset - dot(origin_6, normal_4)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_6 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_6, 0.0), 1e30);
 }
 
 float hitPlane(uint i_9, Bounds bounds_3, Ray ray_3) {
     float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
-    return ((i_9 == ray_3.start.leaves) ? 1e30 : _e10);
+    return pick((i_9 == ray_3.start.leaves), 1e30, _e10);
 }
 
 float hitShape(uint i_10, Bounds bounds_4, Ray ray_4) {
@@ -636,17 +687,13 @@ bool isFlat(uint i_13) {
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
     Slabs _e5 = boxSlabs(origin_7, direction_8, halfSize_2);
-    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
-    vec3 crossed = (entering ? _e5.enter : _e5.leave);
-    float t_7 = (entering ? _e5.near : _e5.far);
-    vec3 side_1 = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    if ((crossed.x == t_7)) {
-        return vec3(side_1.x, 0.0, 0.0);
-    }
-    if ((crossed.y == t_7)) {
-        return vec3(0.0, side_1.y, 0.0);
-    }
-    return vec3(0.0, 0.0, side_1.z);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_7 = pick(entering, _e5.near, _e5.far);
+    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    bool onX_1 = (crossed.x == t_7);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_7), false);
+    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
 vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
@@ -673,68 +720,83 @@ vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
     return _e37;
 }
 
-float spherePdf(Emitter e_15, vec3 point_14, vec3 direction_9) {
-    SphereView _e3 = viewSphere(e_15, point_14);
-    bool reached = (_e3.inside || (dot(direction_9, _e3.toCenter) > 0.0));
+float spherePdf(Emitter e_14, vec3 point_13, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_14, point_13);
+    bool reached = pick(_e3.inside, true, (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
-    return (reached ? _e11 : 0.0);
+    return pick(reached, _e11, 0.0);
 }
 
-float quadPdf(Emitter e_16, vec3 point_15, float distance_2) {
-    QuadView _e3 = viewQuad(e_16, point_15);
-    float _e5 = pdfOfView(_e3, e_16.area, distance_2);
+float quadPdf(Emitter e_15, vec3 point_14, float distance_2) {
+    QuadView _e3 = viewQuad(e_15, point_14);
+    float _e5 = pdfOfView(_e3, e_15.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_17, vec3 point_16, vec3 direction_10, float distance_3, vec3 normal_5) {
-    BoxView _e5 = viewBox(e_17, point_16);
+float boxPdf(Emitter e_16, vec3 point_15, vec3 direction_10, float distance_3, vec3 normal_5) {
+    BoxView _e5 = viewBox(e_16, point_15);
     float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_5))), distance_3);
     float _e12 = conePdf(2.0);
-    return (_e5.inside ? _e12 : _e10);
+    return pick(_e5.inside, _e12, _e10);
 }
 
-bool isOnDisc(Emitter e_18, vec3 direction_11) {
-    vec3 chord = (direction_11 + e_18.u);
-    return ((3.1415927 * dot(chord, chord)) < e_18.area);
+bool isOnDisc(Emitter e_17, vec3 direction_11) {
+    vec3 chord = (direction_11 + e_17.u);
+    return ((3.1415927 * dot(chord, chord)) < e_17.area);
 }
 
-float directionalPdf(Emitter e_19, vec3 direction_12) {
-    bool _e7 = isOnDisc(e_19, direction_12);
-    return (_e7 ? (1.0 / max(e_19.area, 1e-31)) : 0.0);
+float directionalPdf(Emitter e_18, vec3 direction_12) {
+    bool _e7 = isOnDisc(e_18, direction_12);
+    return pick(_e7, (1.0 / max(e_18.area, 1e-31)), 0.0);
 }
 
-float emitterPdf(Emitter e_20, vec3 point_17, vec3 direction_13, float distance_4, vec3 normal_6) {
-    if ((e_20.kind == 0.0)) {
-        float _e8 = spherePdf(e_20, point_17, direction_13);
-        return _e8;
+float emitterPdf(Emitter e_19, vec3 point_16, vec3 direction_13, float distance_4, vec3 normal_6) {
+    float pdf = 0.0;
+    const bool _e8 = hasSphereLights;
+    if (pick(_e8, (e_19.kind == 0.0), false)) {
+        float _e13 = spherePdf(e_19, point_16, direction_13);
+        pdf = _e13;
     }
-    if ((e_20.kind == 1.0)) {
-        float _e12 = quadPdf(e_20, point_17, distance_4);
-        return _e12;
+    const bool _e15 = hasQuadLights;
+    if (pick(_e15, (e_19.kind == 1.0), false)) {
+        float _e20 = quadPdf(e_19, point_16, distance_4);
+        pdf = _e20;
     }
-    if ((e_20.kind == 2.0)) {
-        float _e16 = boxPdf(e_20, point_17, direction_13, distance_4, normal_6);
-        return _e16;
+    const bool _e22 = hasBoxLights;
+    if (pick(_e22, (e_19.kind == 2.0), false)) {
+        float _e27 = boxPdf(e_19, point_16, direction_13, distance_4, normal_6);
+        pdf = _e27;
     }
-    if ((e_20.kind == 5.0)) {
-        float _e20 = directionalPdf(e_20, direction_13);
-        return _e20;
+    const bool _e29 = hasSuns;
+    if (pick(_e29, (e_19.kind == 5.0), false)) {
+        float _e34 = directionalPdf(e_19, direction_13);
+        pdf = _e34;
     }
-    if ((e_20.kind == 6.0)) {
-        float _e24 = skyPdf(direction_13);
-        return _e24;
+    const bool _e36 = hasSky;
+    if (pick(_e36, (e_19.kind == 6.0), false)) {
+        float _e41 = skyPdf(direction_13);
+        pdf = _e41;
     }
-    return 0.0;
+    float _e42 = pdf;
+    return _e42;
 }
 
-vec3 radianceFromInfinity(Emitter e_21, vec3 direction_14) {
-    if ((e_21.kind == 6.0)) {
-        vec3 _e5 = sky(direction_14);
-        return _e5;
+vec3 radianceFromInfinity(Emitter e_20, vec3 direction_14) {
+    vec3 radiance = vec3(0.0);
+    const bool _e6 = hasSky;
+    if (_e6) {
+        vec3 _e7 = radiance;
+        vec3 _e8 = sky(direction_14);
+        radiance = pick((e_20.kind == 6.0), _e8, _e7);
     }
-    bool _e9 = isOnDisc(e_21, direction_14);
-    bool disc = ((e_21.kind == 5.0) && _e9);
-    return (disc ? e_21.radiance : vec3(0.0));
+    const bool _e14 = hasSuns;
+    if (_e14) {
+        vec3 _e15 = radiance;
+        bool _e20 = isOnDisc(e_20, direction_14);
+        radiance = pick(pick((e_20.kind == 5.0), _e20, false), e_20.radiance, _e15);
+    }
+    vec3 _e23 = radiance;
+    return _e23;
 }
 
 void main() {
@@ -747,7 +809,7 @@ void main() {
     vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
     uint question = uint(b_2.w);
     uint index = uint(a_2.w);
-    if ((question == choice)) {
+    if ((question == choice_1)) {
         EmitterChoice _e40 = chooseEmitter(a_2.xyz, c.xyz, b_2.x);
         Emitter _e42 = fetchEmitter(_e40.index);
         float _e46 = probabilityOf(_e42, a_2.xyz, c.xyz, _e40.total);
@@ -766,7 +828,7 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_17 = ((question == pdfOfSample) ? _e59.direction : c.xyz);
+    vec3 direction_17 = pick((question == pdfOfSample), _e59.direction, c.xyz);
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
         Start _e88 = onSurface(a_2.xyz, noShape, false);

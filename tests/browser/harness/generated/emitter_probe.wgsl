@@ -51,7 +51,28 @@ const choice = 4u;
 // A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
 // lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  var s = sampleKind(e, point, u);
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    s = sampleSphere(e, point, u);
+  }
+  if (hasQuadLights & (e.kind == quadKind)) {
+    s = sampleQuad(e, point, u);
+  }
+  if (hasBoxLights & (e.kind == boxKind)) {
+    s = sampleBox(e, point, u);
+  }
+  if (hasPointLights & (e.kind == pointKind)) {
+    s = samplePoint(e, point);
+  }
+  if (hasPointLights & (e.kind == spotKind)) {
+    s = sampleSpot(e, point);
+  }
+  if (hasSuns & (e.kind == directionalKind)) {
+    s = sampleDirectional(e, u);
+  }
+  if (hasSky & (e.kind == skyKind)) {
+    s = sampleSky(u);
+  }
   s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
   return s;
 }
@@ -61,66 +82,72 @@ const miss = 1e30;
 // The density with which sampleEmitter gives that direction. The ray met the emitter's shape `distance` away, with that outward
 // normal; for light from infinity neither counts.
 fn emitterPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  if (e.kind == sphereKind) {
-    return spherePdf(e, point, direction);
+  var pdf = 0.0;
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    pdf = spherePdf(e, point, direction);
   }
-  if (e.kind == quadKind) {
-    return quadPdf(e, point, distance);
+  if (hasQuadLights & (e.kind == quadKind)) {
+    pdf = quadPdf(e, point, distance);
   }
-  if (e.kind == boxKind) {
-    return boxPdf(e, point, direction, distance, normal);
+  if (hasBoxLights & (e.kind == boxKind)) {
+    pdf = boxPdf(e, point, direction, distance, normal);
   }
-  if (e.kind == directionalKind) {
-    return directionalPdf(e, direction);
+  if (hasSuns & (e.kind == directionalKind)) {
+    pdf = directionalPdf(e, direction);
   }
-  if (e.kind == skyKind) {
-    return skyPdf(direction);
+  if (hasSky & (e.kind == skyKind)) {
+    pdf = skyPdf(direction);
   }
-  return 0.0;
+  return pdf;
 }
 
 // What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
 fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
-  if (e.kind == skyKind) {
-    return sky(direction);
+  var radiance = vec3f(0.0);
+  if (hasSky) {
+    radiance = select(radiance, sky(direction), e.kind == skyKind);
   }
-  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
-  return select(vec3f(0.0), e.radiance, disc);
+  if (hasSuns) {
+    radiance = select(radiance, e.radiance, (e.kind == directionalKind) & isOnDisc(e, direction));
+  }
+  return radiance;
 }
 
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  if (frame.emitterCount <= 1u) {
-    return EmitterChoice(0u, f32(frame.emitterCount), 1.0);
-  }
-  var total = 0.0;
-  var chosen = 0u;
-  var chosenWeight = 0.0;
-  var rest = u;
-  var i = 0u;
-  loop {
-    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-    total += weight;
-    let share = weight / max(total, 1e-37);
-    let take = rest < share;
-    chosen = select(chosen, i, take);
-    chosenWeight = select(chosenWeight, weight, take);
-    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-    i++;
-    if (i >= frame.emitterCount) {
-      break;
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    var total = 0.0;
+    var chosen = 0u;
+    var chosenWeight = 0.0;
+    var rest = u;
+    var i = 0u;
+    loop {
+      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+      total += weight;
+      let share = weight / max(total, 1e-37);
+      let take = rest < share;
+      chosen = select(chosen, i, take);
+      chosenWeight = select(chosenWeight, weight, take);
+      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+      i++;
+      if (i >= frame.emitterCount) {
+        break;
+      }
     }
+    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
   }
-  return EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+  return choice;
 }
 
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
-  if (frame.emitterCount <= 1u) {
-    return f32(frame.emitterCount);
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
   }
-  return estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  return probability;
 }
 
 fn fetchEmitter(i: u32) -> Emitter {
@@ -132,8 +159,6 @@ fn fetchEmitter(i: u32) -> Emitter {
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
-
 struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
@@ -143,14 +168,15 @@ struct EmitterChoice {
 }
 
 
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+override hasManyLights = true;
+
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
 fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  if (e.kind == skyKind) {
-    return e.power;
-  }
-  let isQuad = e.kind == quadKind;
-  let isFar = e.kind == directionalKind;
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
   let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
   let toLight = select(middle - point, -e.u, isFar);
   let distance2 = dot(toLight, toLight);
@@ -158,30 +184,37 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let grown = max(distance + e.reach, 1e-15);
   let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
   let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
 }
 
-const skyKind = 6.0;
+override hasQuadLights = true;
 
 const quadKind = 1.0;
 
+override hasSuns = true;
+
 const directionalKind = 5.0;
 
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
 const pi = 3.14159265359;
+
+override hasPointLights = true;
+
+override hasSky = true;
 
 struct Emitter {
   // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
@@ -210,6 +243,16 @@ struct Emitter {
   reach: f32,
 }
 
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const skyKind = 6.0;
 
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
@@ -499,52 +542,41 @@ fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, starts
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
-  if (crossed.x == t) {
-    return vec3f(side.x, 0.0, 0.0);
-  }
-  if (crossed.y == t) {
-    return vec3f(0.0, side.y, 0.0);
-  }
-  return vec3f(0.0, 0.0, side.z);
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
 }
 
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
 
-fn sampleKind(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  if (e.kind == sphereKind) {
-    return sampleSphere(e, point, u);
-  }
-  if (e.kind == quadKind) {
-    return sampleQuad(e, point, u);
-  }
-  if (e.kind == boxKind) {
-    return sampleBox(e, point, u);
-  }
-  if (e.kind == pointKind) {
-    return samplePoint(e, point);
-  }
-  if (e.kind == spotKind) {
-    return sampleSpot(e, point);
-  }
-  if (e.kind == directionalKind) {
-    return sampleDirectional(e, u);
-  }
-  return sampleSky(u);
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
 }
+
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
 
 // packed-scene/pack-emitters.ts has the same numbers.
 const sphereKind = 0.0;
 
+override hasBoxLights = true;
+
 const boxKind = 2.0;
 
 const pointKind = 3.0;
-
-fn sampleSky(u: vec2f) -> LightSample {
-  let direction = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
-  return LightSample(direction, miss, sky(direction), skyPdf(direction), false);
-}
 
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
@@ -581,21 +613,6 @@ fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
   return ConeDirection(direction, cosine, sine2);
 }
-
-// What sampling a light gives: one direction, and how likely it was.
-struct LightSample {
-  // Unit, from the point to the light.
-  direction: vec3f,
-  // To where the light is met; `miss` for light from infinity.
-  distance: f32,
-  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
-  radiance: vec3f,
-  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
-  pdf: f32,
-  // A light without size: no ray can meet it.
-  delta: bool,
-}
-
 
 fn conePdf(width: f32) -> f32 {
   return 1.0 / (2.0 * pi * max(width, 1e-31));
@@ -803,6 +820,11 @@ fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
   let delta = e.area == 0.0;
   let ray = sampleCone(-e.u, e.area / (2.0 * pi), u);
   return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
+}
+
+fn sampleSky(u: vec2f) -> LightSample {
+  let direction = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
+  return LightSample(direction, miss, sky(direction), skyPdf(direction), false);
 }
 
 fn sky(direction: vec3f) -> vec3f {

@@ -35,12 +35,18 @@ fn next3d(s: ptr<function, Sampler>) -> vec3f {
 
 // From the centre of the pixel, in pixels.
 fn filterOffset(u: vec2f) -> vec2f {
-  return vec2f(filterAxis(u.x), filterAxis(u.y));
+  var offset = u - 0.5;
+  if (hasFilter) {
+    offset = vec2f(filterAxis(u.x), filterAxis(u.y));
+  }
+  return offset;
 }
 
 fn next2d(s: ptr<function, Sampler>) -> vec2f {
   return points2d(nextGroup(s));
 }
+
+override hasFilter = true;
 
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
 // ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
