@@ -27,6 +27,7 @@ const PATH: PassSource = {
     { texture: 'sceneTable' },
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
+    { texture: 'environment' },
   ],
   target: 'film',
   layers: PATH_LAYERS,
@@ -37,10 +38,11 @@ export interface PathInputs {
   readonly sceneTable: TableTexture;
   /** The layers of the film so far. */
   readonly previous: readonly FloatTexture[];
+  readonly environment: TableTexture;
 }
 
 export const createPathPass = (device: Device): Promise<Pass> => device.createPass(PATH);
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment], region);
 }

@@ -77,9 +77,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Extent {
     vec4 a;
@@ -104,6 +103,16 @@ struct Emitter {
     float oneSided;
     float power;
     float reach;
+};
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf;
+};
+struct Corners {
+    vec4 a;
+    vec4 b;
+    vec4 c;
+    vec4 d;
 };
 struct SphereView {
     vec3 toCenter;
@@ -149,6 +158,18 @@ struct ConeDirection {
     float cosine;
     float sine2_;
 };
+struct EnvironmentSample {
+    vec3 direction;
+    EnvironmentLight light;
+};
+struct ChosenCell {
+    uvec2 cell;
+    vec2 rest;
+};
+struct Parts {
+    uvec2 whole;
+    vec2 rest;
+};
 struct FacetLobe {
     vec3 value;
     float pdf;
@@ -190,6 +211,8 @@ const uint conductor = 2u;
 uniform highp sampler2D sceneTable;
 
 layout(std140) uniform FrameBlock { Frame frame; };
+
+uniform highp sampler2D environment;
 
 uniform highp sampler2D previousFilm;
 
@@ -307,9 +330,9 @@ vec3 outwardNormal(uint i_6, Ray ray, float t) {
 
 Basis basisAbout(vec3 n) {
     float side_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (side_1 + n.z));
-    float b_3 = ((n.x * n.y) * a);
-    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a)), (side_1 * b_3), (-(side_1) * n.x)), vec3(b_3, (side_1 + ((n.y * n.y) * a)), -(n.y)), n);
+    float a_1 = (-1.0 / (side_1 + n.z));
+    float b_4 = ((n.x * n.y) * a_1);
+    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a_1)), (side_1 * b_4), (-(side_1) * n.x)), vec3(b_4, (side_1 + ((n.y * n.y) * a_1)), -(n.y)), n);
 }
 
 vec3 toLocal(Basis b, vec3 v_2) {
@@ -356,23 +379,84 @@ Emitter fetchEmitter(uint i_7) {
     return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
-vec3 sky(vec3 direction_3) {
-    vec3 _e3 = frame.horizon;
-    vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_3.y, 0.0));
+vec2 quadrantAngles(vec2 x, vec2 y) {
+    vec2 low = min(x, y);
+    vec2 high = max(x, y);
+    bvec2 middle_1 = greaterThan(low, (0.41421357 * high));
+    vec2 r = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
+    vec2 z_1 = (r * r);
+    vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
+    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
+    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y, x));
 }
 
-bool isOnDisc(Emitter e, vec3 direction_4) {
-    vec3 chord = (direction_4 + e.u);
+EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
+    vec4 light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+    return EnvironmentLight(light.xyz, (max(light.w, 0.0) / sine));
+}
+
+Corners environmentCorners(uvec2 cell) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size = uvec2(_e3);
+    uint left = (((cell.x == 0u) ? size.x : cell.x) - 1u);
+    uint right = ((cell.x == size.x) ? 0u : cell.x);
+    uint upper = (max(cell.y, 1u) - 1u);
+    uint lower = min(cell.y, (size.y - 1u));
+    vec4 above = vec4(1.0, 1.0, 1.0, ((cell.y == 0u) ? -1.0 : 1.0));
+    vec4 below = vec4(1.0, 1.0, 1.0, ((cell.y == size.y) ? -1.0 : 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
+    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
+    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
+    return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_3) {
+    vec2 size_1 = frame.environmentSize;
+    float sine_1 = max(length(direction_3.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_3.z, direction_3.y)), vec2(abs(direction_3.x), sine_1));
+    float turn = (((direction_3.z > 0.0) ? (3.1415927 - _e15.x) : _e15.x) * ((direction_3.x < 0.0) ? -1.0 : 1.0));
+    float _e35 = frame.environmentTurn;
+    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
+    float row = floor(fromPole);
+    bool isLower = (direction_3.y < 0.0);
+    vec2 cell_1 = vec2(floor(column), (isLower ? (size_1.y - row) : row));
+    float within = (fromPole - row);
+    vec2 at_1 = vec2((column - cell_1.x), (isLower ? (1.0 - within) : within));
+    Corners _e66 = environmentCorners(uvec2(cell_1));
+    EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
+    return _e67;
+}
+
+vec3 sky(vec3 direction_4) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_4.y, 0.0));
+}
+
+EnvironmentLight skyLight(vec3 direction_5) {
+    EnvironmentLight _e1 = lookUpEnvironment(direction_5);
+    vec3 _e3 = sky(direction_5);
+    return EnvironmentLight((_e1.radiance * _e3), _e1.pdf);
+}
+
+vec3 skyRadiance(vec3 direction_6) {
+    EnvironmentLight _e1 = skyLight(direction_6);
+    return _e1.radiance;
+}
+
+bool isOnDisc(Emitter e, vec3 direction_7) {
+    vec3 chord = (direction_7 + e.u);
     return ((3.1415927 * dot(chord, chord)) < e.area);
 }
 
-vec3 radianceFromInfinity(Emitter e_1, vec3 direction_5) {
+vec3 radianceFromInfinity(Emitter e_1, vec3 direction_8) {
     if ((e_1.kind == 6.0)) {
-        vec3 _e5 = sky(direction_5);
+        vec3 _e5 = skyRadiance(direction_8);
         return _e5;
     }
-    bool _e9 = isOnDisc(e_1, direction_5);
+    bool _e9 = isOnDisc(e_1, direction_8);
     bool disc = ((e_1.kind == 5.0) && _e9);
     return (disc ? e_1.radiance : vec3(0.0));
 }
@@ -382,18 +466,18 @@ SphereView viewSphere(Emitter e_2, vec3 point_1) {
     float d_1 = length(toCenter);
     float power = abs(((d_1 - e_2.radius) * (d_1 + e_2.radius)));
     bool inside_1 = (d_1 <= e_2.radius);
-    float sine = min((e_2.radius / max(d_1, 1e-30)), 1.0);
+    float sine_2 = min((e_2.radius / max(d_1, 1e-30)), 1.0);
     float cosine_11 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter, d_1, power, inside_1, (inside_1 ? 2.0 : ((sine * sine) / (1.0 + cosine_11))));
+    return SphereView(toCenter, d_1, power, inside_1, (inside_1 ? 2.0 : ((sine_2 * sine_2) / (1.0 + cosine_11))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_3, vec3 point_2, vec3 direction_6) {
+float spherePdf(Emitter e_3, vec3 point_2, vec3 direction_9) {
     SphereView _e3 = viewSphere(e_3, point_2);
-    bool reached = (_e3.inside || (dot(direction_6, _e3.toCenter) > 0.0));
+    bool reached = (_e3.inside || (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return (reached ? _e11 : 0.0);
 }
@@ -409,21 +493,21 @@ float pdfOfView(QuadView q_2, float area_1, float distance_1) {
     return (q_2.lit ? pdf_1 : 0.0);
 }
 
-float arctangent(float x) {
-    float a_1 = abs(x);
-    bool steep = (a_1 > 2.4142137);
-    bool middle_1 = ((a_1 > 0.41421357) && !(steep));
-    float r = (steep ? (-1.0 / max(a_1, 1.0)) : (middle_1 ? ((a_1 - 1.0) / (a_1 + 1.0)) : a_1));
-    float base = (steep ? 1.5707964 : (middle_1 ? 0.7853982 : 0.0));
-    float z_1 = (r * r);
-    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
-    return (sign(x) * (base + (((series * z_1) * r) + r)));
+float arctangent(float x_1) {
+    float a_2 = abs(x_1);
+    bool steep = (a_2 > 2.4142137);
+    bool middle_2 = ((a_2 > 0.41421357) && !(steep));
+    float r_1 = (steep ? (-1.0 / max(a_2, 1.0)) : (middle_2 ? ((a_2 - 1.0) / (a_2 + 1.0)) : a_2));
+    float base = (steep ? 1.5707964 : (middle_2 ? 0.7853982 : 0.0));
+    float z_2 = (r_1 * r_1);
+    float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
+    return (sign(x_1) * (base + (((series_1 * z_2) * r_1) + r_1)));
 }
 
-float stretch(float x_1, vec2 y, float h) {
-    vec2 r_1 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
-    float _e16 = arctangent(((x_1 * y.y) / (h * r_1.y)));
-    float _e22 = arctangent(((x_1 * y.x) / (h * r_1.x)));
+float stretch(float x_2, vec2 y_1, float h) {
+    vec2 r_2 = sqrt(((vec2((x_2 * x_2)) + (y_1 * y_1)) + vec2((h * h))));
+    float _e16 = arctangent(((x_2 * y_1.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_2 * y_1.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
@@ -437,15 +521,15 @@ QuadView viewQuad(Emitter e_4, vec3 point_3) {
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
-    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high = (low + lengths);
-    vec2 y_7 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_7, height_1);
-    float _e46 = stretch(high.x, y_7, height_1);
+    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_1 + lengths);
+    vec2 y_8 = vec2(low_1.y, high_1.y);
+    float _e44 = stretch(low_1.x, y_8, height_1);
+    float _e46 = stretch(high_1.x, y_8, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_6 * ((signedHeight > 0.0) ? 1.0 : -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low, high, height_1, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
+    return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
 }
 
 float quadPdf(Emitter e_5, vec3 point_4, float distance_2) {
@@ -463,25 +547,26 @@ BoxView viewBox(Emitter e_6, vec3 point_5) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_7, vec3 point_6, vec3 direction_7, float distance_3, vec3 normal) {
+float boxPdf(Emitter e_7, vec3 point_6, vec3 direction_10, float distance_3, vec3 normal) {
     BoxView _e5 = viewBox(e_7, point_6);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_7, normal))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal))), distance_3);
     float _e12 = conePdf(2.0);
     return (_e5.inside ? _e12 : _e10);
 }
 
-float directionalPdf(Emitter e_8, vec3 direction_8) {
-    bool _e7 = isOnDisc(e_8, direction_8);
+float directionalPdf(Emitter e_8, vec3 direction_11) {
+    bool _e7 = isOnDisc(e_8, direction_11);
     return (_e7 ? (1.0 / max(e_8.area, 1e-31)) : 0.0);
 }
 
-float skyPdf(vec3 direction_9) {
-    return 0.07957747;
+float skyPdf(vec3 direction_12) {
+    EnvironmentLight _e1 = skyLight(direction_12);
+    return _e1.pdf;
 }
 
-float emitterPdf(Emitter e_9, vec3 point_7, vec3 direction_10, float distance_4, vec3 normal_1) {
+float emitterPdf(Emitter e_9, vec3 point_7, vec3 direction_13, float distance_4, vec3 normal_1) {
     if ((e_9.kind == 0.0)) {
-        float _e8 = spherePdf(e_9, point_7, direction_10);
+        float _e8 = spherePdf(e_9, point_7, direction_13);
         return _e8;
     }
     if ((e_9.kind == 1.0)) {
@@ -489,15 +574,15 @@ float emitterPdf(Emitter e_9, vec3 point_7, vec3 direction_10, float distance_4,
         return _e12;
     }
     if ((e_9.kind == 2.0)) {
-        float _e16 = boxPdf(e_9, point_7, direction_10, distance_4, normal_1);
+        float _e16 = boxPdf(e_9, point_7, direction_13, distance_4, normal_1);
         return _e16;
     }
     if ((e_9.kind == 5.0)) {
-        float _e20 = directionalPdf(e_9, direction_10);
+        float _e20 = directionalPdf(e_9, direction_13);
         return _e20;
     }
     if ((e_9.kind == 6.0)) {
-        float _e24 = skyPdf(direction_10);
+        float _e24 = skyPdf(direction_13);
         return _e24;
     }
     return 0.0;
@@ -514,13 +599,13 @@ float estimatedIrradiance(Emitter e_11, vec3 point_8, vec3 normal_2) {
     }
     bool isQuad = (e_11.kind == 1.0);
     bool isFar = (e_11.kind == 5.0);
-    vec3 middle_2 = (e_11.position + (isQuad ? (0.5 * (e_11.u + e_11.v)) : vec3(0.0)));
-    vec3 toLight_1 = (isFar ? -(e_11.u) : (middle_2 - point_8));
+    vec3 middle_3 = (e_11.position + (isQuad ? (0.5 * (e_11.u + e_11.v)) : vec3(0.0)));
+    vec3 toLight_1 = (isFar ? -(e_11.u) : (middle_3 - point_8));
     float distance2_ = dot(toLight_1, toLight_1);
     float distance_6 = sqrt(distance2_);
     float grown = max((distance_6 + e_11.reach), 1e-15);
-    float above = clamp(((dot(normal_2, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
-    float cosine_12 = ((dot(normal_2, normal_2) == 0.0) ? 1.0 : above);
+    float above_1 = clamp(((dot(normal_2, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
+    float cosine_12 = ((dot(normal_2, normal_2) == 0.0) ? 1.0 : above_1);
     float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_1)) / max(e_11.area, 1e-30));
     float side_2 = ((e_11.oneSided == 1.0) ? max(height_2, 0.0) : abs(height_2));
     float lampCosine = ((side_2 > 0.0) ? ((side_2 + e_11.reach) / grown) : 0.0);
@@ -582,21 +667,21 @@ vec3 foundLight(Vertex v_5, Origin origin_3, Ray ray_2, Hit hit_1) {
 
 vec3 turnTo(vec3 axis, vec3 v_6) {
     float s_25 = ((axis.z >= 0.0) ? 1.0 : -1.0);
-    float a_2 = (-1.0 / (s_25 + axis.z));
-    float b_4 = ((axis.x * axis.y) * a_2);
-    vec3 x_13 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_2)), (s_25 * b_4), (-(s_25) * axis.x));
-    vec3 y_8 = vec3(b_4, (s_25 + ((axis.y * axis.y) * a_2)), -(axis.y));
-    return (((v_6.x * x_13) + (v_6.y * y_8)) + (v_6.z * axis));
+    float a_3 = (-1.0 / (s_25 + axis.z));
+    float b_5 = ((axis.x * axis.y) * a_3);
+    vec3 x_14 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_3)), (s_25 * b_5), (-(s_25) * axis.x));
+    vec3 y_9 = vec3(b_5, (s_25 + ((axis.y * axis.y) * a_3)), -(axis.y));
+    return (((v_6.x * x_14) + (v_6.y * y_9)) + (v_6.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u) {
     float oneMinusCosine = (u.x * width_1);
     float cosine_13 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_1 = sqrt(max(sine2_, 0.0));
+    float sine_3 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u.y);
-    vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_1 / length(turn)) * turn), cosine_13));
+    vec2 turn_1 = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_13));
     return ConeDirection(_e23, cosine_13, sine2_);
 }
 
@@ -613,26 +698,26 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_1) {
     return LightSample(_e19.direction, distance_7, e_13.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_2) {
-    float h_3 = (0.5 * x_2);
-    float z_2 = (h_3 * h_3);
-    float sine_2 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_3) + h_3);
-    return vec2((1.0 - ((2.0 * sine_2) * sine_2)), ((2.0 * sine_2) * sqrt((1.0 - (sine_2 * sine_2)))));
+vec2 cosineAndSine(float x_3) {
+    float h_3 = (0.5 * x_3);
+    float z_3 = (h_3 * h_3);
+    float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_3) + h_3);
+    return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
 vec3 sphericalRectangle(QuadView q_3, vec2 u_2) {
     float h_4 = q_3.height;
-    vec2 y_9 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_26 = (y_9 / sqrt(((y_9 * y_9) + vec2((h_4 * h_4)))));
+    vec2 y_10 = vec2(q_3.low.y, q_3.high.y);
+    vec2 s_26 = (y_10 / sqrt(((y_10 * y_10) + vec2((h_4 * h_4)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_3.start + (u_2.x * q_3.solidAngle))));
     vec2 across = (vec2((s_26.y - s_26.x), (s_26.y + s_26.x)) * _e21);
     float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across), 1e-15));
-    float x_14 = clamp(((h_4 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
-    float d2_ = ((x_14 * x_14) + (h_4 * h_4));
-    vec2 ends = (y_9 * inversesqrt((vec2(d2_) + (y_9 * y_9))));
+    float x_15 = clamp(((h_4 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
+    float d2_ = ((x_15 * x_15) + (h_4 * h_4));
+    vec2 ends = (y_10 * inversesqrt((vec2(d2_) + (y_10 * y_10))));
     float v_10 = mix(ends.x, ends.y, u_2.y);
-    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_9.x, y_9.y);
-    return (((x_14 * q_3.axisX) + (atY * q_3.axisY)) + (h_4 * q_3.axisZ));
+    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_10.x, y_10.y);
+    return (((x_15 * q_3.axisX) + (atY * q_3.axisY)) + (h_4 * q_3.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_3) {
@@ -647,13 +732,13 @@ LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_3) {
 
 vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_4) {
     float both = (b_1.faces.x + b_1.faces.y);
-    float at = (u_4.x * b_1.area);
-    bool onX = (at < b_1.faces.x);
-    bool onY = (!(onX) && (at < both));
+    float at_2 = (u_4.x * b_1.area);
+    bool onX = (at_2 < b_1.faces.x);
+    bool onY = (!(onX) && (at_2 < both));
     float face = (onX ? b_1.faces.x : (onY ? b_1.faces.y : b_1.faces.z));
-    float within = clamp(((at - (onX ? 0.0 : (onY ? b_1.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
+    float within_1 = clamp(((at_2 - (onX ? 0.0 : (onY ? b_1.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    vec3 p = vec3(((dot(axis_3, b_1.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_4.y) - 1.0));
+    vec3 p = vec3(((dot(axis_3, b_1.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_4.y) - 1.0));
     vec3 toLight_3 = (((onX ? p.xyz : (onY ? p.zxy : p.yzx)) * e_15.u) - b_1.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
@@ -665,11 +750,11 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_5) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_9 = (_e3.inside ? max(_e16.far, 0.0) : length(_e4.xyz));
-    vec3 direction_17 = (_e3.inside ? outwards : (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_20 = (_e3.inside ? outwards : (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_3 = (_e3.inside ? _e33 : _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
     return LightSample(_e37, distance_9, e_16.radiance, pdf_3, false);
 }
 
@@ -700,25 +785,91 @@ LightSample sampleDirectional(Emitter e_19, vec2 u_6) {
     return LightSample(_e10.direction, 1e30, e_19.radiance, (delta ? 1.0 : (1.0 / max(e_19.area, 1e-31))), delta);
 }
 
-LightSample sampleSky(vec2 u_7) {
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
-    vec3 direction_18 = _e6.direction;
-    vec3 _e8 = sky(direction_18);
-    float _e9 = skyPdf(direction_18);
-    return LightSample(direction_18, 1e30, _e8, _e9, false);
+Parts splitProduct(vec2 u_7, uvec2 n_1) {
+    uvec2 digits = uvec2((u_7 * 16777216.0));
+    uvec2 low_2 = ((digits & uvec2(4095u)) * n_1);
+    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_2 >> uvec2(12u)));
+    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_2 & uvec2(4095u)))));
 }
 
-LightSample sampleKind(Emitter e_20, vec3 point_15, vec2 u_8) {
+uint mixBits(uint x_4) {
+    uint y_2 = 0u;
+    y_2 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
+    uint _e7 = y_2;
+    uint _e8 = y_2;
+    y_2 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
+    uint _e14 = y_2;
+    uint _e15 = y_2;
+    return (_e14 ^ (_e15 >> 15u));
+}
+
+ChosenCell chooseCell(vec2 u_8) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_2 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_8, (size_2 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
+    uint hash = (_e17 >> 8u);
+    float _e26 = frame.environmentSize.x;
+    float fine = ((float(hash) * 5.9604645e-8) * _e26);
+    float x_16 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    uint rows = ((size_2.y + 2u) / 2u);
+    bool second = (_e9.whole.y >= rows);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_2.y) - (second ? rows : 0u)))), 0);
+    vec2 entry = (second ? entries.zw : entries.xy);
+    bool own_1 = (x_16 < entry.x);
+    uint other_1 = uint(entry.y);
+    uint otherRow = (other_1 / size_2.x);
+    uvec2 cell_2 = (own_1 ? _e9.whole : uvec2((other_1 - (otherRow * size_2.x)), otherRow));
+    float rest_1 = (own_1 ? (x_16 / max(entry.x, 1e-37)) : ((x_16 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+}
+
+float linearSample(float u_9, float a, float b_2) {
+    vec2 ends_1 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
+    return min((u_9 / max((ends_1.x + sqrt(mix((ends_1.x * ends_1.x), (ends_1.y * ends_1.y), u_9))), 1e-9)), 1.0);
+}
+
+EnvironmentSample sampleEnvironment(vec2 u_10) {
+    vec2 size_3 = frame.environmentSize;
+    ChosenCell _e4 = chooseCell(u_10);
+    Corners _e6 = environmentCorners(_e4.cell);
+    vec2 cell_3 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
+    float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
+    float t_4 = ((_e32 * (any(atPole) ? 0.5 : 1.0)) + (atPole.x ? 0.5 : 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_4), mix(_e6.b.w, _e6.d.w, t_4));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_3.y);
+    float fromPole_1 = (isLower_1 ? ((size_3.y - cell_3.y) + (0.5 - t_4)) : (cell_3.y + (t_4 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
+    float _e85 = frame.environmentTurn;
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float nearest = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
+    vec2 phi_1 = (_e100 * (back ? -1.0 : 1.0));
+    float sine_5 = max(_e76.y, 1e-9);
+    vec3 direction_21 = vec3((sine_5 * phi_1.y), (isLower_1 ? -(_e76.x) : _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_4), sine_5);
+    return EnvironmentSample(direction_21, _e119);
+}
+
+LightSample sampleSky(vec2 u_11) {
+    EnvironmentSample _e1 = sampleEnvironment(u_11);
+    vec3 _e6 = sky(_e1.direction);
+    return LightSample(_e1.direction, 1e30, (_e1.light.radiance * _e6), _e1.light.pdf, false);
+}
+
+LightSample sampleKind(Emitter e_20, vec3 point_15, vec2 u_12) {
     if ((e_20.kind == 0.0)) {
-        LightSample _e6 = sampleSphere(e_20, point_15, u_8);
+        LightSample _e6 = sampleSphere(e_20, point_15, u_12);
         return _e6;
     }
     if ((e_20.kind == 1.0)) {
-        LightSample _e10 = sampleQuad(e_20, point_15, u_8);
+        LightSample _e10 = sampleQuad(e_20, point_15, u_12);
         return _e10;
     }
     if ((e_20.kind == 2.0)) {
-        LightSample _e14 = sampleBox(e_20, point_15, u_8);
+        LightSample _e14 = sampleBox(e_20, point_15, u_12);
         return _e14;
     }
     if ((e_20.kind == 3.0)) {
@@ -730,16 +881,16 @@ LightSample sampleKind(Emitter e_20, vec3 point_15, vec2 u_8) {
         return _e22;
     }
     if ((e_20.kind == 5.0)) {
-        LightSample _e26 = sampleDirectional(e_20, u_8);
+        LightSample _e26 = sampleDirectional(e_20, u_12);
         return _e26;
     }
-    LightSample _e27 = sampleSky(u_8);
+    LightSample _e27 = sampleSky(u_12);
     return _e27;
 }
 
-LightSample sampleEmitter(Emitter e_21, vec3 point_16, vec2 u_9) {
+LightSample sampleEmitter(Emitter e_21, vec3 point_16, vec2 u_13) {
     LightSample s_4 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e3 = sampleKind(e_21, point_16, u_9);
+    LightSample _e3 = sampleKind(e_21, point_16, u_13);
     s_4 = _e3;
     float _e7 = s_4.pdf;
     float _e9 = s_4.distance_;
@@ -822,16 +973,16 @@ float glassReflectance(float cosine_5, float ratio_1, bool thin) {
     return (thin ? ((2.0 * _e3) / (1.0 + _e3)) : _e3);
 }
 
-vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k) {
+vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k_1) {
     float cosine2_ = (cosine_6 * cosine_6);
     float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
+    vec3 difference = (((eta * eta) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 a_3 = mix(((eta * k) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
-    vec3 across_2 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_6) * a_3)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_6) * a_3)) + vec3(1e-20)));
+    vec3 a_4 = mix(((eta * k_1) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 across_2 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_6) * a_4)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_6) * a_4)) + vec3(1e-20)));
     vec3 sum_1 = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
-    vec3 part = (((2.0 * cosine_6) * sine2_1) * a_3);
+    vec3 part = (((2.0 * cosine_6) * sine2_1) * a_4);
     return ((0.5 * across_2) * (vec3(1.0) + (((sum_1 - part) + vec3(1e-20)) / ((sum_1 + part) + vec3(1e-20)))));
 }
 
@@ -858,8 +1009,8 @@ vec3 facetReflectance(Surface s_13, float cosine_8, float ratio_2) {
 }
 
 float singleScatteringAlbedo(float cosine_9, float alpha_3) {
-    float x_15 = (cosine_9 / (cosine_9 + alpha_3));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_15 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_15 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_15 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_15 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_17 = (cosine_9 / (cosine_9 + alpha_3));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_17 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_17 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_17 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_17 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_3 * alpha_3);
     return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
 }
@@ -927,16 +1078,16 @@ vec4 evaluateBsdf(Surface s_16, vec3 wo_2, vec3 wi_1) {
     return ((1.0 - s_16.reflectivity) * _e59);
 }
 
-float intersectSphere(vec3 origin_4, vec3 direction_11, vec3 center, float radius, float tMin_1, bool startsInside_1) {
+float intersectSphere(vec3 origin_4, vec3 direction_14, vec3 center, float radius, float tMin_1, bool startsInside_1) {
     vec3 toCenter_1 = (center - origin_4);
-    float along_2 = dot(toCenter_1, direction_11);
-    vec3 across_3 = (toCenter_1 - (along_2 * direction_11));
+    float along_2 = dot(toCenter_1, direction_14);
+    vec3 across_3 = (toCenter_1 - (along_2 * direction_14));
     float discriminant = ((radius * radius) - dot(across_3, across_3));
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along_2 - half_);
     float far = (along_2 + half_);
-    float t_4 = ((near > tMin_1) ? near : far);
-    return (startsInside_1 ? max(far, 0.0) : (((discriminant >= 0.0) && (t_4 > tMin_1)) ? t_4 : 1e30));
+    float t_5 = ((near > tMin_1) ? near : far);
+    return (startsInside_1 ? max(far, 0.0) : (((discriminant >= 0.0) && (t_5 > tMin_1)) ? t_5 : 1e30));
 }
 
 float hitSphere(uint i_9, Bounds bounds, Ray ray_3) {
@@ -948,41 +1099,41 @@ bool isTurned(vec4 q_4) {
     return any(notEqual(q_4.xyz, vec3(0.0)));
 }
 
-float intersectBox(vec3 origin_5, vec3 direction_12, vec3 halfSize_2, float tMin_2, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_5, direction_12, halfSize_2);
-    float t_5 = ((_e5.near > tMin_2) ? _e5.near : _e5.far);
-    return (startsInside_2 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_5 > tMin_2)) ? t_5 : 1e30));
+float intersectBox(vec3 origin_5, vec3 direction_15, vec3 halfSize_2, float tMin_2, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_5, direction_15, halfSize_2);
+    float t_6 = ((_e5.near > tMin_2) ? _e5.near : _e5.far);
+    return (startsInside_2 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_6 > tMin_2)) ? t_6 : 1e30));
 }
 
 float hitBox(uint i_10, Bounds bounds_1, Ray ray_4) {
     vec3 origin_6 = vec3(0.0);
-    vec3 direction_13 = vec3(0.0);
+    vec3 direction_16 = vec3(0.0);
     Extent _e3 = fetchExtent(i_10);
     origin_6 = (ray_4.start.point - bounds_1.center);
-    direction_13 = ray_4.direction;
+    direction_16 = ray_4.direction;
     bool _e12 = isTurned(_e3.a);
     if (_e12) {
         vec3 _e14 = origin_6;
         vec3 _e15 = rotate(_e3.a, _e14);
         origin_6 = _e15;
-        vec3 _e17 = direction_13;
+        vec3 _e17 = direction_16;
         vec3 _e18 = rotate(_e3.a, _e17);
-        direction_13 = _e18;
+        direction_16 = _e18;
     }
     vec3 _e19 = origin_6;
-    vec3 _e20 = direction_13;
+    vec3 _e20 = direction_16;
     float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_4.start.tMin, (i_10 == ray_4.start.inside));
     return ((i_10 == ray_4.start.leaves) ? 1e30 : _e28);
 }
 
-float intersectQuad(vec3 origin_7, vec3 direction_14, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_3) {
+float intersectQuad(vec3 origin_7, vec3 direction_17, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_3) {
     vec3 normal_7 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_14, normal_7);
+    float speed = dot(direction_17, normal_7);
     vec3 toCenter_2 = (center_1 - origin_7);
-    float t_6 = (dot(toCenter_2, normal_7) / ((speed == 0.0) ? 1e-30 : speed));
-    vec3 p_1 = ((t_6 * direction_14) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
-    return ((((t_6 > tMin_3) && (t_6 < 1e30)) && within_1) ? t_6 : 1e30);
+    float t_7 = (dot(toCenter_2, normal_7) / ((speed == 0.0) ? 1e-30 : speed));
+    vec3 p_1 = ((t_7 * direction_17) - toCenter_2);
+    bool within_2 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
+    return ((((t_7 > tMin_3) && (t_7 < 1e30)) && within_2) ? t_7 : 1e30);
 }
 
 float hitQuad(uint i_11, Bounds bounds_2, Ray ray_5) {
@@ -991,13 +1142,13 @@ float hitQuad(uint i_11, Bounds bounds_2, Ray ray_5) {
     return ((i_11 == ray_5.start.leaves) ? 1e30 : _e14);
 }
 
-float intersectPlane(vec3 origin_8, vec3 direction_15, vec3 normal_4, float offset, float tMin_4) {
-    float speed_1 = dot(direction_15, normal_4);
-    float t_7 = ((offset - dot(origin_8, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
+float intersectPlane(vec3 origin_8, vec3 direction_18, vec3 normal_4, float offset, float tMin_4) {
+    float speed_1 = dot(direction_18, normal_4);
+    float t_8 = ((offset - dot(origin_8, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
     float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
-    bool eitherWay = ((t_7 > tMin_4) && (abs(speed_1) > 1e-12));
+    bool eitherWay = ((t_8 > tMin_4) && (abs(speed_1) > 1e-12));
     uint _e30 = frame.planesCutView;
-    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_7, 0.0) : 1e30);
+    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_8, 0.0) : 1e30);
 }
 
 float hitPlane(uint i_12, Bounds bounds_3, Ray ray_6) {
@@ -1008,9 +1159,9 @@ float hitPlane(uint i_12, Bounds bounds_3, Ray ray_6) {
 bool occluded(Ray ray_7, float distance_5, uint except) {
     bool blocked = false;
     uint i_13 = 0u;
-    uvec4 ends_1 = frame.shapeEnds;
+    uvec4 ends_2 = frame.shapeEnds;
     uint _e10 = i_13;
-    if ((_e10 < ends_1.x)) {
+    if ((_e10 < ends_2.x)) {
         while(true) {
             bool _e13 = blocked;
             uint _e14 = i_13;
@@ -1022,13 +1173,13 @@ bool occluded(Ray ray_7, float distance_5, uint except) {
             uint _e24 = i_13;
             i_13 = (_e24 + 1u);
             uint _e26 = i_13;
-            if ((_e26 >= ends_1.x)) {
+            if ((_e26 >= ends_2.x)) {
                 break;
             }
         }
     }
     uint _e29 = i_13;
-    if ((_e29 < ends_1.y)) {
+    if ((_e29 < ends_2.y)) {
         while(true) {
             bool _e32 = blocked;
             uint _e33 = i_13;
@@ -1040,13 +1191,13 @@ bool occluded(Ray ray_7, float distance_5, uint except) {
             uint _e43 = i_13;
             i_13 = (_e43 + 1u);
             uint _e45 = i_13;
-            if ((_e45 >= ends_1.y)) {
+            if ((_e45 >= ends_2.y)) {
                 break;
             }
         }
     }
     uint _e48 = i_13;
-    if ((_e48 < ends_1.z)) {
+    if ((_e48 < ends_2.z)) {
         while(true) {
             bool _e51 = blocked;
             uint _e52 = i_13;
@@ -1058,13 +1209,13 @@ bool occluded(Ray ray_7, float distance_5, uint except) {
             uint _e62 = i_13;
             i_13 = (_e62 + 1u);
             uint _e64 = i_13;
-            if ((_e64 >= ends_1.z)) {
+            if ((_e64 >= ends_2.z)) {
                 break;
             }
         }
     }
     uint _e67 = i_13;
-    if ((_e67 < ends_1.w)) {
+    if ((_e67 < ends_2.w)) {
         while(true) {
             bool _e70 = blocked;
             uint _e71 = i_13;
@@ -1075,7 +1226,7 @@ bool occluded(Ray ray_7, float distance_5, uint except) {
             uint _e78 = i_13;
             i_13 = (_e78 + 1u);
             uint _e80 = i_13;
-            if ((_e80 >= ends_1.w)) {
+            if ((_e80 >= ends_2.w)) {
                 break;
             }
         }
@@ -1084,12 +1235,12 @@ bool occluded(Ray ray_7, float distance_5, uint except) {
     return _e83;
 }
 
-vec3 sampledLight(Vertex v_7, EmitterChoice choice, vec2 u_10) {
+vec3 sampledLight(Vertex v_7, EmitterChoice choice, vec2 u_14) {
     if ((choice.probability <= 0.0)) {
         return vec3(0.0);
     }
     Emitter _e9 = fetchEmitter(choice.index);
-    LightSample _e11 = sampleEmitter(_e9, v_7.point, u_10);
+    LightSample _e11 = sampleEmitter(_e9, v_7.point, u_14);
     if ((_e11.pdf <= 0.0)) {
         return vec3(0.0);
     }
@@ -1121,9 +1272,9 @@ Hit nearer(Hit hit_2, float t_1, uint shape_1) {
 Hit closestHit(Ray ray_8) {
     Hit hit_3 = Hit(1e30, 4294967295u);
     uint i_14 = 0u;
-    uvec4 ends_2 = frame.shapeEnds;
+    uvec4 ends_3 = frame.shapeEnds;
     uint _e10 = i_14;
-    if ((_e10 < ends_2.x)) {
+    if ((_e10 < ends_3.x)) {
         while(true) {
             Hit _e13 = hit_3;
             uint _e14 = i_14;
@@ -1136,13 +1287,13 @@ Hit closestHit(Ray ray_8) {
             uint _e21 = i_14;
             i_14 = (_e21 + 1u);
             uint _e23 = i_14;
-            if ((_e23 >= ends_2.x)) {
+            if ((_e23 >= ends_3.x)) {
                 break;
             }
         }
     }
     uint _e26 = i_14;
-    if ((_e26 < ends_2.y)) {
+    if ((_e26 < ends_3.y)) {
         while(true) {
             Hit _e29 = hit_3;
             uint _e30 = i_14;
@@ -1155,13 +1306,13 @@ Hit closestHit(Ray ray_8) {
             uint _e37 = i_14;
             i_14 = (_e37 + 1u);
             uint _e39 = i_14;
-            if ((_e39 >= ends_2.y)) {
+            if ((_e39 >= ends_3.y)) {
                 break;
             }
         }
     }
     uint _e42 = i_14;
-    if ((_e42 < ends_2.z)) {
+    if ((_e42 < ends_3.z)) {
         while(true) {
             Hit _e45 = hit_3;
             uint _e46 = i_14;
@@ -1174,13 +1325,13 @@ Hit closestHit(Ray ray_8) {
             uint _e53 = i_14;
             i_14 = (_e53 + 1u);
             uint _e55 = i_14;
-            if ((_e55 >= ends_2.z)) {
+            if ((_e55 >= ends_3.z)) {
                 break;
             }
         }
     }
     uint _e58 = i_14;
-    if ((_e58 < ends_2.w)) {
+    if ((_e58 < ends_3.w)) {
         while(true) {
             Hit _e61 = hit_3;
             uint _e62 = i_14;
@@ -1193,7 +1344,7 @@ Hit closestHit(Ray ray_8) {
             uint _e69 = i_14;
             i_14 = (_e69 + 1u);
             uint _e71 = i_14;
-            if ((_e71 >= ends_2.w)) {
+            if ((_e71 >= ends_3.w)) {
                 break;
             }
         }
@@ -1202,7 +1353,7 @@ Hit closestHit(Ray ray_8) {
     return _e74;
 }
 
-EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_11) {
+EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_15) {
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
@@ -1213,7 +1364,7 @@ EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_11) {
         uint _e11 = frame.emitterCount;
         return EmitterChoice(0u, float(_e11), 1.0);
     }
-    rest = u_11;
+    rest = u_15;
     while(true) {
         uint _e24 = i_15;
         Emitter _e25 = fetchEmitter(_e24);
@@ -1247,63 +1398,52 @@ EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_11) {
     return EmitterChoice(_e60, (_e61 / max(_e62, 1e-37)), _e66);
 }
 
-uint mixBits(uint x_3) {
-    uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
-    uint _e7 = y_1;
-    uint _e8 = y_1;
-    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
-    uint _e14 = y_1;
-    uint _e15 = y_1;
-    return (_e14 ^ (_e15 >> 15u));
-}
-
-uint scramble(uint x_4, uint seed) {
-    uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
-    uint _e6 = y_2;
-    y_2 = ((_e6 + seed) * ((seed >> 16u) | 1u));
-    uint _e13 = y_2;
-    uint _e14 = y_2;
-    y_2 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_2;
-    uint _e19 = y_2;
+uint scramble(uint x_5, uint seed) {
+    uint y_3 = 0u;
+    y_3 = (x_5 ^ (x_5 * 1025551850u));
+    uint _e6 = y_3;
+    y_3 = ((_e6 + seed) * ((seed >> 16u) | 1u));
+    uint _e13 = y_3;
+    uint _e14 = y_3;
+    y_3 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_3;
+    uint _e19 = y_3;
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint reverseHalves(uint x_5) {
-    uint y_3 = 0u;
-    y_3 = (((x_5 >> 1u) & 1431655765u) | ((x_5 & 1431655765u) << 1u));
-    uint _e11 = y_3;
-    uint _e16 = y_3;
-    y_3 = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
-    uint _e22 = y_3;
-    uint _e27 = y_3;
-    y_3 = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y_3;
-    uint _e38 = y_3;
+uint reverseHalves(uint x_6) {
+    uint y_4 = 0u;
+    y_4 = (((x_6 >> 1u) & 1431655765u) | ((x_6 & 1431655765u) << 1u));
+    uint _e11 = y_4;
+    uint _e16 = y_4;
+    y_4 = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y_4;
+    uint _e27 = y_4;
+    y_4 = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y_4;
+    uint _e38 = y_4;
     return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 << 1u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 << 1u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
-    uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
+uint shiftOfPlace(uint x_9) {
+    uint y_5 = 0u;
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_5 = (x_9 ^ _e5);
+    uint _e8 = y_5;
+    uint _e9 = y_5;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
+    y_5 = (_e8 ^ _e14);
+    uint _e16 = y_5;
     uint _e17 = timesW(_e16);
-    uint _e18 = y_4;
+    uint _e18 = y_5;
     return (_e17 | (_e18 << 8u));
 }
 
@@ -1314,16 +1454,16 @@ Group nextGroup(inout Sampler s_17) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s_17.salt;
     uint half_1 = ((_e8 ^ _e10) * 2654435761u);
-    uint b_5 = (half_1 ^ (half_1 >> 16u));
+    uint b_6 = (half_1 ^ (half_1 >> 16u));
     uint _e18 = s_17.place;
-    uint _e19 = scramble(_e18, b_5);
+    uint _e19 = scramble(_e18, b_6);
     uint _e21 = s_17.sample_;
-    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s_17.sample_;
-    uint _e30 = scramble((_e28 ^ own_1), _e8);
+    uint _e30 = scramble((_e28 ^ own_2), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_5 >> 16u) | (b_5 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_6 >> 16u) | (b_6 << 16u)));
 }
 
 float toUnit(uint reversed, uint scrambled) {
@@ -1338,17 +1478,17 @@ float next1d(inout Sampler s_18) {
     return _e10;
 }
 
-uint pascal(uint x_9) {
-    uint y_5 = 0u;
-    y_5 = (x_9 ^ ((x_9 >> 1u) & 21845u));
-    uint _e7 = y_5;
-    uint _e8 = y_5;
-    y_5 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_5;
-    uint _e15 = y_5;
-    y_5 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_5;
-    uint _e22 = y_5;
+uint pascal(uint x_10) {
+    uint y_6 = 0u;
+    y_6 = (x_10 ^ ((x_10 >> 1u) & 21845u));
+    uint _e7 = y_6;
+    uint _e8 = y_6;
+    y_6 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_6;
+    uint _e15 = y_6;
+    y_6 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_6;
+    uint _e22 = y_6;
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
@@ -1376,37 +1516,37 @@ bool isDelta(Surface s_20) {
     return ((s_20.reflectivity >= 1.0) || (noDiffuse && _e14));
 }
 
-BsdfSample deltaSample(vec3 direction_16, float probability, vec3 weight) {
-    return BsdfSample(direction_16, probability, weight, true);
+BsdfSample deltaSample(vec3 direction_19, float probability, vec3 weight) {
+    return BsdfSample(direction_19, probability, weight, true);
 }
 
 vec3 mirrored(vec3 wo_3) {
     return vec3(-(wo_3.xy), wo_3.z);
 }
 
-vec3 sampleCosine(vec2 u_12) {
-    float radius_1 = sqrt(u_12.x);
-    float phi_1 = ((6.2831855 * u_12.y) - 3.1415927);
-    return normalize(vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_12.x))));
+vec3 sampleCosine(vec2 u_16) {
+    float radius_1 = sqrt(u_16.x);
+    float phi_2 = ((6.2831855 * u_16.y) - 3.1415927);
+    return normalize(vec3((radius_1 * cos(phi_2)), (radius_1 * sin(phi_2)), sqrt((1.0 - u_16.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_13) {
+vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_17) {
     float _e8 = stretched(wo_4, alpha_4);
     vec3 w_2 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
-    float phi_2 = ((6.2831855 * u_13.x) - 3.1415927);
-    float drop = (u_13.y * (1.0 + (bound * w_2.z)));
-    float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_6 = (w_2 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
+    float phi_3 = ((6.2831855 * u_17.x) - 3.1415927);
+    float drop = (u_17.y * (1.0 + (bound * w_2.z)));
+    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_6 = (w_2 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_6.xy), max(h_6.z, 1e-7)));
 }
 
-vec3 sampleFacet(Surface s_21, vec3 wo_5, vec2 u_14) {
+vec3 sampleFacet(Surface s_21, vec3 wo_5, vec2 u_18) {
     float side_3 = ((wo_5.z < 0.0) ? -1.0 : 1.0);
     vec3 up = (wo_5 * side_3);
     float _e11 = reflectionBound(up, s_21.alpha);
     uint _e12 = kindOf(s_21);
     float bound_2 = ((_e12 == dielectric) ? 1.0 : _e11);
-    vec3 _e20 = sampleVisibleNormal(up, max(s_21.alpha, 0.001), bound_2, u_14);
+    vec3 _e20 = sampleVisibleNormal(up, max(s_21.alpha, 0.001), bound_2, u_18);
     bool _e25 = hasSmoothLobe(s_21);
     return ((_e25 ? vec3(0.0, 0.0, 1.0) : _e20) * side_3);
 }
@@ -1417,24 +1557,24 @@ vec3 refracted(vec3 wo_6, vec3 h_2, float ratio_3) {
     return ((((cosine_14 - inside_3) * h_2) - wo_6) / vec3(ratio_3));
 }
 
-BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_15) {
+BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_19) {
     vec3 wi_2 = vec3(0.0);
     bool crossing = false;
-    if ((u_15.z < s_22.reflectivity)) {
+    if ((u_19.z < s_22.reflectivity)) {
         vec3 _e6 = mirrored(wo_7);
         BsdfSample _e10 = deltaSample(_e6, s_22.reflectivity, vec3(1.0));
         return _e10;
     }
     float base_1 = (1.0 - s_22.reflectivity);
-    float choice_1 = ((u_15.z - s_22.reflectivity) / base_1);
+    float choice_1 = ((u_19.z - s_22.reflectivity) / base_1);
     float _e19 = facetShare(s_22, wo_7.z);
     uint _e20 = kindOf(s_22);
     bool isGlass_1 = (_e20 == dielectric);
     bool specular_1 = (choice_1 < _e19);
-    vec3 _e25 = sampleCosine(u_15.xy);
+    vec3 _e25 = sampleCosine(u_19.xy);
     wi_2 = _e25;
     if (specular_1) {
-        vec3 _e30 = sampleFacet(s_22, wo_7, u_15.xy);
+        vec3 _e30 = sampleFacet(s_22, wo_7, u_19.xy);
         float oh_1 = max(dot(wo_7, _e30), 0.0);
         float _e35 = indexRatio(s_22, wo_7.z);
         vec3 _e36 = facetReflectance(s_22, oh_1, _e35);
@@ -1466,16 +1606,16 @@ BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_15) {
     return BsdfSample(_e89, pdf_5, ((pdf_5 > 0.0) ? (_e75.xyz / vec3(max(pdf_5, 1e-30))) : vec3(0.0)), false);
 }
 
-uint pascalW2_(uint x_10) {
-    uint y_6 = 0u;
-    uint _e5 = timesW2_(((x_10 >> 2u) & 13107u));
-    y_6 = (x_10 ^ _e5);
-    uint _e8 = y_6;
-    uint _e9 = y_6;
+uint pascalW2_(uint x_11) {
+    uint y_7 = 0u;
+    uint _e5 = timesW2_(((x_11 >> 2u) & 13107u));
+    y_7 = (x_11 ^ _e5);
+    uint _e8 = y_7;
+    uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_6 = (_e8 ^ _e14);
-    uint _e16 = y_6;
-    uint _e17 = y_6;
+    y_7 = (_e8 ^ _e14);
+    uint _e16 = y_7;
+    uint _e17 = y_7;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }
@@ -1491,8 +1631,8 @@ vec3 next3d(inout Sampler s_23) {
     return vec3(_e13, _e17);
 }
 
-vec3 toWorld(Basis b_2, vec3 v_9) {
-    return (((v_9.x * b_2.tangent) + (v_9.y * b_2.bitangent)) + (v_9.z * b_2.normal));
+vec3 toWorld(Basis b_3, vec3 v_9) {
+    return (((v_9.x * b_3.tangent) + (v_9.y * b_3.bitangent)) + (v_9.z * b_3.normal));
 }
 
 vec3 trace(Ray first, inout Sampler s_24) {
@@ -1565,8 +1705,8 @@ vec3 trace(Ray first, inout Sampler s_24) {
     return _e127;
 }
 
-uint pcg(uint x_11) {
-    uint s_28 = ((x_11 * 747796405u) + 2891336453u);
+uint pcg(uint x_12) {
+    uint s_28 = ((x_12 * 747796405u) + 2891336453u);
     uint w_3 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
     return ((w_3 >> 22u) ^ w_3);
 }
@@ -1579,9 +1719,9 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed_1) {
     return _e11;
 }
 
-uint spread0_(uint x_12) {
-    uint y_10 = ((x_12 | (x_12 << 2u)) & 51u);
-    return ((y_10 | (y_10 << 1u)) & 85u);
+uint spread0_(uint x_13) {
+    uint y_11 = ((x_13 | (x_13 << 2u)) & 51u);
+    return ((y_11 | (y_11 << 1u)) & 85u);
 }
 
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
@@ -1597,31 +1737,31 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
 }
 
-float filterAxis(float u_16) {
-    float across_4 = ((2.0 * u_16) - 1.0);
-    float x_16 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
-    float piece = min(floor(x_16), 15.0);
-    float t_8 = (x_16 - piece);
+float filterAxis(float u_20) {
+    float across_4 = ((2.0 * u_20) - 1.0);
+    float x_18 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
+    float piece = min(floor(x_18), 15.0);
+    float t_9 = (x_18 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_1 = (c.x + (t_8 * (c.y + (t_8 * (c.z + (t_8 * c.w))))));
+    float offset_1 = (c.x + (t_9 * (c.y + (t_9 * (c.z + (t_9 * c.w))))));
     return ((across_4 < 0.0) ? -(offset_1) : offset_1);
 }
 
-vec2 filterOffset(vec2 u_17) {
-    float _e2 = filterAxis(u_17.x);
-    float _e4 = filterAxis(u_17.y);
+vec2 filterOffset(vec2 u_21) {
+    float _e2 = filterAxis(u_21.x);
+    float _e4 = filterAxis(u_21.y);
     return vec2(_e2, _e4);
 }
 
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray_10 = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_17 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_19 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
-    float y_11 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    float y_12 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_5 = ((x_17 * _e22) + (y_11 * _e26));
+    vec3 across_5 = ((x_19 * _e22) + (y_12 * _e26));
     uint _e31 = frame.projection;
     bool orthographic = (_e31 == 1u);
     vec3 _e36 = frame.forward;
@@ -1635,8 +1775,8 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     ray_10 = CameraRay((orthographic ? (across_5 + lens_1) : lens_1), normalize((ahead - (lens_1 / vec3(_e63)))));
     uint _e72 = frame.projection;
     if ((_e72 == 2u)) {
-        float longitude = (3.1415927 * x_17);
-        float latitude = (1.5707964 * y_11);
+        float longitude = (3.1415927 * x_19);
+        float latitude = (1.5707964 * y_12);
         vec3 _e82 = frame.right;
         vec3 _e87 = frame.forward;
         vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
@@ -1647,13 +1787,13 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     return _e102;
 }
 
-vec2 concentricDisc(vec2 u_18) {
-    vec2 p_2 = ((2.0 * u_18) - vec2(1.0));
+vec2 concentricDisc(vec2 u_22) {
+    vec2 p_2 = ((2.0 * u_22) - vec2(1.0));
     bool wide = (abs(p_2.x) > abs(p_2.y));
     float radius_2 = (wide ? p_2.x : p_2.y);
     float ratio_5 = ((wide ? p_2.y : p_2.x) / ((radius_2 == 0.0) ? 1.0 : radius_2));
-    float angle = (wide ? (0.7853982 * ratio_5) : (1.5707964 - (0.7853982 * ratio_5)));
-    return (radius_2 * vec2(cos(angle), sin(angle)));
+    float angle_1 = (wide ? (0.7853982 * ratio_5) : (1.5707964 - (0.7853982 * ratio_5)));
+    return (radius_2 * vec2(cos(angle_1), sin(angle_1)));
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
