@@ -16,7 +16,9 @@ import { ConversionError, convertScene } from './reference/convert-scene.ts';
 function withImageFrom(scene: Scene, folder: string): Scene {
   const { image } = scene.sky;
   if (image === undefined) return scene;
-  const path = relative(folder, join(dirname(from!), image)).split(sep).join('/');
+  const path = relative(folder, join(dirname(from!), image))
+    .split(sep)
+    .join('/');
   return { ...scene, sky: { ...scene.sky, image: path } };
 }
 

@@ -173,9 +173,5 @@ test('tells all problems at once', () => {
       { type: 'constant', radiance: [1, 1, 1] },
     ],
   }).split('\n');
-  expect(lines.map((line) => line.split(':')[0])).toEqual([
-    'lights',
-    'primitives.mesh 1',
-    'primitives.mesh 2',
-  ]);
+  expect(lines.map((line) => line.split(':')[0])).toEqual(['lights', 'primitives.mesh 1', 'primitives.mesh 2']);
 });
