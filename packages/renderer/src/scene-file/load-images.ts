@@ -2,8 +2,12 @@
  * The second step of reading a scene: files that it names. Who reads a scene says how its files are found, so that nothing is opened
  * or fetched that nobody asked for.
  */
-import { formatOf } from '../export/formats.ts';
+import { readExr } from '../export/exr.ts';
+import type { FloatPicture } from '../export/float-picture.ts';
+import { readHdr } from '../export/hdr.ts';
 import { ImageError } from '../export/image-error.ts';
+import { readNpy } from '../export/npy.ts';
+import { readPfm } from '../export/pfm.ts';
 import { lacksMap } from '../scene/environment.ts';
 import type { Scene } from '../scene/scene.ts';
 import { environmentFromPicture } from './environment-from-picture.ts';
@@ -26,14 +30,22 @@ export type LoadedScene =
     }
   | { readonly ok: false; readonly problems: readonly Problem[] };
 
+/** By the name's ending, which `parseScene` has looked at. (The table of all formats would bring their writers into every page.) */
+const READERS: Readonly<Record<string, (bytes: Uint8Array) => FloatPicture>> = {
+  hdr: readHdr,
+  exr: readExr,
+  npy: readNpy,
+  pfm: readPfm,
+};
+
 /** The scene with the content of the files that it names; itself when it names none or has it already. Never rejects. */
 export async function loadImages(scene: Scene, readFile: ReadFile): Promise<LoadedScene> {
   const { image } = scene.sky;
   if (image === undefined || !lacksMap(scene.sky)) return { ok: true, scene, notes: [] };
   try {
-    const format = formatOf(image);
-    const bytes = await readFile(image);
-    const { map, notes } = environmentFromPicture(format.read(bytes));
+    const read = READERS[image.slice(image.lastIndexOf('.') + 1).toLowerCase()];
+    if (!read) throw new Error('it is no .hdr, .exr, .npy or .pfm file');
+    const { map, notes } = environmentFromPicture(read(await readFile(image)));
     return {
       ok: true,
       scene: withMap(scene, map),
