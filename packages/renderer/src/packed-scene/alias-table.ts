@@ -9,12 +9,24 @@ export interface AliasTable {
   readonly other: Uint32Array;
 }
 
+export function sumOf(values: Float64Array): number {
+  let sum = 0;
+  for (let i = 0; i < values.length; i++) sum += values[i]!;
+  return sum;
+}
+
 /** Weights are finite and not negative, and at least one is positive. */
 export function aliasTable(weights: Float64Array): AliasTable {
   const n = weights.length;
-  const total = weights.reduce((sum, weight) => sum + weight, 0);
-  const own = weights.map((weight) => (weight * n) / total);
-  const other = Uint32Array.from({ length: n }, (_, i) => i);
+  const scale = n / sumOf(weights);
+  const own = new Float64Array(n);
+  const other = new Uint32Array(n);
+  let heaviest = 0;
+  for (let i = 0; i < n; i++) {
+    own[i] = weights[i]! * scale;
+    other[i] = i;
+    if (weights[i]! > weights[heaviest]!) heaviest = i;
+  }
   // Two stacks in one array, poor columns from its start and rich ones from its end.
   const stacks = new Uint32Array(n);
   let [poor, rich] = [0, n];
@@ -29,7 +41,6 @@ export function aliasTable(weights: Float64Array): AliasTable {
     stacks[poor++] = high;
   }
   // What is left over is full, up to rounding; a weight of 0 stays out.
-  const heaviest = weights.reduce((best, weight, i) => (weight > weights[best]! ? i : best), 0);
   const settle = (i: number) => {
     if (weights[i]! > 0) own[i] = 1;
     else [own[i], other[i]] = [0, heaviest];

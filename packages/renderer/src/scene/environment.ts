@@ -28,8 +28,9 @@ export function environmentFault({ width, height, data }: EnvironmentMap): strin
   if (!(data instanceof Float32Array)) return 'data that is no Float32Array';
   if (data.length !== width * height * 3)
     return `${data.length} numbers, where ${width} × ${height} texels need ${width * height * 3}`;
-  const strange = data.findIndex((value) => !(value >= 0 && value <= MOST_RADIANCE));
-  if (strange < 0) return null;
+  let strange = 0;
+  while (strange < data.length && data[strange]! >= 0 && data[strange]! <= MOST_RADIANCE) strange++;
+  if (strange === data.length) return null;
   const texel = Math.floor(strange / 3);
   return `the radiance ${data[strange]} in column ${texel % width} of row ${Math.floor(texel / width)}, where 0 to 1e12 is allowed`;
 }
