@@ -1,3 +1,4 @@
+import { fromInterleaved, writeNpy } from '../../packages/renderer/src/export/index.ts';
 import { backends, everywhere, expect, test } from './fixtures.ts';
 import {
   choose,
@@ -210,6 +211,28 @@ test('a scene file opens; a broken one lists its problems and changes nothing', 
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
   await expect(group(page, 'Scene').getByRole('radio', { name: 'Cube room' })).toBeChecked();
+});
+
+test('a scene opens with its map of the sky when both files come together, and says so when the map is missing', async ({
+  page,
+  openStudio,
+}) => {
+  await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
+  const scene = `{ "version": 1, "name": "Under a map", "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "sky": { "image": "sky.npy" },
+    "materials": { "grey": {} }, "shapes": { "ball": { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "grey" } } }`;
+  const file = (name: string, content: string | Uint8Array) => ({
+    name,
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from(content),
+  });
+  const input = page.locator('input[type=file]');
+  await input.setInputFiles([file('sky.json', scene)]);
+  const dialog = page.getByRole('dialog', { name: /sky\.json/ });
+  await expect(dialog).toContainText('sky.npy together with the scene');
+  await page.keyboard.press('Escape');
+  const map = writeNpy(fromInterleaved(2, 1, ['R', 'G', 'B'], [1, 2, 3, 4, 5, 6]));
+  await input.setInputFiles([file('sky.npy', map), file('sky.json', scene)]);
+  await expect(group(page, 'Scene').getByRole('radio', { name: 'Under a map' })).toBeChecked();
 });
 
 test('prefers-reduced-motion starts paused', async ({ page, openStudio }) => {

@@ -1,5 +1,6 @@
 // The built program from outside. `npm run build` is not needed before: it is built here when it is not there or old.
-import { existsSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { fromInterleaved, writeNpy } from 'mirrorball/picture-files';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import { buildCliIfStale } from '../../../scripts/build-cli.mjs';
 import { findChromium } from '../src/backends/find-chromium.ts';
@@ -25,6 +26,50 @@ const SMALL = '--size 24x16 --light-samples 4';
 
 beforeAll(() => writeFileSync(inFolder('bad.json'), '{"version":2,"name":"Bad","materials":{"a":{"roughness":7}}}'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('a sky with an image', () => {
+  const skyScene = (image: string) =>
+    JSON.stringify({
+      version: 1,
+      name: 'Sky',
+      camera: { eye: [0, 0, 5], target: [0, 0, 0] },
+      sky: { image },
+      materials: { grey: {} },
+      shapes: { ball: { type: 'sphere', center: [0, 0, 0], radius: 1, material: 'grey' } },
+    });
+  const map = (values: readonly number[]) => writeNpy(fromInterleaved(2, 1, ['R', 'G', 'B'], values));
+  const put = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
+
+  test('is looked for beside the scene; one that is missing or broken is a problem with its place', async () => {
+    mkdirSync(inFolder('scenes'));
+    mkdirSync(inFolder('maps'));
+    put('maps/a.npy', map([1, 2, 3, 4, 5, 6]));
+    put('scenes/good.json', skyScene('../maps/a.npy'));
+    expect(await mirrorball('validate scenes/good.json')).toMatchObject({ code: 0 });
+    put('scenes/missing.json', skyScene('a.npy'));
+    const missing = await mirrorball('validate scenes/missing.json');
+    expect(missing).toMatchObject({ code: 4, stderr: expect.stringContaining('/sky/image') });
+    expect(missing.stderr).toContain('there is no file scenes/a.npy');
+    put('scenes/b.npy', 'no array');
+    put('scenes/broken.json', skyScene('b.npy'));
+    expect(await mirrorball('validate scenes/broken.json')).toMatchObject({ code: 4 });
+    put('scenes/folder.json', skyScene('x.npy'));
+    mkdirSync(inFolder('scenes/x.npy'));
+    expect((await mirrorball('validate scenes/folder.json')).stderr).toContain('x.npy is no file');
+  });
+
+  test('belongs to the film: a part of another map does not go on, one of the same map by another name does', async () => {
+    const render = () => mirrorball('render sky.json -o sky.part --size 4x4 --spp 2 --resume --backend cpu');
+    put('a.npy', map([1, 2, 3, 4, 5, 6]));
+    put('sky.json', skyScene('a.npy'));
+    expect(await render()).toMatchObject({ code: 0 });
+    put('a.npy', map([1, 2, 3, 4, 5, 7]));
+    expect(await render()).toMatchObject({ code: 2, stderr: expect.stringContaining('another scene') });
+    put('b.npy', map([1, 2, 3, 4, 5, 6]));
+    put('sky.json', skyScene('b.npy'));
+    expect(await render()).toMatchObject({ code: 0 });
+  });
+});
 
 describe('exit codes', () => {
   test.each([

@@ -3,6 +3,7 @@
  * sample is a visible list of calls: pack, trace in short submits, show.
  */
 import { Display, type Look } from './display/display.ts';
+import { EnvironmentTexture } from './environment-texture.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
@@ -52,6 +53,7 @@ export class Stages {
   #compilingClassic: Promise<void> | null = null;
   #table: TableTexture | null = null;
   #packed: PackedScene | undefined;
+  readonly #environment: EnvironmentTexture;
   #shot: Shot | null = null;
   /** What draws the samples of the shot, and whether it is the path integrator. */
   #pass: Pass;
@@ -82,6 +84,7 @@ export class Stages {
     this.#pass = preview;
     this.film = new Film(device);
     this.#frame = device.createUniforms(structSize('Frame'));
+    this.#environment = new EnvironmentTexture(device);
   }
 
   /** Whether a sample has been begun whose last rows are not submitted yet. */
@@ -128,6 +131,7 @@ export class Stages {
     const reach = viewReach(shot.camera, width / height, shot.settings.framing);
     const packed = pack(shot.scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
+    if (packed.environment) this.#environment.hold(packed.environment);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
@@ -176,13 +180,14 @@ export class Stages {
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
-    const draw = this.#tracesPaths ? drawPath : drawClassic;
-    draw(device, pass, film.next, inputs, region);
+    if (this.#tracesPaths)
+      drawPath(device, pass, film.next, { ...inputs, environment: this.#environment.texture }, region);
+    else drawClassic(device, pass, film.next, inputs, region);
   }
 
   #writeFrame(): void {
-    const { scene, camera, settings } = this.#shot!;
-    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.nextSample);
+    const { camera, settings } = this.#shot!;
+    packFrame(this.#frameBlock, this.film, camera, this.#packed!, settings, this.film.nextSample);
     this.#frame.write(this.#frameBlock.bytes);
   }
 

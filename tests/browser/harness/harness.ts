@@ -4,6 +4,7 @@ import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { displayed } from './displayed.ts';
 import { probeChoices } from './emitters/choices.ts';
+import { probeEnvironments } from './emitters/environments.ts';
 import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
@@ -33,6 +34,7 @@ export const harness = {
   pictureOf,
   probeSampler,
   probeChoices,
+  probeEnvironments,
   probeFarLights,
   probeLamps,
   probeShapes,

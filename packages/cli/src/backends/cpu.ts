@@ -16,6 +16,12 @@ interface Sample {
 
 export const openCpu = (threads = availableParallelism()): FilmTracer => new CpuFilmTracer(threads);
 
+/** The classic integrator does not look at the sky's map: no thread needs a copy of it. */
+function withoutMap(job: FilmJob): FilmJob {
+  const { map: _, image: __, ...sky } = job.scene.sky;
+  return { ...job, scene: { ...job.scene, sky } };
+}
+
 class CpuFilmTracer implements FilmTracer {
   readonly description: string;
   readonly #threads: number;
@@ -32,7 +38,10 @@ class CpuFilmTracer implements FilmTracer {
       throw new DeviceError('The CPU traces the classic integrator only; the path integrator needs a GPU or Chromium.');
     await this.dispose();
     this.#job = job;
-    this.#workers = Array.from({ length: this.#threads }, () => new Worker(workerEntry(), { workerData: job }));
+    this.#workers = Array.from(
+      { length: this.#threads },
+      () => new Worker(workerEntry(), { workerData: withoutMap(job) }),
+    );
   }
 
   trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {

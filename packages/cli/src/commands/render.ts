@@ -38,7 +38,7 @@ export async function render(file: string, options: RenderOptions, terminal: Ter
   const area = areaOf(options);
   const frames = framesOf(options);
   await checkOutput(options, frames);
-  const scene = await requireSceneFile(file);
+  const scene = await requireSceneFile(file, terminal);
   const settings = settingsOf(scene, options);
   const { untilError, untilTime } = options;
   const goal = { wanted: wantedOf(options), untilError, untilTime };

@@ -179,11 +179,11 @@ struct Frame {
   forward: vec3f,
   // lights in use
   lightCount: u32,
-  // sky colour at the horizon
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
   horizon: vec3f,
   // film sample, from 0
   sampleIndex: u32,
-  // sky colour overhead
+  // sky colour overhead; likewise
   zenith: vec3f,
   // of the random numbers
   seed: u32,
@@ -215,12 +215,10 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
 }
 
 

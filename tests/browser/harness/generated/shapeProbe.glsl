@@ -51,9 +51,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Extent {
     vec4 a;

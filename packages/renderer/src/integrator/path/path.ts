@@ -28,6 +28,7 @@ const PATH: PassSource = {
     { texture: 'sceneTable' },
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
+    { texture: 'environment' },
   ],
   target: 'film',
   layers: PATH_LAYERS,
@@ -38,6 +39,7 @@ export interface PathInputs {
   readonly sceneTable: TableTexture;
   /** The layers of the film so far. */
   readonly previous: readonly FloatTexture[];
+  readonly environment: TableTexture;
 }
 
 /** A program for films that ask for no more than these features. */
@@ -46,5 +48,5 @@ export function createPathPass(device: Device, features: ReadonlySet<PathFeature
 }
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment], region);
 }

@@ -70,9 +70,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Group {
     uint index;
@@ -134,6 +133,20 @@ struct Emitter {
     float power;
     float reach;
 };
+struct FarLight {
+    vec3 radiance;
+    float pdf;
+};
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf;
+};
+struct Corners {
+    vec4 a;
+    vec4 b;
+    vec4 c;
+    vec4 d;
+};
 struct SphereView {
     vec3 toCenter;
     float distance_;
@@ -178,6 +191,18 @@ struct ConeDirection {
     float cosine;
     float sine2_;
 };
+struct EnvironmentSample {
+    vec3 direction;
+    EnvironmentLight light;
+};
+struct ChosenCell {
+    uvec2 cell;
+    vec2 rest;
+};
+struct Parts {
+    uvec2 whole;
+    vec2 rest;
+};
 struct Outgoing {
     vec3 wo;
     float share;
@@ -198,6 +223,7 @@ struct BsdfSample {
 };
 const uint noShape = 4294967295u;
 const uint dielectric = 3u;
+const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
 const uint metallicRoughness = 1u;
 const uint diffuse0_ = 0u;
@@ -225,15 +251,19 @@ const bool hasPlanes = true;
 
 const bool hasGlass = true;
 
+const bool hasSuns = true;
+
+const bool hasSky = true;
+
+const bool hasEnvironment = true;
+
+uniform highp sampler2D environment;
+
 const bool hasSphereLights = true;
 
 const bool hasQuadLights = true;
 
 const bool hasBoxLights = true;
-
-const bool hasSuns = true;
-
-const bool hasSky = true;
 
 const bool hasManyLights = true;
 
@@ -255,8 +285,8 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_14 = ((x * 747796405u) + 2891336453u);
-    uint w_2 = (((s_14 >> ((s_14 >> 28u) + 4u)) ^ s_14) * 277803737u);
+    uint s_15 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_15 >> ((s_15 >> 28u) + 4u)) ^ s_15) * 277803737u);
     return ((w_2 >> 22u) ^ w_2);
 }
 
@@ -269,8 +299,8 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread0_(uint x_1) {
-    uint y_7 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_7 | (y_7 << 1u)) & 85u);
+    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_8 | (y_8 << 1u)) & 85u);
 }
 
 uint reverseHalves(uint x_2) {
@@ -313,9 +343,9 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_13 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_13), 15.0);
-    float t_2 = (x_13 - piece);
+    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_14), 15.0);
+    float t_2 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
     return pick((across < 0.0), -(offset_2), offset_2);
@@ -405,16 +435,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_3 = (half_ ^ (half_ >> 16u));
+    uint b_4 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_3);
+    uint _e19 = scramble(_e18, b_4);
     uint _e21 = s.sample_;
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_3 >> 16u) | (b_3 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_4 >> 16u) | (b_4 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -435,12 +465,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_14 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
-    float y_8 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_14 * _e22) + (y_8 * _e26));
+    vec3 across_1 = ((x_15 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -456,8 +486,8 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     const bool _e74 = hasOtherProjections;
     uint _e77 = frame.projection;
     if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_14);
-        float latitude = (1.5707964 * y_8);
+        float longitude = (3.1415927 * x_15);
+        float latitude = (1.5707964 * y_9);
         vec3 _e88 = frame.right;
         vec3 _e93 = frame.forward;
         vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
@@ -507,9 +537,9 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
-    float far = (along + half_1);
-    float t_3 = pick((near > tMin), near, far);
-    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
+    float far_1 = (along + half_1);
+    float t_3 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -780,9 +810,9 @@ vec3 normalAt(RayPair p_7, float t_1, uint i_12) {
 
 Basis basisAbout(vec3 n) {
     float side_1 = pick((n.z >= 0.0), 1.0, -1.0);
-    float a = (-1.0 / (side_1 + n.z));
-    float b_4 = ((n.x * n.y) * a);
-    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a)), (side_1 * b_4), (-(side_1) * n.x)), vec3(b_4, (side_1 + ((n.y * n.y) * a)), -(n.y)), n);
+    float a_1 = (-1.0 / (side_1 + n.z));
+    float b_5 = ((n.x * n.y) * a_1);
+    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a_1)), (side_1 * b_5), (-(side_1) * n.x)), vec3(b_5, (side_1 + ((n.y * n.y) * a_1)), -(n.y)), n);
 }
 
 vec3 toLocal(Basis b, vec3 v_3) {
@@ -807,23 +837,120 @@ Emitter fetchEmitter(uint i_13) {
     return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
-SphereView viewSphere(Emitter e, vec3 point) {
-    vec3 toCenter_2 = (e.position - point);
+bool isOnDisc(Emitter e, vec3 direction_6) {
+    vec3 chord = (direction_6 + e.u);
+    return ((3.1415927 * dot(chord, chord)) < e.area);
+}
+
+float directionalPdf(Emitter e_1, vec3 direction_7) {
+    bool _e7 = isOnDisc(e_1, direction_7);
+    return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
+}
+
+vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
+    vec2 low = min(x_9, y_5);
+    vec2 high = max(x_9, y_5);
+    bvec2 middle_1 = greaterThan(low, (0.41421357 * high));
+    vec2 r = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
+    vec2 z_1 = (r * r);
+    vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_9));
+}
+
+EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
+    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
+}
+
+Corners environmentCorners(uvec2 cell) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size = uvec2(_e3);
+    uint left = (pick((cell.x == 0u), size.x, cell.x) - 1u);
+    uint right = pick((cell.x == size.x), 0u, cell.x);
+    uint upper = (max(cell.y, 1u) - 1u);
+    uint lower = min(cell.y, (size.y - 1u));
+    vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
+    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
+    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
+    return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_8) {
+    vec2 size_1 = frame.environmentSize;
+    float sine_1 = max(length(direction_8.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_8.z, direction_8.y)), vec2(abs(direction_8.x), sine_1));
+    float turn = (pick((direction_8.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_8.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
+    float row = floor(fromPole);
+    bool isLower = (direction_8.y < 0.0);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
+    float within_1 = (fromPole - row);
+    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    Corners _e66 = environmentCorners(uvec2(cell_1));
+    EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
+    return _e67;
+}
+
+vec3 sky(vec3 direction_9) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_9.y, 0.0));
+}
+
+EnvironmentLight skyLight(vec3 direction_10) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_10);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_10);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight farLight(Emitter e_2, vec3 direction_11) {
+    FarLight far = FarLight(vec3(0.0), 0.0);
+    const bool _e8 = hasSuns;
+    if (_e8) {
+        bool _e12 = isOnDisc(e_2, direction_11);
+        bool seen = pick((e_2.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_2, direction_11);
+        far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
+    }
+    const bool _e23 = hasSky;
+    if (pick(_e23, (e_2.kind == 6.0), false)) {
+        EnvironmentLight _e28 = skyLight(direction_11);
+        far = FarLight(_e28.radiance, _e28.pdf);
+    }
+    FarLight _e32 = far;
+    return _e32;
+}
+
+SphereView viewSphere(Emitter e_3, vec3 point) {
+    vec3 toCenter_2 = (e_3.position - point);
     float d_1 = length(toCenter_2);
-    float power = abs(((d_1 - e.radius) * (d_1 + e.radius)));
-    bool inside_1 = (d_1 <= e.radius);
-    float sine = min((e.radius / max(d_1, 1e-30)), 1.0);
+    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
+    bool inside_1 = (d_1 <= e_3.radius);
+    float sine_2 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
     float cosine_10 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine * sine) / (1.0 + cosine_10))));
+    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_1, vec3 point_1, vec3 direction_6) {
-    SphereView _e3 = viewSphere(e_1, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_6, _e3.toCenter) > 0.0));
+float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_12) {
+    SphereView _e3 = viewSphere(e_4, point_1);
+    bool reached = pick(_e3.inside, true, (dot(direction_12, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -839,190 +966,142 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     return pick(q_3.lit, pdf_2, 0.0);
 }
 
-float arctangent(float x_9) {
-    float a_1 = abs(x_9);
-    bool steep = (a_1 > 2.4142137);
-    bool middle_1 = pick((a_1 > 0.41421357), !(steep), false);
-    float r = pick(steep, (-1.0 / max(a_1, 1.0)), pick(middle_1, ((a_1 - 1.0) / (a_1 + 1.0)), a_1));
-    float base_1 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
-    float z_1 = (r * r);
-    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
-    return (sign(x_9) * (base_1 + (((series * z_1) * r) + r)));
+float arctangent(float x_10) {
+    float a_2 = abs(x_10);
+    bool steep = (a_2 > 2.4142137);
+    bool middle_2 = pick((a_2 > 0.41421357), !(steep), false);
+    float r_1 = pick(steep, (-1.0 / max(a_2, 1.0)), pick(middle_2, ((a_2 - 1.0) / (a_2 + 1.0)), a_2));
+    float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
+    float z_2 = (r_1 * r_1);
+    float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
+    return (sign(x_10) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
 }
 
-float stretch(float x_10, vec2 y_5, float h) {
-    vec2 r_1 = sqrt(((vec2((x_10 * x_10)) + (y_5 * y_5)) + vec2((h * h))));
-    float _e16 = arctangent(((x_10 * y_5.y) / (h * r_1.y)));
-    float _e22 = arctangent(((x_10 * y_5.x) / (h * r_1.x)));
+float stretch(float x_11, vec2 y_6, float h) {
+    vec2 r_2 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
+    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_2, vec3 point_2) {
-    vec3 corner = (e_2.position - point_2);
-    vec2 lengths = vec2(length(e_2.u), length(e_2.v));
-    vec3 axisX = (e_2.u / vec3(lengths.x));
-    vec3 axisY = (e_2.v / vec3(lengths.y));
+QuadView viewQuad(Emitter e_5, vec3 point_2) {
+    vec3 corner = (e_5.position - point_2);
+    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
+    vec3 axisX = (e_5.u / vec3(lengths.x));
+    vec3 axisY = (e_5.v / vec3(lengths.y));
     vec3 normal_8 = normalize(cross(axisX, axisY));
     float signedHeight = dot(corner, normal_8);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
-    bool lit = pick((abs(signedHeight) > least), pick((e_2.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high = (low + lengths);
-    vec2 y_9 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_9, height_1);
-    float _e46 = stretch(high.x, y_9, height_1);
+    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_1 + lengths);
+    vec2 y_10 = vec2(low_1.y, high_1.y);
+    float _e44 = stretch(low_1.x, y_10, height_1);
+    float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_8 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low, high, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
-float quadPdf(Emitter e_3, vec3 point_3, float distance_2) {
-    QuadView _e3 = viewQuad(e_3, point_3);
-    float _e5 = pdfOfView(_e3, e_3.area, distance_2);
+float quadPdf(Emitter e_6, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_6, point_3);
+    float _e5 = pdfOfView(_e3, e_6.area, distance_2);
     return _e5;
 }
 
-BoxView viewBox(Emitter e_4, vec3 point_4) {
-    Extent _e4 = fetchExtent(uint(e_4.shape));
+BoxView viewBox(Emitter e_7, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_7.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_4 - e_4.position));
-    bvec3 seen = greaterThan(abs(_e8), e_4.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_4.u.yzx) * e_4.u.zxy), seen);
-    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
+    vec3 _e8 = rotate(rotation, (point_4 - e_7.position));
+    bvec3 seen_1 = greaterThan(abs(_e8), e_7.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen_1);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_5, vec3 point_5, vec3 direction_7, float distance_3, vec3 normal_2) {
-    BoxView _e5 = viewBox(e_5, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_7, normal_2))), distance_3);
+float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_13, float distance_3, vec3 normal_2) {
+    BoxView _e5 = viewBox(e_8, point_5);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_13, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-bool isOnDisc(Emitter e_6, vec3 direction_8) {
-    vec3 chord = (direction_8 + e_6.u);
-    return ((3.1415927 * dot(chord, chord)) < e_6.area);
-}
-
-float directionalPdf(Emitter e_7, vec3 direction_9) {
-    bool _e7 = isOnDisc(e_7, direction_9);
-    return pick(_e7, (1.0 / max(e_7.area, 1e-31)), 0.0);
-}
-
-float skyPdf(vec3 direction_10) {
-    return 0.07957747;
-}
-
-float emitterPdf(Emitter e_8, vec3 point_6, vec3 direction_11, float distance_4, vec3 normal_3) {
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_14, float distance_4, vec3 normal_3) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
-    if (pick(_e8, (e_8.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_8, point_6, direction_11);
+    if (pick(_e8, (e_9.kind == 0.0), false)) {
+        float _e13 = spherePdf(e_9, point_6, direction_14);
         pdf = _e13;
     }
     const bool _e15 = hasQuadLights;
-    if (pick(_e15, (e_8.kind == 1.0), false)) {
-        float _e20 = quadPdf(e_8, point_6, distance_4);
+    if (pick(_e15, (e_9.kind == 1.0), false)) {
+        float _e20 = quadPdf(e_9, point_6, distance_4);
         pdf = _e20;
     }
     const bool _e22 = hasBoxLights;
-    if (pick(_e22, (e_8.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_8, point_6, direction_11, distance_4, normal_3);
+    if (pick(_e22, (e_9.kind == 2.0), false)) {
+        float _e27 = boxPdf(e_9, point_6, direction_14, distance_4, normal_3);
         pdf = _e27;
     }
-    const bool _e29 = hasSuns;
-    if (pick(_e29, (e_8.kind == 5.0), false)) {
-        float _e34 = directionalPdf(e_8, direction_11);
-        pdf = _e34;
-    }
-    const bool _e36 = hasSky;
-    if (pick(_e36, (e_8.kind == 6.0), false)) {
-        float _e41 = skyPdf(direction_11);
-        pdf = _e41;
-    }
-    float _e42 = pdf;
-    return _e42;
+    float _e28 = pdf;
+    return _e28;
 }
 
-float spotFalloff(Emitter e_9, vec3 toLight) {
-    float share = clamp(((-(dot(toLight, e_9.u)) - e_9.radius) / (e_9.cosInner - e_9.radius)), 0.0, 1.0);
+float spotFalloff(Emitter e_10, vec3 toLight) {
+    float share = clamp(((-(dot(toLight, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
     return (share * share);
 }
 
-float estimatedIrradiance(Emitter e_10, vec3 point_7, vec3 normal_4) {
+float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_10.kind == 1.0), false);
+    bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
     const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_10.kind == 5.0), false);
-    vec3 middle_2 = (e_10.position + pick(isQuad, (0.5 * (e_10.u + e_10.v)), vec3(0.0)));
-    vec3 toLight_1 = pick(isFar, -(e_10.u), (middle_2 - point_7));
+    bool isFar = pick(_e10, (e_11.kind == 5.0), false);
+    vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
+    vec3 toLight_1 = pick(isFar, -(e_11.u), (middle_3 - point_7));
     float distance2_ = dot(toLight_1, toLight_1);
     float distance_5 = sqrt(distance2_);
-    float grown = max((distance_5 + e_10.reach), 1e-15);
-    float above = clamp(((dot(normal_4, toLight_1) + e_10.reach) / grown), 0.0, 1.0);
-    float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above);
-    float square = pick(isQuad, (distance2_ + (e_10.area / 3.1415927)), max(distance2_, (e_10.area / 12.566371)));
-    estimate = ((e_10.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
+    float grown = max((distance_5 + e_11.reach), 1e-15);
+    float above_1 = clamp(((dot(normal_4, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
+    float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
+    float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
+    estimate = ((e_11.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_10.u, e_10.v), toLight_1)) / max(e_10.area, 1e-30));
-        float side_2 = pick((e_10.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_10.reach) / grown), 0.0);
+        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_1)) / max(e_11.area, 1e-30));
+        float side_2 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_11.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
     const bool _e94 = hasPointLights;
     if (_e94) {
         float _e95 = estimate;
-        float _e100 = spotFalloff(e_10, (toLight_1 / vec3(max(distance_5, 1e-15))));
-        estimate = (_e95 * pick((e_10.kind == 4.0), _e100, 1.0));
+        float _e100 = spotFalloff(e_11, (toLight_1 / vec3(max(distance_5, 1e-15))));
+        estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
     }
     const bool _e108 = hasSky;
     if (_e108) {
         float _e109 = estimate;
-        estimate = pick((e_10.kind == 6.0), e_10.power, _e109);
+        estimate = pick((e_11.kind == 6.0), e_11.power, _e109);
     }
     float _e115 = estimate;
     return _e115;
 }
 
-float probabilityOf(Emitter e_11, vec3 point_8, vec3 normal_5, float total) {
+float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
     uint _e15 = frame.emitterCount;
     if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_11, point_8, normal_5);
+        float _e19 = estimatedIrradiance(e_12, point_8, normal_5);
         probability = (_e19 / max(total, 1e-37));
     }
     float _e23 = probability;
-    return _e23;
-}
-
-vec3 sky(vec3 direction_12) {
-    vec3 _e3 = frame.horizon;
-    vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_12.y, 0.0));
-}
-
-vec3 radianceFromInfinity(Emitter e_12, vec3 direction_13) {
-    vec3 radiance = vec3(0.0);
-    const bool _e6 = hasSky;
-    if (_e6) {
-        vec3 _e7 = radiance;
-        vec3 _e8 = sky(direction_13);
-        radiance = pick((e_12.kind == 6.0), _e8, _e7);
-    }
-    const bool _e14 = hasSuns;
-    if (_e14) {
-        vec3 _e15 = radiance;
-        bool _e20 = isOnDisc(e_12, direction_13);
-        radiance = pick(pick((e_12.kind == 5.0), _e20, false), e_12.radiance, _e15);
-    }
-    vec3 _e23 = radiance;
     return _e23;
 }
 
@@ -1035,8 +1114,8 @@ vec3 foundLight(Path p_8, PairHit hit, Surface s_3, vec3 outward) {
     vec3 found_6 = vec3(0.0);
     uint i_14 = 0u;
     bool escaped = (hit.shape == noShape);
-    vec3 direction_14 = p_8.rays.direction;
-    bool hidden = pick(((uint(s_3.code) & 16u) != 0u), (dot(outward, direction_14) > 0.0), false);
+    vec3 direction_15 = p_8.rays.direction;
+    bool hidden = pick(((uint(s_3.code) & 16u) != 0u), (dot(outward, direction_15) > 0.0), false);
     int _e20 = emitterOf(s_3.code);
     found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_3.emission);
     bool weighed = pick(escaped, true, (_e20 >= 0));
@@ -1048,39 +1127,40 @@ vec3 foundLight(Path p_8, PairHit hit, Surface s_3, vec3 outward) {
         while(true) {
             uint _e45 = i_14;
             Emitter _e46 = fetchEmitter(_e45);
-            float _e50 = emitterPdf(_e46, p_8.rays.point, direction_14, hit.t, outward);
-            float _e55 = probabilityOf(_e46, p_8.rays.point, p_8.litSide, p_8.total);
-            float pdf_3 = (_e50 * _e55);
-            vec3 _e57 = radianceFromInfinity(_e46, direction_14);
-            vec3 radiance_1 = pick(escaped, _e57, emission);
-            vec3 _e59 = found_6;
-            float _e61 = misWeight(p_8.pdf, pdf_3);
-            found_6 = (_e59 + (radiance_1 * pick((p_8.pdf <= 0.0), 1.0, _e61)));
-            uint _e70 = i_14;
-            i_14 = (_e70 + 1u);
-            const bool _e73 = hasSky;
-            const bool _e75 = hasSuns;
-            uint _e80 = i_14;
-            uint _e83 = frame.emitterCount;
-            if (pick(pick(!(pick(_e73, true, _e75)), true, !(escaped)), true, (_e80 >= _e83))) {
+            FarLight _e47 = farLight(_e46, direction_15);
+            float _e51 = shapePdf(_e46, p_8.rays.point, direction_15, hit.t, outward);
+            float density = pick(escaped, _e47.pdf, _e51);
+            float _e58 = probabilityOf(_e46, p_8.rays.point, p_8.litSide, p_8.total);
+            float pdf_3 = (density * _e58);
+            vec3 radiance = pick(escaped, _e47.radiance, emission);
+            vec3 _e62 = found_6;
+            float _e64 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e62 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e64)));
+            uint _e73 = i_14;
+            i_14 = (_e73 + 1u);
+            const bool _e76 = hasSky;
+            const bool _e78 = hasSuns;
+            uint _e83 = i_14;
+            uint _e86 = frame.emitterCount;
+            if (pick(pick(!(pick(_e76, true, _e78)), true, !(escaped)), true, (_e83 >= _e86))) {
                 break;
             }
         }
     }
-    vec3 _e86 = found_6;
-    return _e86;
+    vec3 _e89 = found_6;
+    return _e89;
 }
 
-uint pascalW2_(uint x_11) {
-    uint y_6 = 0u;
-    uint _e5 = timesW2_(((x_11 >> 2u) & 13107u));
-    y_6 = (x_11 ^ _e5);
-    uint _e8 = y_6;
-    uint _e9 = y_6;
+uint pascalW2_(uint x_12) {
+    uint y_7 = 0u;
+    uint _e5 = timesW2_(((x_12 >> 2u) & 13107u));
+    y_7 = (x_12 ^ _e5);
+    uint _e8 = y_7;
+    uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_6 = (_e8 ^ _e14);
-    uint _e16 = y_6;
-    uint _e17 = y_6;
+    y_7 = (_e8 ^ _e14);
+    uint _e16 = y_7;
+    uint _e17 = y_7;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }
@@ -1146,22 +1226,22 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_3) {
 }
 
 vec3 turnTo(vec3 axis, vec3 v_4) {
-    float s_15 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_2 = (-1.0 / (s_15 + axis.z));
-    float b_5 = ((axis.x * axis.y) * a_2);
-    vec3 x_15 = vec3((1.0 + (((s_15 * axis.x) * axis.x) * a_2)), (s_15 * b_5), (-(s_15) * axis.x));
-    vec3 y_10 = vec3(b_5, (s_15 + ((axis.y * axis.y) * a_2)), -(axis.y));
-    return (((v_4.x * x_15) + (v_4.y * y_10)) + (v_4.z * axis));
+    float s_16 = pick((axis.z >= 0.0), 1.0, -1.0);
+    float a_3 = (-1.0 / (s_16 + axis.z));
+    float b_6 = ((axis.x * axis.y) * a_3);
+    vec3 x_16 = vec3((1.0 + (((s_16 * axis.x) * axis.x) * a_3)), (s_16 * b_6), (-(s_16) * axis.x));
+    vec3 y_11 = vec3(b_6, (s_16 + ((axis.y * axis.y) * a_3)), -(axis.y));
+    return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_4) {
     float oneMinusCosine = (u_4.x * width_1);
     float cosine_12 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_1 = sqrt(max(sine2_, 0.0));
+    float sine_3 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_4.y);
-    vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_1 / length(turn)) * turn), cosine_12));
+    vec2 turn_1 = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
     return ConeDirection(_e23, cosine_12, sine2_);
 }
 
@@ -1178,26 +1258,26 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_5) {
     return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_12) {
-    float h_4 = (0.5 * x_12);
-    float z_2 = (h_4 * h_4);
-    float sine_2 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_4) + h_4);
-    return vec2((1.0 - ((2.0 * sine_2) * sine_2)), ((2.0 * sine_2) * sqrt((1.0 - (sine_2 * sine_2)))));
+vec2 cosineAndSine(float x_13) {
+    float h_4 = (0.5 * x_13);
+    float z_3 = (h_4 * h_4);
+    float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
+    return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_6) {
     float h_5 = q_4.height;
-    vec2 y_11 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_16 = (y_11 / sqrt(((y_11 * y_11) + vec2((h_5 * h_5)))));
+    vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
+    vec2 s_17 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_6.x * q_4.solidAngle))));
-    vec2 across_3 = (vec2((s_16.y - s_16.x), (s_16.y + s_16.x)) * _e21);
+    vec2 across_3 = (vec2((s_17.y - s_17.x), (s_17.y + s_17.x)) * _e21);
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
-    float x_16 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_16 * x_16) + (h_5 * h_5));
-    vec2 ends_1 = (y_11 * inversesqrt((vec2(d2_) + (y_11 * y_11))));
+    float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_17 * x_17) + (h_5 * h_5));
+    vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
     float v_8 = mix(ends_1.x, ends_1.y, u_6.y);
-    float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_11.x, y_11.y);
-    return (((x_16 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
+    float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
+    return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_7) {
@@ -1212,13 +1292,13 @@ LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_7) {
 
 vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_8) {
     float both = (b_1.faces.x + b_1.faces.y);
-    float at = (u_8.x * b_1.area);
-    bool onX_1 = (at < b_1.faces.x);
-    bool onY_1 = pick(!(onX_1), (at < both), false);
+    float at_2 = (u_8.x * b_1.area);
+    bool onX_1 = (at_2 < b_1.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_2 < both), false);
     float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
-    float within_1 = clamp(((at - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_8.y) - 1.0));
+    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_8.y) - 1.0));
     vec3 toLight_3 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
@@ -1235,11 +1315,11 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_9) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_15 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_16 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_15);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_16);
     return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
 }
 
@@ -1270,55 +1350,121 @@ LightSample sampleDirectional(Emitter e_19, vec2 u_10) {
     return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
 }
 
-LightSample sampleSky(vec2 u_11) {
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_11);
-    vec3 direction_16 = _e6.direction;
-    vec3 _e8 = sky(direction_16);
-    float _e9 = skyPdf(direction_16);
-    return LightSample(direction_16, 1e30, _e8, _e9, false);
+Parts splitProduct(vec2 u_11, uvec2 n_1) {
+    uvec2 digits = uvec2((u_11 * 16777216.0));
+    uvec2 low_2 = ((digits & uvec2(4095u)) * n_1);
+    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_2 >> uvec2(12u)));
+    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_2 & uvec2(4095u)))));
 }
 
-LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_12) {
-    LightSample s_6 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+ChosenCell chooseCell(vec2 u_12) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_2 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_12, (size_2 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
+    uint hash = (_e17 >> 8u);
+    float _e26 = frame.environmentSize.x;
+    float fine = ((float(hash) * 5.9604645e-8) * _e26);
+    float x_18 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    uint rows = ((size_2.y + 2u) / 2u);
+    bool second = (_e9.whole.y >= rows);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_2.y) - pick(second, rows, 0u)))), 0);
+    vec2 entry = pick(second, entries.zw, entries.xy);
+    bool own_5 = (x_18 < entry.x);
+    uint other_1 = uint(entry.y);
+    uint otherRow = (other_1 / size_2.x);
+    uvec2 cell_2 = pick(own_5, _e9.whole, uvec2((other_1 - (otherRow * size_2.x)), otherRow));
+    float rest_1 = pick(own_5, (x_18 / max(entry.x, 1e-37)), ((x_18 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+}
+
+float linearSample(float u_13, float a, float b_2) {
+    vec2 ends_2 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
+    return min((u_13 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_13))), 1e-9)), 1.0);
+}
+
+EnvironmentSample sampleEnvironment(vec2 u_14) {
+    vec2 size_3 = frame.environmentSize;
+    ChosenCell _e4 = chooseCell(u_14);
+    Corners _e6 = environmentCorners(_e4.cell);
+    vec2 cell_3 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
+    float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
+    float t_9 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_9), mix(_e6.b.w, _e6.d.w, t_9));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_3.y);
+    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_3.y) + (0.5 - t_9)), (cell_3.y + (t_9 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
+    float _e85 = frame.environmentTurn;
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float nearest = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
+    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
+    float sine_5 = max(_e76.y, 1e-9);
+    vec3 direction_17 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_5);
+    return EnvironmentSample(direction_17, _e119);
+}
+
+LightSample sampleSky(vec2 u_15) {
+    EnvironmentSample s_6 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_15);
+    s_6 = EnvironmentSample(_e6.direction, white);
+    const bool _e12 = hasEnvironment;
+    if (_e12) {
+        EnvironmentSample _e13 = sampleEnvironment(u_15);
+        s_6 = _e13;
+    }
+    vec3 _e15 = s_6.direction;
+    vec3 _e18 = s_6.light.radiance;
+    vec3 _e20 = s_6.direction;
+    vec3 _e21 = sky(_e20);
+    float _e25 = s_6.light.pdf;
+    return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
+}
+
+LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_16) {
+    LightSample s_7 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (pick(_e15, (e_20.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_20, point_15, u_12);
-        s_6 = _e20;
+        LightSample _e20 = sampleSphere(e_20, point_15, u_16);
+        s_7 = _e20;
     }
     const bool _e22 = hasQuadLights;
     if (pick(_e22, (e_20.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_20, point_15, u_12);
-        s_6 = _e27;
+        LightSample _e27 = sampleQuad(e_20, point_15, u_16);
+        s_7 = _e27;
     }
     const bool _e29 = hasBoxLights;
     if (pick(_e29, (e_20.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_20, point_15, u_12);
-        s_6 = _e34;
+        LightSample _e34 = sampleBox(e_20, point_15, u_16);
+        s_7 = _e34;
     }
     const bool _e36 = hasPointLights;
     if (pick(_e36, (e_20.kind == 3.0), false)) {
         LightSample _e41 = samplePoint(e_20, point_15);
-        s_6 = _e41;
+        s_7 = _e41;
     }
     const bool _e43 = hasPointLights;
     if (pick(_e43, (e_20.kind == 4.0), false)) {
         LightSample _e48 = sampleSpot(e_20, point_15);
-        s_6 = _e48;
+        s_7 = _e48;
     }
     const bool _e50 = hasSuns;
     if (pick(_e50, (e_20.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_20, u_12);
-        s_6 = _e55;
+        LightSample _e55 = sampleDirectional(e_20, u_16);
+        s_7 = _e55;
     }
     const bool _e57 = hasSky;
     if (pick(_e57, (e_20.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_12);
-        s_6 = _e62;
+        LightSample _e62 = sampleSky(u_16);
+        s_7 = _e62;
     }
-    float _e65 = s_6.pdf;
-    float _e67 = s_6.distance_;
-    s_6.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
-    LightSample _e74 = s_6;
+    float _e65 = s_7.pdf;
+    float _e67 = s_7.distance_;
+    s_7.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
+    LightSample _e74 = s_7;
     return _e74;
 }
 
@@ -1363,8 +1509,8 @@ float indexRatio(float eta, float z) {
 }
 
 float reflectionBound(vec3 wo, float alpha) {
-    float s_17 = (1.0 + length(wo.xy));
-    float s2_ = (s_17 * s_17);
+    float s_18 = (1.0 + length(wo.xy));
+    float s2_ = (s_18 * s_18);
     float a2_ = (alpha * alpha);
     return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
 }
@@ -1373,22 +1519,22 @@ float stretched(vec3 w_1, float alpha_1) {
     return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
 }
 
-Outgoing outgoing(Surface s_7, vec3 wo_1) {
+Outgoing outgoing(Surface s_8, vec3 wo_1) {
     Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_7 = uint(s_7.code);
+    uint code_7 = uint(s_8.code);
     bool _e4 = isConductor(code_7);
     bool _e5 = isDielectric(code_7);
     o = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e16 = hasMetallicRoughness;
     if (_e16) {
         float _e19 = o.share;
-        float _e23 = specularShare(s_7.baseColor, s_7.metallic, wo_1.z);
+        float _e23 = specularShare(s_8.baseColor, s_8.metallic, wo_1.z);
         bool _e24 = isMetallicRoughness(code_7);
         o.share = pick(_e24, _e23, _e19);
     }
     const bool _e27 = hasGlass;
     if (_e27) {
-        float _e32 = indexRatio(s_7.eta.x, wo_1.z);
+        float _e32 = indexRatio(s_8.eta.x, wo_1.z);
         bool _e33 = isDielectric(code_7);
         o.ratio = pick(_e33, _e32, 1.0);
     }
@@ -1396,10 +1542,10 @@ Outgoing outgoing(Surface s_7, vec3 wo_1) {
     const bool _e39 = hasMetallicRoughness;
     const bool _e42 = hasGlass;
     if (pick(pick(_e37, true, _e39), true, _e42)) {
-        float _e46 = reflectionBound(wo_1, s_7.alpha);
+        float _e46 = reflectionBound(wo_1, s_8.alpha);
         bool _e47 = isDielectric(code_7);
         o.bound = pick(_e47, 1.0, _e46);
-        float _e52 = stretched(wo_1, s_7.alpha);
+        float _e52 = stretched(wo_1, s_8.alpha);
         o.stretched = _e52;
     }
     Outgoing _e53 = o;
@@ -1411,22 +1557,22 @@ float facetDensity(vec3 h_1, float alpha_2) {
     return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
 }
 
-vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k) {
+vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k_1) {
     float cosine2_ = (cosine_3 * cosine_3);
     float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta_1 * eta_1) - (k * k)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k) * k)));
+    vec3 difference = (((eta_1 * eta_1) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 a_3 = mix(((eta_1 * k) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
-    vec3 across_4 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_3) * a_3)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_3) * a_3)) + vec3(1e-20)));
+    vec3 a_4 = mix(((eta_1 * k_1) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 across_4 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_3) * a_4)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_3) * a_4)) + vec3(1e-20)));
     vec3 sum = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
-    vec3 part = (((2.0 * cosine_3) * sine2_1) * a_3);
+    vec3 part = (((2.0 * cosine_3) * sine2_1) * a_4);
     return ((0.5 * across_4) * (vec3(1.0) + (((sum - part) + vec3(1e-20)) / ((sum + part) + vec3(1e-20)))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_1, float cosine_4) {
-    float constants = dot((eta_2 + k_1), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_4, eta_2, k_1);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_2 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_2, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
@@ -1443,19 +1589,19 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin) {
     return pick(thin, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_8, float cosine_7, float ratio_2) {
+vec3 facetReflectance(Surface s_9, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_8 = uint(s_8.code);
+    uint code_8 = uint(s_9.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_8.baseColor, s_8.metallic);
+        vec3 _e12 = metallicRoughnessF0_(s_9.baseColor, s_9.metallic);
         vec3 _e13 = schlick(_e12, cosine_7);
         reflectance = _e13;
     }
     const bool _e15 = hasConductors;
     if (_e15) {
         vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_8.baseColor, s_8.eta, s_8.k, cosine_7);
+        vec3 _e20 = conductorReflectance(s_9.baseColor, s_9.eta, s_9.k, cosine_7);
         bool _e21 = isConductor(code_8);
         reflectance = pick(_e21, _e20, _e16);
     }
@@ -1472,25 +1618,25 @@ vec3 facetReflectance(Surface s_8, float cosine_7, float ratio_2) {
 }
 
 float singleScatteringAlbedo(float cosine_8, float alpha_3) {
-    float x_17 = (cosine_8 / (cosine_8 + alpha_3));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_17 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_17 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_17 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_17 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_19 = (cosine_8 / (cosine_8 + alpha_3));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_3 * alpha_3);
     return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
 }
 
-vec3 compensation(Surface s_9, float cosine_9) {
-    uint code_9 = uint(s_9.code);
+vec3 compensation(Surface s_10, float cosine_9) {
+    uint code_9 = uint(s_10.code);
     bool _e8 = isDielectric(code_9);
     bool asked = pick(((code_9 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_9, s_9.alpha);
-    vec3 _e17 = facetReflectance(s_9, 1.0, 1.0);
+    float _e12 = singleScatteringAlbedo(cosine_9, s_10.alpha);
+    vec3 _e17 = facetReflectance(s_10, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_10, Outgoing o_1, vec3 wi) {
+FacetLobe evaluateFacets(Surface s_11, Outgoing o_1, vec3 wi) {
     vec3 passes = vec3(0.0);
     vec3 wo_5 = o_1.wo;
-    bool _e6 = isDielectric(uint(s_10.code));
+    bool _e6 = isDielectric(uint(s_11.code));
     const bool _e8 = hasGlass;
     bool crossing = pick(_e8, ((wo_5.z < 0.0) != (wi.z < 0.0)), false);
     vec3 m_1 = (wo_5 + (wi * pick(crossing, o_1.ratio, 1.0)));
@@ -1501,18 +1647,18 @@ FacetLobe evaluateFacets(Surface s_10, Outgoing o_1, vec3 wi) {
     float zo = abs(wo_5.z);
     float zi = abs(wi.z);
     bool faces_1 = pick((((oh * h_6.z) * wo_5.z) >= 0.0), (((ih * h_6.z) * wi.z) >= 0.0), false);
-    float _e52 = facetDensity(h_6, s_10.alpha);
+    float _e52 = facetDensity(h_6, s_11.alpha);
     float spread = (pick(crossing, (abs((oh * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_10, abs(oh), o_1.ratio);
+    vec3 _e60 = facetReflectance(s_11, abs(oh), o_1.ratio);
     passes = pick(crossing, (vec3(1.0) - _e60), _e60);
-    float _e69 = stretched(wi, s_10.alpha);
+    float _e69 = stretched(wi, s_11.alpha);
     float masked = (zi / max(((zi * o_1.stretched) + (zo * _e69)), 1e-20));
     float _e76 = passes.x;
     float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_1.ratio * o_1.ratio), 1.0));
     const bool _e86 = hasCompensation;
     if (_e86) {
         vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_10, zo);
+        vec3 _e88 = compensation(s_11, zo);
         passes = (_e87 * _e88);
     }
     vec3 _e90 = passes;
@@ -1528,23 +1674,23 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec4 evaluateBsdf(Surface s_11, Outgoing o_2, vec3 wi_1) {
+vec4 evaluateBsdf(Surface s_12, Outgoing o_2, vec3 wi_1) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_1.z, 0.0));
-    value = (vec4(s_11.baseColor, 1.0) * lambert);
+    value = (vec4(s_12.baseColor, 1.0) * lambert);
     dark = pick((o_2.wo.z < 0.0), true, (wi_1.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_10 = uint(s_11.code);
-        FacetLobe _e32 = evaluateFacets(s_11, o_2, wi_1);
+        uint code_10 = uint(s_12.code);
+        FacetLobe _e32 = evaluateFacets(s_12, o_2, wi_1);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_11.baseColor, s_11.metallic, _e32.cosine);
+            vec3 _e42 = metallicRoughnessDiffuse(s_12.baseColor, s_12.metallic, _e32.cosine);
             bool _e43 = isMetallicRoughness(code_10);
             base = pick(_e43, _e42, _e38);
         }
@@ -1559,31 +1705,31 @@ vec4 evaluateBsdf(Surface s_11, Outgoing o_2, vec3 wi_1) {
         bool _e68 = isDielectric(code_10);
         dark = pick(_e68, _e67, _e66);
     }
-    float _e71 = mirrorShare(s_11.reflectivity);
+    float _e71 = mirrorShare(s_12.reflectivity);
     vec4 _e74 = value;
     bool _e78 = dark;
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-vec3 sampleCosine(vec2 u_13) {
-    float radius_2 = sqrt(u_13.x);
-    float phi_1 = ((6.2831855 * u_13.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_1)), (radius_2 * sin(phi_1)), sqrt((1.0 - u_13.x))));
+vec3 sampleCosine(vec2 u_17) {
+    float radius_2 = sqrt(u_17.x);
+    float phi_2 = ((6.2831855 * u_17.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_17.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_14) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_18) {
     float _e8 = stretched(wo_2, alpha_4);
     vec3 w_4 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_2 = ((6.2831855 * u_14.x) - 3.1415927);
-    float drop = (u_14.y * (1.0 + (bound * w_4.z)));
-    float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_7 = (w_4 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
+    float phi_3 = ((6.2831855 * u_18.x) - 3.1415927);
+    float drop = (u_18.y * (1.0 + (bound * w_4.z)));
+    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_7 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_15) {
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_19) {
     float side_3 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_15);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_19);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
@@ -1597,27 +1743,27 @@ vec3 mirrored(vec3 wo_4) {
     return vec3(-(wo_4.xy), wo_4.z);
 }
 
-BsdfSample sampleLobe(Surface s_12, Outgoing o_4, vec3 u_16) {
+BsdfSample sampleLobe(Surface s_13, Outgoing o_4, vec3 u_20) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi_2 = vec3(0.0);
     float probability_1 = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_6 = o_4.wo;
-    float _e5 = mirrorShare(s_12.reflectivity);
+    float _e5 = mirrorShare(s_13.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_1 = ((u_16.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_16.xy);
+    float choice_1 = ((u_20.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_20.xy);
     drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_12.code);
+        uint code_11 = uint(s_13.code);
         bool _e29 = isDielectric(code_11);
         bool _e30 = isSmooth(code_11);
-        vec3 _e33 = sampleFacet(s_12.alpha, _e30, o_4, u_16.xy);
+        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_4, u_20.xy);
         float oh_1 = max(dot(wo_6, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_12, oh_1, o_4.ratio);
+        vec3 _e38 = facetReflectance(s_13, oh_1, o_4.ratio);
         bool crossing_1 = pick(_e29, (choice_1 >= _e38.x), false);
         wi_2 = (((2.0 * oh_1) * _e33) - wo_6);
         probability_1 = (base_2 * o_4.share);
@@ -1649,7 +1795,7 @@ BsdfSample sampleLobe(Surface s_12, Outgoing o_4, vec3 u_16) {
     }
     const bool _e116 = hasMirrorLayers;
     if (_e116) {
-        bool reflected = (u_16.z < _e5);
+        bool reflected = (u_20.z < _e5);
         vec3 _e121 = drawn.direction;
         vec3 _e122 = mirrored(wo_6);
         drawn.direction = pick(reflected, _e122, _e121);
@@ -1670,8 +1816,8 @@ BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
     return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_1), drawn_1.delta);
 }
 
-vec3 toWorld(Basis b_2, vec3 v_6) {
-    return (((v_6.x * b_2.tangent) + (v_6.y * b_2.bitangent)) + (v_6.z * b_2.normal));
+vec3 toWorld(Basis b_3, vec3 v_6) {
+    return (((v_6.x * b_3.tangent) + (v_6.y * b_3.bitangent)) + (v_6.z * b_3.normal));
 }
 
 float max3_(vec3 v_7) {
@@ -1682,14 +1828,14 @@ float unitFloat(uint h_3) {
     return (float((h_3 >> 8u)) * 5.9604645e-8);
 }
 
-float nextHash(inout Sampler s_13) {
-    uint _e3 = s_13.key;
-    s_13.key = (_e3 + 1u);
-    uint _e7 = s_13.key;
-    uint _e9 = s_13.salt;
+float nextHash(inout Sampler s_14) {
+    uint _e3 = s_14.key;
+    s_14.key = (_e3 + 1u);
+    uint _e7 = s_14.key;
+    uint _e9 = s_14.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_13.sample_;
-    uint _e17 = s_13.place;
+    uint _e13 = s_14.sample_;
+    uint _e17 = s_14.place;
     uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
