@@ -6,18 +6,27 @@ import { Display, type Look } from './display/display.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
+import { AOV_LAYERS, type AovContent, aovFrame, createAovPass, drawAov } from './integrator/aov/aov.ts';
 import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { createPathPass, drawPath, PATH_LAYERS } from './integrator/path/path.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
-import { createBlock } from './packed-scene/write-struct.ts';
+import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import type { RendererSettings } from './renderer-types.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
+import { sceneSeenBy } from './scene/seen-by.ts';
+
+/** What a film can hold: the light that an integrator finds, or what the camera sees first. */
+export type Content = Integrator | AovContent;
+
+const isAov = (content: Content | null): content is AovContent => content === 'features' || content === 'data';
 
 /** One state of the world, as the film is to hold it. */
 export interface Shot {
+  /** Default: the light that `settings.integrator` finds. */
+  readonly content?: Content;
   readonly scene: Scene;
   readonly camera: Camera;
   readonly settings: Readonly<RendererSettings>;
@@ -41,14 +50,14 @@ export class Stages {
   readonly #preview: Pass;
   readonly #frame: UniformBuffer;
   readonly #frameBlock = createBlock(structSize('Frame'));
-  readonly #integrators = new Map<Integrator, Pass>();
-  readonly #compiling = new Map<Integrator, Promise<void>>();
+  readonly #passes = new Map<Content, Pass>();
+  readonly #compiling = new Map<Content, Promise<void>>();
   #table: TableTexture | null = null;
   #packed: PackedScene | undefined;
   #shot: Shot | null = null;
-  /** What draws the samples of the shot, and whether it is the path integrator. */
+  /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
-  #paths = false;
+  #content: Content | null = null;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -78,38 +87,41 @@ export class Stages {
     return this.#pending;
   }
 
-  /** Whether the film gets this integrator's samples and not the preview's. */
-  has(integrator: Integrator): boolean {
-    return this.#integrators.has(integrator);
+  /** Whether the film gets samples of this and not the preview's. */
+  has(content: Content): boolean {
+    return this.#passes.has(content);
   }
 
-  /** Compiles the integrator, and the display's tone mapping, once. Call it when the first picture is on its way. */
-  ready(integrator: Integrator): Promise<void> {
-    let compiling = this.#compiling.get(integrator);
+  /** Compiles what draws this, and the display's tone mapping, once. Call it when the first picture is on its way. */
+  ready(content: Content): Promise<void> {
+    let compiling = this.#compiling.get(content);
     if (!compiling) {
-      const create = integrator === 'path' ? createPathPass : createClassicPass;
-      compiling = Promise.all([create(this.device), this.#display.ready()]).then(([pass]) => {
-        this.#integrators.set(integrator, pass);
+      compiling = Promise.all([createPass(this.device, content), this.#display.ready()]).then(([pass]) => {
+        this.#passes.set(content, pass);
       });
-      this.#compiling.set(integrator, compiling);
+      this.#compiling.set(content, compiling);
     }
     return compiling;
   }
 
   /** Layers that the film of such a shot has now. */
-  layersFor(integrator: Integrator): number {
-    return integrator === 'path' && this.has('path') ? PATH_LAYERS : 1;
+  layersFor(content: Content): number {
+    if (!this.has(content) || content === 'classic') return 1;
+    return content === 'path' ? PATH_LAYERS : AOV_LAYERS;
   }
 
   /** Points the film at a new shot, empty, of this size in pixels. */
   begin(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
     this.film.restart(width, height);
-    this.#pass = this.#integrators.get(shot.settings.integrator) ?? this.#preview;
-    this.#paths = this.#pass === this.#integrators.get('path');
-    const pack = this.#paths ? packPathScene : packScene;
+    const { integrator } = shot.settings;
+    const content = shot.content ?? integrator;
+    this.#pass = this.#passes.get(content) ?? this.#preview;
+    this.#content = this.has(content) ? content : null;
+    const pack = this.#content === 'path' || isAov(this.#content) ? packPathScene : packScene;
+    const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
     const reach = viewReach(shot.camera, width / height, shot.settings.framing);
-    const packed = pack(shot.scene, shot.camera.eye, { reuse: this.#packed, reach });
+    const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
@@ -159,13 +171,14 @@ export class Stages {
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
-    const draw = this.#paths ? drawPath : drawClassic;
+    const draw = this.#content === 'path' ? drawPath : isAov(this.#content) ? drawAov : drawClassic;
     draw(device, pass, film.next, inputs, region);
   }
 
   #writeFrame(): void {
     const { scene, camera, settings } = this.#shot!;
     packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.nextSample);
+    if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);
   }
 
@@ -200,4 +213,9 @@ export class Stages {
     if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, look);
     return picture !== null;
   }
+}
+
+function createPass(device: Device, content: Content): Promise<Pass> {
+  if (isAov(content)) return createAovPass(device, content);
+  return content === 'path' ? createPathPass(device) : createClassicPass(device);
 }

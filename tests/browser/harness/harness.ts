@@ -1,3 +1,4 @@
+import { aovFilms } from './aov.ts';
 import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
 import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
@@ -20,6 +21,7 @@ import { probeShapes } from './shapes/probe.ts';
  * Arguments and results go through JSON-like copying, so results are plain objects and ordinary arrays.
  */
 export const harness = {
+  aovFilms,
   cameraRays,
   describeDevices,
   displayed,

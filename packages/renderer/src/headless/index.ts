@@ -4,6 +4,7 @@ export { type Device, DeviceError } from '../gpu/device.ts';
 export { openWebGl2 } from '../gpu/webgl2/webgl2-device.ts';
 export { openWebGpu } from '../gpu/webgpu/webgpu-device.ts';
 export { DEFAULT_SETTINGS } from '../view.ts';
+export * from './aovs.ts';
 export * from './film-tracer.ts';
 export { GpuFilmTracer } from './gpu-film-tracer.ts';
-export { referenceRows, type TraceRows } from './reference-film.ts';
+export { addReferenceSample, referenceLayers, referenceRows, type TraceRows } from './reference-film.ts';

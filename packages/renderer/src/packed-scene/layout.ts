@@ -37,8 +37,8 @@ export const STRUCTS = {
     reflectivity: field('f32', 'weight of the mirror ray'),
     specular: field('f32', 'strength of the highlight'),
     exponent: field('f32', 'Blinn-Phong exponent, 2 / roughness^4 - 2'),
-    spare0: field('f32', 'unused'),
-    spare1: field('f32', 'unused'),
+    id: field('f32', 'number of the shape in the order of the scene file, from 1'),
+    spare: field('f32', 'unused'),
   },
   Light: {
     center: field('vec3f', 'eye-relative'),
