@@ -1,9 +1,10 @@
 /** The commands and their options: what can be typed, and nothing of what is done then. */
 import { Command, CommanderError, Option } from 'commander';
+import { AOV_NAMES, type AovName } from 'mirrorball/headless';
 import { SCENE_LIMITS } from 'mirrorball/scene';
 import { EXIT, type ExitCode } from './exit-codes.ts';
 import type { SampleRange } from './sample-ranges.ts';
-import { depth, pixel, positive, range, real, region, size, whole } from './values.ts';
+import { depth, names, pixel, positive, range, real, region, size, whole } from './values.ts';
 
 /** A film's sample index must stay exact in float32. */
 const MOST_SAMPLES = 2 ** 24;
@@ -20,6 +21,7 @@ export interface OutputOptions extends CommonOptions {
   readonly half?: boolean;
   readonly bits: '8' | '16';
   readonly exposure?: number;
+  readonly aov?: readonly AovName[];
 }
 export interface RenderOptions extends OutputOptions {
   readonly output?: string;
@@ -43,6 +45,7 @@ export interface RenderOptions extends OutputOptions {
 }
 export interface MergeOptions extends OutputOptions {
   readonly output: string;
+  readonly backend: BackendChoice;
 }
 
 /** What each command does. */
@@ -63,7 +66,13 @@ const pictureOptions = (command: Command): Command =>
   command
     .addOption(new Option('--half', 'EXR with 16-bit floats'))
     .addOption(new Option('--bits <n>', 'bits of a PNG channel').choices(['8', '16']).default('8'))
-    .addOption(new Option('--exposure <stops>', "PNG: brightness; default: the scene's").argParser(real(-32, 32)));
+    .addOption(new Option('--exposure <stops>', "PNG: brightness; default: the scene's").argParser(real(-32, 32)))
+    .addOption(
+      new Option('--aov <names>', `more than the picture, with commas: ${AOV_NAMES.join(', ')}`).argParser(
+        names(AOV_NAMES),
+      ),
+    )
+    .addOption(new Option('--backend <name>', 'what traces').choices(['auto', ...BACKENDS]).default('auto'));
 
 function addRender(program: Command, actions: Actions): void {
   const command = program.command('render').description('render a scene file (or a built-in scene by its name)');
@@ -93,11 +102,6 @@ function addRender(program: Command, actions: Actions): void {
     .addOption(option('--fps <n>', 'frames a second').argParser(positive(1e6)).default(24))
     .addOption(option('--until-error <e>', 'stop when the estimated error is below').argParser(positive(1e6)))
     .addOption(option('--until-time <s>', 'stop after so many seconds a picture').argParser(positive(1e9)))
-    .addOption(
-      option('--backend <name>', 'what traces')
-        .choices(['auto', ...BACKENDS])
-        .default('auto'),
-    )
     .addOption(option('--resume', 'go on from what an interrupted run saved'));
   pictureOptions(command).addOption(json());
   command.action((scene: string, options: RenderOptions) => actions.render(scene, options));
