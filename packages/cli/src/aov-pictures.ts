@@ -1,6 +1,6 @@
 /** AOVs as layers of a picture, or as pictures of their own; and which formats can hold which. */
 import { AOVS, type Aov, type AovName, aovIds, type FilmJob, firstHitAov, isFirstHit } from 'mirrorball/headless';
-import { type Channel, type FloatPicture, formatOf, fromInterleaved } from 'mirrorball/picture-files';
+import { type Channel, type FloatPicture, formatOf, fromInterleaved, namesFor } from 'mirrorball/picture-files';
 import type { AccumulatedFilm } from './accumulated-film.ts';
 import { BLOCK } from './accumulated-film.ts';
 import type { AovFilms } from './aov-films.ts';
@@ -72,19 +72,25 @@ function valuesOf(name: AovName, film: AccumulatedFilm, { films, job }: WithAovs
   }
 }
 
-/** One AOV as a picture whose channels have no layer. */
-export function aovPicture(name: AovName, film: AccumulatedFilm, aovs: WithAovs): FloatPicture {
+function withChannels(name: AovName, channels: readonly string[], film: AccumulatedFilm, aovs: WithAovs): FloatPicture {
   const { width, height } = aovs.job.area;
-  return fromInterleaved(width, height, AOVS[name].channels, valuesOf(name, film, aovs));
+  return fromInterleaved(width, height, channels, valuesOf(name, film, aovs));
 }
+
+/** One AOV as a picture of its own, for formats that know grey and RGB only: X, Y, Z are red, green, blue there. */
+export const aovPicture = (name: AovName, film: AccumulatedFilm, aovs: WithAovs): FloatPicture =>
+  withChannels(name, namesFor(AOVS[name].channels.length), film, aovs);
 
 /** All of them as layers. */
 export const aovChannels = (film: AccumulatedFilm, aovs: WithAovs): Channel[] =>
-  aovs.names.flatMap((name) =>
-    aovPicture(name, film, aovs).channels.map((channel) => ({
-      name: `${AOVS[name].layer}.${channel.name}`,
-      data: channel.data,
-    })),
+  aovs.names.flatMap(
+    (name) =>
+      withChannels(
+        name,
+        AOVS[name].channels.map((channel) => `${AOVS[name].layer}.${channel}`),
+        film,
+        aovs,
+      ).channels,
   );
 
 /** What the numbers in a file mean, for its texts. */

@@ -1,7 +1,7 @@
 // The built program from outside. `npm run build` is not needed before: it is built here when it is not there or old.
 import { existsSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { builtInScenes } from 'mirrorball/built-in';
-import { interleave, pickLayer, readExr } from 'mirrorball/picture-files';
+import { interleave, pickLayer, readExr, readPfm } from 'mirrorball/picture-files';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import { buildCliIfStale } from '../../../scripts/build-cli.mjs';
 import { findChromium } from '../src/backends/find-chromium.ts';
@@ -264,6 +264,10 @@ describe(`AOVs, by ${backend}`, () => {
     const { code, events } = await render('--spp 2 -o s.png --aov albedo,direct --json');
     expect([code, events.at(-1)!.files]).toEqual([0, ['s.png', 's.albedo.png', 's.direct.png']]);
     expect(existsSync(inFolder('s.direct.png'))).toBe(true);
+    expect((await render('--spp 2 -o n.pfm --aov normal,depth')).code).toBe(0);
+    expect(readPfm(bytesOf('n.normal.pfm')).channels).toHaveLength(3);
+    const again = await render('--spp 2 -o n.pfm --resume --aov position');
+    expect([again.code, existsSync(inFolder('n.position.pfm'))]).toEqual([0, true]);
     const refused = await render('--spp 2 -o t.png --aov depth');
     expect([refused.code, refused.stderr]).toEqual([2, expect.stringContaining('Write .exr, .npy or .pfm')]);
     const strange = await render('--spp 2 -o t.exr --aov depht');
