@@ -4,7 +4,7 @@ import { type Device, DeviceError } from './gpu/device.ts';
 import { Painter } from './painter.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
-import { Stages } from './stages.ts';
+import { contentOf, Stages } from './stages.ts';
 import { View } from './view.ts';
 
 /** After the last change by hand the picture counts as moving for this long, milliseconds. */
@@ -197,7 +197,7 @@ export class GpuRenderer implements Renderer {
   /** Resolves to false when the device was lost on the way. */
   async #renderWith(painter: Painter): Promise<boolean> {
     this.#controller.watched = this.running;
-    if (!this.running) await painter.stages.ready(this.settings.integrator);
+    if (!this.running) await painter.stages.ready(contentOf(this.settings));
     if (!painter.free) painter.refresh();
     while (!painter.free && painter === this.#painter) await pause(4);
     if (painter !== this.#painter) return false;
@@ -212,6 +212,9 @@ export class GpuRenderer implements Renderer {
   }
 
   async readFilm() {
+    const { view } = this.settings;
+    if (view !== 'picture')
+      throw new Error(`The film holds the view "${view}". Set view to "picture" to read the picture.`);
     const painter = await this.#waitForPainter();
     // The film of a picture that was never asked for, or only of the preview, is not the integrator's.
     if (painter.filmRevision >= 0 && !painter.filmComplete)

@@ -6,7 +6,7 @@
 import type { FrameController } from './frame-controller.ts';
 import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
 import type { FrameStats } from './renderer-types.ts';
-import type { Stages } from './stages.ts';
+import { contentOf, type Stages } from './stages.ts';
 import type { View } from './view.ts';
 
 /** Frames that may be on the device at once: one being worked on, one waiting, so that it never idles and never lags. */
@@ -71,8 +71,8 @@ export class Painter {
     if (this.#outdated(size)) this.#begin(size);
     else if (this.#enough()) return this.#rest();
     await this.#trace(unwanted);
-    const { integrator } = this.#easel.view.settings;
-    if (!this.stages.has(integrator)) await this.stages.ready(integrator);
+    const content = contentOf(this.#easel.view.settings);
+    if (!this.stages.has(content)) await this.stages.ready(content);
   }
 
   /** While a frame takes its time: a resized canvas is not left blank, and exposure follows the hand. */
@@ -124,7 +124,7 @@ export class Painter {
 
   /** Whether the integrator that is wanted can draw. */
   get #complete(): boolean {
-    return this.stages.has(this.#easel.view.settings.integrator);
+    return this.stages.has(contentOf(this.#easel.view.settings));
   }
 
   #enough(): boolean {
@@ -150,7 +150,7 @@ export class Painter {
     this.stages.film.reserve(
       pixels(width, largest),
       pixels(height, largest),
-      this.stages.layersFor(view.settings.integrator),
+      this.stages.layersFor(contentOf(view.settings)),
     );
     const scale = reduced ? controller.movingScale(width * height, targetFps, largest) : largest;
     return { width: pixels(width, scale), height: pixels(height, scale) };

@@ -2,7 +2,9 @@
  * Everything that lives on one device: the passes, the film, the packed scene. Made anew when a device was lost. One film
  * sample is a visible list of calls: pack, trace in short submits, show.
  */
+import { AovDisplay, type Sight } from './display/aov-view.ts';
 import { Display, type Look } from './display/display.ts';
+import { AOV_VIEWS } from './display/views.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
@@ -21,11 +23,15 @@ import { sceneSeenBy } from './scene/seen-by.ts';
 /** What a film can hold: the light that an integrator finds, or what the camera sees first. */
 export type Content = Integrator | AovContent;
 
+/** What the film holds for such settings. */
+export const contentOf = ({ view, integrator }: Pick<RendererSettings, 'view' | 'integrator'>): Content =>
+  view === 'picture' ? integrator : AOV_VIEWS[view].content;
+
 const isAov = (content: Content | null): content is AovContent => content === 'features' || content === 'data';
 
 /** One state of the world, as the film is to hold it. */
 export interface Shot {
-  /** Default: the light that `settings.integrator` finds. */
+  /** Default: what `settings` want to see. */
   readonly content?: Content;
   readonly scene: Scene;
   readonly camera: Camera;
@@ -47,6 +53,7 @@ export class Stages {
   readonly device: Device;
   readonly film: Film;
   readonly #display: Display;
+  #aovDisplay: AovDisplay | null = null;
   readonly #preview: Pass;
   readonly #frame: UniformBuffer;
   readonly #frameBlock = createBlock(structSize('Frame'));
@@ -58,6 +65,8 @@ export class Stages {
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
   #content: Content | null = null;
+  /** What the film's newest whole picture shows, when it is no picture. */
+  #pictured: Sight | null = null;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -96,12 +105,18 @@ export class Stages {
   ready(content: Content): Promise<void> {
     let compiling = this.#compiling.get(content);
     if (!compiling) {
-      compiling = Promise.all([createPass(this.device, content), this.#display.ready()]).then(([pass]) => {
+      const display = isAov(content) ? this.#aovReady() : this.#display.ready();
+      compiling = Promise.all([createPass(this.device, content), display]).then(([pass]) => {
         this.#passes.set(content, pass);
       });
       this.#compiling.set(content, compiling);
     }
     return compiling;
+  }
+
+  async #aovReady(): Promise<void> {
+    const display = await AovDisplay.create(this.device);
+    this.#aovDisplay ??= display;
   }
 
   /** Layers that the film of such a shot has now. */
@@ -115,7 +130,7 @@ export class Stages {
     this.#shot = shot;
     this.film.restart(width, height);
     const { integrator } = shot.settings;
-    const content = shot.content ?? integrator;
+    const content = shot.content ?? contentOf(shot.settings);
     this.#pass = this.#passes.get(content) ?? this.#preview;
     this.#content = this.has(content) ? content : null;
     const pack = this.#content === 'path' || isAov(this.#content) ? packPathScene : packScene;
@@ -185,7 +200,14 @@ export class Stages {
   #complete(submitted: () => void): void {
     this.#pending = false;
     this.film.swap();
+    this.#pictured = this.#sight();
     submitted();
+  }
+
+  #sight(): Sight | null {
+    const { scene, camera, settings } = this.#shot!;
+    const { view, integrator } = settings;
+    return isAov(this.#content) && view !== 'picture' ? { view, scene, camera, integrator } : null;
   }
 
   /** Before the first measurement nobody knows how fast the device is, only how many rays a pixel may ask for. */
@@ -210,8 +232,11 @@ export class Stages {
   /** Puts the newest whole picture on the canvas; false when there is none. */
   show(look: Look): boolean {
     const { picture } = this.film;
-    if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, look);
-    return picture !== null;
+    if (!picture) return false;
+    const { film, width, height } = picture;
+    if (this.#pictured) this.#aovDisplay!.show(film, width, height, this.#pictured);
+    else this.#display.show(film.layers[0]!, width, height, look);
+    return true;
   }
 }
 

@@ -4,6 +4,7 @@ import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { displayed } from './displayed.ts';
+import { displayedView } from './displayed-views.ts';
 import { probeChoices } from './emitters/choices.ts';
 import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
@@ -25,6 +26,7 @@ export const harness = {
   cameraRays,
   describeDevices,
   displayed,
+  displayedView,
   hardNames,
   hardPicture,
   headlessFilms,

@@ -1,8 +1,9 @@
 import { expect, test } from 'vitest';
 import { aovScene } from '../../../../tests/fixtures/aov-scene.ts';
 import { testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
+import { aovIds } from '../integrator/aov/aov-ids.ts';
 import type { Scene } from '../scene/scene.ts';
-import { AOV_NAMES, AOVS, aovIds, directSettings, FAR, type FirstHitAov, firstHitAov } from './aovs.ts';
+import { AOV_NAMES, AOVS, directSettings, FAR, type FirstHitAov, firstHitAov } from './aovs.ts';
 import type { FilmJob } from './film-tracer.ts';
 import { addReferenceSample, referenceRows } from './reference-film.ts';
 
@@ -65,6 +66,7 @@ test('numbers follow the file, and have names', () => {
   expect(aovIds(wall, 'path')).toEqual({
     primitives: [null, '/shapes/ball', '/shapes/wall'],
     materials: [null, '/materials/red', '/materials/mirror'],
+    materialOf: [0, 2, 1],
   });
   expect(aovIds(aovScene, 'path').primitives.slice(-2)).toEqual(['/lights/lamp', '/lights/panel']);
   expect(aovIds(aovScene, 'classic').primitives.slice(-1)).toEqual(['/lights/lamp']);

@@ -2,11 +2,9 @@
  * AOVs ("arbitrary output variables"): what a renderer knows of a pixel beside its colour. docs/aov.md says what each one means. This
  * takes those of the first hit out of films of `features` and `data`, and gives all of them the names that other programs know.
  */
+import { aovIds } from '../integrator/aov/aov-ids.ts';
 import { cameraAxes, wholeCamera } from '../scene/camera.ts';
-import { lampsAsShapes } from '../scene/lamps.ts';
-import { formatPointer } from '../scene/pointer.ts';
 import type { Integrator, Scene, Vec3 } from '../scene/scene.ts';
-import { sceneSeenBy } from '../scene/seen-by.ts';
 import type { FilmContent, FilmSettings, FilmSums } from './film-tracer.ts';
 
 /** How one is written down. */
@@ -52,39 +50,6 @@ export const isFirstHit = (name: AovName): name is FirstHitAov =>
 /** The depth where nothing is met, as in Cycles: far, and a number that every program can work with. */
 export const FAR = 1e10;
 
-/** The number of what is met → what it is, as a JSON Pointer into the scene file; 0, nothing, is null. */
-export interface AovIds {
-  readonly primitives: readonly (string | null)[];
-  readonly materials: readonly (string | null)[];
-}
-
-/** What knows the scene's names, and which material each primitive has. */
-interface Naming extends AovIds {
-  readonly materialOf: readonly number[];
-}
-
-function nameAll(scene: Scene, integrator: Integrator): Naming {
-  const { scene: seen, lightOfShape } = lampsAsShapes(sceneSeenBy(integrator, scene));
-  // A lamp's material has the lamp's own name.
-  const pointer = (group: string) => (name: string) => {
-    const light = lightOfShape.get(name);
-    return light === undefined ? formatPointer([group, name]) : formatPointer(['lights', light]);
-  };
-  const materialNames = Object.keys(seen.materials);
-  const numbers = new Map(materialNames.map((name, index) => [name, index + 1]));
-  return {
-    primitives: [null, ...Object.keys(seen.shapes).map(pointer('shapes'))],
-    materials: [null, ...materialNames.map(pointer('materials'))],
-    materialOf: [0, ...Object.values(seen.shapes).map(({ material }) => numbers.get(material)!)],
-  };
-}
-
-/** What the numbers in `primitive-id` and `material-id` stand for: 1 is the first in the scene file, lamps come last. */
-export function aovIds(scene: Scene, integrator: Integrator): AovIds {
-  const { primitives, materials } = nameAll(scene, integrator);
-  return { primitives, materials };
-}
-
 /** Writes one pixel's values, of four numbers of each of the film's two layers. */
 type Resolve = (first: Float32Array, second: Float32Array, to: Float32Array, at: number) => void;
 
@@ -112,7 +77,7 @@ function resolverOf(name: FirstHitAov, scene: Scene, integrator: Integrator): Re
     case 'primitive-id':
       return ([, , , id], _, to, at) => void (to[at] = id!);
     case 'material-id': {
-      const { materialOf } = nameAll(scene, integrator);
+      const { materialOf } = aovIds(scene, integrator);
       return ([, , , id], _, to, at) => void (to[at] = materialOf[id!]!);
     }
   }

@@ -137,6 +137,13 @@ export const STRUCTS = {
     toneMapping: field('u32', 'position in TONE_MAPPINGS'),
     filmSize: field('vec2f', 'pixels'),
   },
+  AovView: {
+    kind: field('u32', '0 colour, 1 normal, 2 depth, 3 place, 4 number'),
+    scale: field('f32', 'a typical distance, metres'),
+    filmSize: field('vec2f', 'pixels'),
+    forward: field('vec3f', 'camera f; zero: distances instead of depths'),
+    middle: field('vec3f', 'from the eye to what is looked at'),
+  },
 } as const satisfies Record<string, Fields>;
 export type StructName = keyof typeof STRUCTS;
 export type FieldName<S extends StructName> = keyof (typeof STRUCTS)[S] & string;
