@@ -1,5 +1,6 @@
 /** The commands and their options: what can be typed, and nothing of what is done then. */
 import { Command, CommanderError, Option } from 'commander';
+import { builtInScenes } from 'mirrorball/built-in';
 import { AOV_NAMES, type AovName } from 'mirrorball/headless';
 import { SCENE_LIMITS } from 'mirrorball/scene';
 import { EXIT, type ExitCode } from './exit-codes.ts';
@@ -48,6 +49,15 @@ export interface MergeOptions extends OutputOptions {
   readonly backend: BackendChoice;
 }
 
+export interface BenchOptions extends CommonOptions {
+  readonly backend: BackendChoice;
+  /** Ids of built-in scenes. */
+  readonly scene?: readonly string[];
+  readonly size: { readonly width: number; readonly height: number };
+  readonly spp: number;
+  readonly seconds: number;
+}
+
 /** What each command does. */
 export interface Actions {
   render(scene: string, options: RenderOptions): Promise<void>;
@@ -57,6 +67,7 @@ export interface Actions {
   schema(options: { readonly output?: string }): Promise<void>;
   info(files: string[], options: CommonOptions): Promise<void>;
   doctor(options: CommonOptions): Promise<void>;
+  bench(options: BenchOptions): Promise<void>;
 }
 
 const json = () => new Option('--json', 'one JSON object a line on standard output');
@@ -143,12 +154,37 @@ function addOthers(program: Command, actions: Actions): void {
     .action((options: CommonOptions) => actions.doctor(options));
 }
 
+function addBench(program: Command, actions: Actions): void {
+  const scenes = builtInScenes.map(({ id }) => id);
+  program
+    .command('bench')
+    .description('how fast this machine traces: both integrators, backend by backend')
+    .addOption(
+      new Option('--backend <name>', 'only this one; auto: webgpu and chromium')
+        .choices(['auto', ...BACKENDS])
+        .default('auto'),
+    )
+    .addOption(
+      new Option('--scene <names>', `with commas: ${scenes.join(', ')} (default: cube-room,materials)`).argParser(
+        names(scenes),
+      ),
+    )
+    .addOption(
+      new Option('--size <WxH>', 'pixels').argParser(size(MOST_SIDE)).default({ width: 320, height: 180 }, '320x180'),
+    )
+    .addOption(new Option('--spp <n>', 'samples a pixel at most').argParser(whole(1, MOST_SAMPLES)).default(65536))
+    .addOption(new Option('--seconds <s>', 'of each measurement, about').argParser(positive(3600)).default(0.7))
+    .addOption(json())
+    .action((options: BenchOptions) => actions.bench(options));
+}
+
 export function createProgram(version: string, actions: Actions): Command {
   const program = new Command('mirrorball');
   program.description('Renders, merges, checks and compares without a window.').version(version);
   program.exitOverride().showSuggestionAfterError().enablePositionalOptions();
   addRender(program, actions);
   addOthers(program, actions);
+  addBench(program, actions);
   // Subcommands made before an override would not have it.
   for (const command of program.commands) {
     command

@@ -275,6 +275,19 @@ describe(`AOVs, by ${backend}`, () => {
   });
 });
 
+test('bench measures both integrators on a GPU, the classic one alone on the CPU', async () => {
+  const args = '--size 16x12 --spp 3 --seconds 0.2 --scene cube-room --json';
+  const { events, code } = await mirrorball(`bench --backend ${backend} ${args}`);
+  expect(code).toBe(0);
+  const measured = events.filter(({ event }) => event === 'measured');
+  expect(measured.map(({ integrator }) => integrator)).toEqual(dawn ? ['classic', 'path'] : ['classic']);
+  for (const { samples, samplesPerSecond, firstSampleSeconds } of measured) {
+    expect(samples).toBeGreaterThan(0);
+    expect(samplesPerSecond).toBeGreaterThan(0);
+    expect(firstSampleSeconds).toBeGreaterThan(0);
+  }
+});
+
 test('doctor names each backend', async () => {
   const { events, code } = await mirrorball('doctor --json');
   expect(events.filter(({ event }) => event === 'finding').map(({ name }) => name)).toEqual([
