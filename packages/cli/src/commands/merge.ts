@@ -31,6 +31,8 @@ export async function merge(files: readonly string[], options: MergeOptions, ter
     if (twice) throw usage(`${file} holds samples ${formatRanges([twice])}, which another part holds too.`);
     first.part.film.merge(part.film);
   }
+  if (options.aov?.includes('error') && !first.part.film.standardErrors())
+    throw usage(`These parts hold one block of samples; their error is not known, so leave it out of --aov.`);
   const aovs = options.aov ? await aovsOf(first.part, first.file, options, terminal) : null;
   const written = await writeFilm(options.output, first.part, options, aovs);
   const { film } = first.part;
