@@ -31,6 +31,14 @@ const PROGRAMS: readonly Program[] = [
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
   { name: 'path', root: 'integrator/path/path_pass', entries: [{ entry: 'path', stage: 'fragment' }] },
+  {
+    name: 'aov',
+    root: 'integrator/aov/aov',
+    entries: [
+      { entry: 'aovFeatures', stage: 'fragment' },
+      { entry: 'aovData', stage: 'fragment' },
+    ],
+  },
   { name: 'full_screen', root: 'shading/full_screen', entries: [{ entry: 'fullScreen', stage: 'vertex' }] },
   {
     name: 'display',
@@ -41,6 +49,7 @@ const PROGRAMS: readonly Program[] = [
       { entry: 'showMapped', stage: 'fragment' },
     ],
   },
+  { name: 'aov_view', root: 'display/aov_view', entries: [{ entry: 'showAov', stage: 'fragment' }] },
   {
     name: 'camera_probe',
     root: 'tests/camera-probe',

@@ -83,6 +83,22 @@ for (const backend of backends) {
       await expectState(page, (state) => state.settings.integrator, 'classic');
     });
 
+    test('view: depth and shapes instead of the picture, and back', async ({ page }) => {
+      const menu = page.getByRole('combobox', { name: 'Show' });
+      for (const [name, view] of [
+        ['Depth', 'depth'],
+        ['Shapes', 'primitive-id'],
+        ['Picture', 'picture'],
+      ] as const) {
+        const before = await lookAtPicture(page);
+        await menu.selectOption(name);
+        await expectState(page, (state) => state.settings.view, view);
+        await expect
+          .poll(async () => difference(before, await lookAtPicture(page)), `${name} looks different`)
+          .toBeGreaterThan(3);
+      }
+    });
+
     test('comparison: strips with dividers that move', async ({ page }) => {
       await choose(page, 'Side by side', 'Reflections 1 · 2 · 10');
       await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.maxReflections), [1, 2, 10]);

@@ -212,6 +212,9 @@ export class GpuRenderer implements Renderer {
   }
 
   async readFilm() {
+    const { view } = this.settings;
+    if (view !== 'picture')
+      throw new Error(`The film holds the view "${view}". Set view to "picture" to read the picture.`);
     const painter = await this.#waitForPainter();
     // The film of a picture that was never asked for, or only of the preview, is not the integrator's.
     if (painter.filmRevision >= 0 && !painter.filmComplete)

@@ -37,8 +37,8 @@ export const STRUCTS = {
     reflectivity: field('f32', 'weight of the mirror ray'),
     specular: field('f32', 'strength of the highlight'),
     exponent: field('f32', 'Blinn-Phong exponent, 2 / roughness^4 - 2'),
-    spare0: field('f32', 'unused'),
-    spare1: field('f32', 'unused'),
+    id: field('f32', 'number of the shape in the order of the scene file, from 1'),
+    spare: field('f32', 'unused'),
   },
   Light: {
     center: field('vec3f', 'eye-relative'),
@@ -135,6 +135,13 @@ export const STRUCTS = {
     exposure: field('f32', 'factor, 2^stops'),
     toneMapping: field('u32', 'position in TONE_MAPPINGS'),
     filmSize: field('vec2f', 'pixels'),
+  },
+  AovView: {
+    kind: field('u32', '0 colour, 1 normal, 2 depth, 3 place, 4 number'),
+    scale: field('f32', 'a typical distance, metres'),
+    filmSize: field('vec2f', 'pixels'),
+    forward: field('vec3f', 'camera f; zero: distances instead of depths'),
+    middle: field('vec3f', 'from the eye to what is looked at'),
   },
 } as const satisfies Record<string, Fields>;
 export type StructName = keyof typeof STRUCTS;

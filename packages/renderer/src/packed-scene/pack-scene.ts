@@ -82,11 +82,12 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
   const planes = sorted[3]!;
   sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
   const ordered = sorted.flat();
-  ordered.forEach(([, shape], row) => {
+  const ids = new Map(named.map(([name], index) => [name, index + 1]));
+  ordered.forEach(([name, shape], row) => {
     const { center, radius, ...extent } = shapeValues(shape, eye);
     put('Bounds', row, { center, radius });
     put('Extent', row, extent);
-    put('Material', row, materialValues(scene.materials[shape.material]!));
+    put('Material', row, { ...materialValues(scene.materials[shape.material]!), id: ids.get(name)! });
   });
   lights.forEach((light, row) => {
     put('Light', row, lightValues(light, eye));

@@ -87,8 +87,8 @@ struct Material {
     float reflectivity;
     float specular;
     float exponent;
-    float spare0_;
-    float spare1_;
+    float id;
+    float spare;
 };
 struct SurfacePoint {
     Start start;

@@ -77,8 +77,8 @@ struct Material {
     float reflectivity;
     float specular;
     float exponent;
-    float spare0_;
-    float spare1_;
+    float id;
+    float spare;
 };
 struct Light {
     vec3 center;

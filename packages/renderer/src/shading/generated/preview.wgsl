@@ -250,10 +250,10 @@ struct Material {
   specular: f32,
   // Blinn-Phong exponent, 2 / roughness^4 - 2
   exponent: f32,
+  // number of the shape in the order of the scene file, from 1
+  id: f32,
   // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
+  spare: f32,
 }
 
 
