@@ -19,10 +19,12 @@ interface Program {
   readonly name: string;
   readonly root: string;
   readonly entries: readonly { readonly entry: string; readonly stage: 'vertex' | 'fragment' }[];
+  /** For `@if` in the modules. */
+  readonly conditions?: Record<string, boolean>;
   /** Default: RENDERER_OUTPUT. */
   readonly output?: string;
 }
-/** Linked programs: the module that holds the entry points, and what WebGL2 needs of each. */
+/** Linked programs: the module that holds the entry points, and which of them WebGL2 needs. */
 const PROGRAMS: readonly Program[] = [
   { name: 'classic', root: 'integrator/classic/classic', entries: [{ entry: 'classic', stage: 'fragment' }] },
   {
@@ -31,6 +33,7 @@ const PROGRAMS: readonly Program[] = [
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
   { name: 'path', root: 'integrator/path/path_pass', entries: [{ entry: 'path', stage: 'fragment' }] },
+  { name: 'path_compute', root: 'integrator/path/path_compute', conditions: { compute: true }, entries: [] },
   {
     name: 'aov',
     root: 'integrator/aov/aov',
@@ -183,8 +186,8 @@ async function generate(): Promise<Record<string, string>> {
     'packages/renderer/src/shading/layout.wesl': structsWgsl(),
     'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
   };
-  for (const { name, root, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
-    const linked = await link({ weslSrc, rootModuleName: `./${root}.wesl` });
+  for (const { name, root, conditions = {}, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
+    const linked = await link({ weslSrc, conditions, rootModuleName: `./${root}.wesl` });
     const wgsl = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n${linked.dest.trim()}\n`;
     files[`${output}/${name}.wgsl`] = wgsl;
     for (const { entry, stage } of entries) {

@@ -12,11 +12,15 @@ export interface Convergence {
 /** Keeps black pixels from counting without bound. */
 const EPSILON = 0.01;
 
-/** √ of the mean of (ours − reference)² / (reference² + 0.01), the usual relMSE. */
-export function relativeError(film: Film, { mean }: Reference): number {
+/** Mean of (ours − reference)² / (reference² + 0.01): relMSE. */
+export function relativeSquaredError(film: Film, { mean }: Reference): number {
   const ours = meansOf(film);
-  return Math.sqrt(ours.reduce((sum, x, i) => sum + (x - mean[i]!) ** 2 / (mean[i]! ** 2 + EPSILON), 0) / ours.length);
+  return ours.reduce((sum, x, i) => sum + (x - mean[i]!) ** 2 / (mean[i]! ** 2 + EPSILON), 0) / ours.length;
 }
+
+/** Its root. */
+export const relativeError = (film: Film, reference: Reference): number =>
+  Math.sqrt(relativeSquaredError(film, reference));
 
 export function noiseFloor({ mean, error }: Reference): number {
   const squares = Array.from(mean, (m, i) => error[i]! ** 2 / (m ** 2 + EPSILON));

@@ -27,7 +27,7 @@ class FakeDevice implements Device {
   async createPass({ label }: PassSource): Promise<Pass> {
     this.counts.programsMade++;
     await pause(this.compileMs[label] ?? 0);
-    return { label };
+    return { label, addsMany: false };
   }
   attach(): void {}
   createUniforms() {

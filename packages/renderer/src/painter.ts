@@ -165,7 +165,7 @@ export class Painter {
     };
     this.#inFlight++;
     try {
-      this.#dropped = !(await this.stages.addSample(controller, submitted, unwanted));
+      this.#dropped = !(await this.stages.addSamples(1, controller, submitted, unwanted));
     } finally {
       this.#inFlight--;
     }

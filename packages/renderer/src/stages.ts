@@ -126,35 +126,45 @@ export class Stages {
     if (packed.environment) this.#environment.hold(packed.environment);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
-      this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
+      this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32), true);
     }
     this.#table.write(packed.table.f32, packed.rows);
   }
 
+  /** How many samples one call of `addSamples` may add; as many as one likes, or 1. */
+  get addsMany(): boolean {
+    return this.#pass.addsMany;
+  }
+
   /**
-   * Adds one sample to every pixel of the film, in submits of as many rows as the controller allows. What fits into one submit is
+   * Adds `count` samples to every pixel of the film, in submits of as many rows as the controller allows. What fits into one submit is
    * submitted before this returns. `submitted` is called with the last one, when the film holds the sample; the promise is for
    * those who want to know that the device has finished. It resolves to false when the sample was given up since `unwanted` said
    * between two submits that nobody needs it any more.
    */
-  async addSample(controller: FrameController, submitted: () => void, unwanted: () => boolean): Promise<boolean> {
+  async addSamples(
+    count: number,
+    controller: FrameController,
+    submitted: () => void,
+    unwanted: () => boolean,
+  ): Promise<boolean> {
     const { film, device } = this;
     const { width, height } = film;
     const { x, y, ...area } = this.#shot!.area ?? { x: 0, y: 0, width, height };
     const pass = this.#pass;
-    this.#writeFrame();
+    this.#writeFrame(count);
     const columns = { firstColumn: x, columnCount: area.width };
     const end = y + area.height;
     let row = y;
     this.#pending = true;
     try {
       for (;;) {
-        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, area.width), end - row);
+        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, area.width * count), end - row);
         const begun = performance.now();
         this.#draw(pass, { width, height, firstRow: row, rowCount, ...columns });
         row += rowCount;
-        if (row === end) this.#complete(submitted);
-        const done = device.finished().then(() => this.#measure(controller, pass, area.width * rowCount, begun));
+        if (row === end) this.#complete(count, submitted);
+        const done = device.finished().then(() => this.#measure(controller, pass, area.width * rowCount * count, begun));
         done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
         // Two submits at once, so that the device has the next one when it has finished one.
         const before = this.#before;
@@ -178,16 +188,16 @@ export class Stages {
     else drawClassic(device, pass, film.next, inputs, region);
   }
 
-  #writeFrame(): void {
+  #writeFrame(count: number): void {
     const { camera, settings } = this.#shot!;
-    packFrame(this.#frameBlock, this.film, camera, this.#packed!, settings, this.film.nextSample);
+    packFrame(this.#frameBlock, this.film, camera, this.#packed!, settings, this.film.nextSample, count);
     if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);
   }
 
-  #complete(submitted: () => void): void {
+  #complete(count: number, submitted: () => void): void {
     this.#pending = false;
-    this.film.swap();
+    this.film.swap(count);
     this.#pictured = this.#sight();
     submitted();
   }

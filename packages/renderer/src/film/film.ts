@@ -94,12 +94,12 @@ export class Film {
     return sums;
   }
 
-  /** The sample in `next` is complete. */
-  swap(): void {
+  /** `count` more samples in `next` are complete. */
+  swap(count = 1): void {
     const before = this.#picture?.film;
     const textures = this.#textures!;
     textures.reverse();
-    this.#samples++;
+    this.#samples += count;
     this.#picture = { film: textures[0], width: this.#width, height: this.#height };
     if (before && !textures.includes(before)) before.destroy();
   }

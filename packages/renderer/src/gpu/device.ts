@@ -18,6 +18,19 @@ export class DeviceError extends Error {
   }
 }
 
+/**
+ * The same work as a compute pass: after the bindings come the region (first column and row, columns and rows, as vec4u) and the layers
+ * of the film as storage textures.
+ */
+export interface ComputeSource {
+  readonly wgsl: string;
+  readonly entry: string;
+  /** Pixels of a workgroup. */
+  readonly tile: readonly [width: number, height: number];
+  /** Which of the `texture` bindings are storage buffers here. */
+  readonly buffers: readonly string[];
+}
+
 /** A shader program and what it reads, in both languages. Texture and block names are those of the WGSL source. */
 export interface PassSource {
   readonly label: string;
@@ -30,12 +43,16 @@ export interface PassSource {
   readonly target: 'film' | 'canvas';
   /** Switches (`override … = true` in the WGSL) that are off in this program. */
   readonly without?: readonly string[];
+  /** Taken instead of drawing where the device has compute passes. */
+  readonly compute?: ComputeSource;
   /** Layers of the film that it draws into, each by an output of its own; 1 when left out. */
   readonly layers?: number;
 }
 
 export interface Pass {
   readonly label: string;
+  /** Whether one call may add many film samples: `frame.sampleCount`. */
+  readonly addsMany: boolean;
 }
 export interface UniformBuffer {
   write(bytes: ArrayBuffer): void;
@@ -100,7 +117,8 @@ export interface Device {
   /** Takes the canvas for good, if that was not needed to open the device: call it when everything needed compiles. */
   attach(): void;
   createUniforms(byteLength: number): UniformBuffer;
-  createTable(width: number, height: number): TableTexture;
+  /** `asBuffer`: compute passes read it as a storage buffer. */
+  createTable(width: number, height: number, asBuffer?: boolean): TableTexture;
   createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;

@@ -7,7 +7,12 @@ import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOpti
 
 /** Films of 16-bit floats sum up fewer samples than this; places and numbers of shapes would not survive in them. */
 const LEAST_FILM_SAMPLES = 1024;
-/** Samples that may wait on the device: it never idles, and an interruption is heard soon. */
+/**
+ * Samples of one call, where calls may add many: few enough for the first of them on a fast GPU, and always the same ones together,
+ * since their sums are rounded together.
+ */
+const BATCH = 64;
+/** Calls that may wait on the device: it never idles, and an interruption is heard soon. */
 const MOST_IN_FLIGHT = 4;
 
 export class GpuFilmTracer implements FilmTracer {
@@ -75,7 +80,10 @@ export class GpuFilmTracer implements FilmTracer {
     const inFlight: Promise<boolean>[] = [];
     const stopped = () => signal?.aborted === true;
     while (film.samples < held + count && !stopped()) {
-      const sample = this.#stages.addSample(this.#controller, () => {}, stopped);
+      const next = film.nextSample;
+      const batch = this.#stages.addsMany ? BATCH - (next % BATCH) : 1;
+      const most = Math.min(batch, held + count - film.samples);
+      const sample = this.#stages.addSamples(most, this.#controller, () => {}, stopped);
       sample.catch(() => {}); // awaited below, or not at all when an earlier one failed
       inFlight.push(sample);
       // A sample that takes several submits, or too many waiting: hear how the first of them went.

@@ -72,6 +72,7 @@ export function packFrame(
   packed: PackedScene,
   settings: FrameSettings,
   sampleIndex: number,
+  sampleCount = 1,
 ): void {
   const whole = wholeCamera(camera);
   const { right, up, forward } = filmPlane(camera, film, settings.framing ?? null);
@@ -86,6 +87,7 @@ export function packFrame(
     lightCount: packed.lightCount,
     horizon: packed.horizon,
     sampleIndex,
+    sampleCount,
     zenith: packed.zenith,
     seed: settings.seed,
     jitter: filmJitter(sampleIndex),

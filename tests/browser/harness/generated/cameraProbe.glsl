@@ -43,6 +43,7 @@ struct Frame {
     uint planesCutView;
     float environmentTurn;
     vec2 environmentSize;
+    uint sampleCount;
 };
 const bool hasLens = true;
 

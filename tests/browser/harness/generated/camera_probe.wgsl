@@ -115,4 +115,6 @@ struct Frame {
   environmentTurn: f32,
   // columns and rows of the map of the sky
   environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
 }

@@ -39,6 +39,7 @@ struct Frame {
     uint planesCutView;
     float environmentTurn;
     vec2 environmentSize;
+    uint sampleCount;
 };
 struct Sampler {
     uint key;

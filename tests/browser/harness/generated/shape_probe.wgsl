@@ -79,7 +79,7 @@ fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = sceneTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -121,7 +121,6 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -162,8 +161,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = sceneTexel(1u, i);
+  let t1 = sceneTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -185,7 +184,9 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   return v + q.w * t + cross(q.xyz, t);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn sceneTexel(column: u32, row: u32) -> vec4f {
+  return textureLoad(sceneTable, vec2u(column, row), 0);
+}
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -194,6 +195,8 @@ struct Extent {
   b: vec4f,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
   let inverse = safeReciprocal(direction, origin);
@@ -294,6 +297,8 @@ struct Frame {
   environmentTurn: f32,
   // columns and rows of the map of the sky
   environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
 }
 
 

@@ -130,7 +130,7 @@ class WebGl2Device implements Device {
         if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, binding);
       } else gl.uniform1i(gl.getUniformLocation(program, b.texture), binding);
     });
-    return { label: source.label, program, source } as GlPass;
+    return { label: source.label, addsMany: false, program, source } as GlPass;
   }
 
   /** The context was the canvas's from the start. */

@@ -17,11 +17,14 @@ import {
 const FILM_FORMAT = 'rgba32float';
 
 interface WebGpuPass extends Pass {
-  readonly pipeline: GPURenderPipeline;
+  readonly source: PassSource;
+  readonly pipeline: GPURenderPipeline | GPUComputePipeline;
   readonly layout: GPUBindGroupLayout;
 }
 interface GpuResource {
   readonly binding: GPUBindingResource;
+  /** Of a table that compute passes read. */
+  readonly buffer?: GPUBuffer | undefined;
 }
 
 /** Texels of a film that are read at once, bytes: far below the largest buffer that a device must grant. */
@@ -53,6 +56,23 @@ function describe(info: GPUAdapterInfo): string {
   return [info.description || info.device, info.vendor, info.architecture].filter(Boolean).join(', ') || 'WebGPU';
 }
 
+const switchedOff = ({ without = [] }: PassSource): Record<string, number> =>
+  Object.fromEntries(without.map((name) => [name, 0]));
+
+function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBindGroupLayoutDescriptor {
+  const visibility = compute ? GPUShaderStage.COMPUTE : GPUShaderStage.FRAGMENT;
+  const inputs: Omit<GPUBindGroupLayoutEntry, 'binding' | 'visibility'>[] = bindings.map((b) => {
+    if ('block' in b) return { buffer: {} };
+    if (compute?.buffers.includes(b.texture)) return { buffer: { type: 'read-only-storage' } };
+    return { texture: { sampleType: 'unfilterable-float' } };
+  });
+  if (compute) {
+    inputs.push({ buffer: {} });
+    for (let i = 0; i < layers; i++) inputs.push({ storageTexture: { format: FILM_FORMAT } });
+  }
+  return { label, entries: inputs.map((entry, binding) => ({ binding, visibility, ...entry })) };
+}
+
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
   film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
 
@@ -69,6 +89,8 @@ class WebGpuDevice implements Device {
   readonly #canvas: HTMLCanvasElement | null;
   readonly #format: GPUTextureFormat;
   readonly #modules = new Map<string, GPUShaderModule>();
+  /** For compute passes: which part of the film is theirs. */
+  #region: UniformBuffer | null = null;
   #closed = false;
 
   constructor(gpu: GPU, device: GPUDevice, canvas: HTMLCanvasElement | null, description: string) {
@@ -86,38 +108,42 @@ class WebGpuDevice implements Device {
   }
 
   async createPass(source: PassSource): Promise<Pass> {
-    const layout = this.#device.createBindGroupLayout({
-      label: source.label,
-      entries: source.bindings.map((b, binding) => ({
-        binding,
-        visibility: GPUShaderStage.FRAGMENT,
-        ...('block' in b ? { buffer: {} } : { texture: { sampleType: 'unfilterable-float' as const } }),
-      })),
-    });
+    const layout = this.#device.createBindGroupLayout(layoutOf(source));
     this.counts.programsMade++;
-    const pipeline = await this.#pipeline(source, layout);
-    return { label: source.label, pipeline, layout } as WebGpuPass;
+    try {
+      const pipeline = await (source.compute
+        ? this.#computePipeline(source, layout)
+        : this.#renderPipeline(source, layout));
+      const pass: WebGpuPass = { label: source.label, addsMany: source.compute !== undefined, source, pipeline, layout };
+      return pass;
+    } catch (error) {
+      throw new DeviceError(`WebGPU could not make the pipeline "${source.label}": ${(error as Error).message}`);
+    }
   }
 
-  async #pipeline(source: PassSource, layout: GPUBindGroupLayout): Promise<GPURenderPipeline> {
-    const descriptor: GPURenderPipelineDescriptor = {
+  #computePipeline(source: PassSource, layout: GPUBindGroupLayout): Promise<GPUComputePipeline> {
+    const { wgsl, entry } = source.compute!;
+    return this.#device.createComputePipelineAsync({
+      label: source.label,
+      layout: this.#device.createPipelineLayout({ bindGroupLayouts: [layout] }),
+      compute: { module: this.#module(wgsl), entryPoint: entry, constants: switchedOff(source) },
+    });
+  }
+
+  #renderPipeline(source: PassSource, layout: GPUBindGroupLayout): Promise<GPURenderPipeline> {
+    return this.#device.createRenderPipelineAsync({
       label: source.label,
       layout: this.#device.createPipelineLayout({ bindGroupLayouts: [layout] }),
       vertex: { module: this.#module(source.wgsl.vertex), entryPoint: source.entries.vertex },
       fragment: {
         module: this.#module(source.wgsl.fragment),
         entryPoint: source.entries.fragment,
-        constants: Object.fromEntries((source.without ?? []).map((name) => [name, 0])),
+        constants: switchedOff(source),
         targets: Array.from({ length: source.layers ?? 1 }, () => ({
           format: source.target === 'film' ? FILM_FORMAT : this.#format,
         })),
       },
-    };
-    try {
-      return await this.#device.createRenderPipelineAsync(descriptor);
-    } catch (error) {
-      throw new DeviceError(`WebGPU could not make the pipeline "${source.label}": ${(error as Error).message}`);
-    }
+    });
   }
 
   attach(): void {
@@ -135,18 +161,24 @@ class WebGpuDevice implements Device {
   }
 
   createUniforms(byteLength: number): UniformBuffer {
-    const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
-    const buffer = this.#device.createBuffer({ size: byteLength, usage });
-    this.counts.buffers++;
+    const buffer = this.#buffer(byteLength, GPUBufferUsage.UNIFORM);
     const uniforms: UniformBuffer & GpuResource = {
       binding: { buffer },
       write: (bytes) => this.#device.queue.writeBuffer(buffer, 0, bytes),
-      destroy: () => {
-        this.counts.buffers--;
-        buffer.destroy();
-      },
+      destroy: () => this.#destroyBuffer(buffer),
     };
     return uniforms;
+  }
+
+  /** One that the CPU fills. */
+  #buffer(size: number, usage: GPUBufferUsageFlags): GPUBuffer {
+    this.counts.buffers++;
+    return this.#device.createBuffer({ size, usage: usage | GPUBufferUsage.COPY_DST });
+  }
+
+  #destroyBuffer(buffer: GPUBuffer): void {
+    this.counts.buffers--;
+    buffer.destroy();
   }
 
   #texture(width: number, height: number, usage: number) {
@@ -160,16 +192,24 @@ class WebGpuDevice implements Device {
     return { texture, binding: texture.createView(), width, height, destroy };
   }
 
-  createTable(width: number, height: number): TableTexture {
+  createTable(width: number, height: number, asBuffer = false): TableTexture {
+    const { queue } = this.#device;
     const base = this.#texture(width, height, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
-    const write = (texels: Float32Array<ArrayBuffer>, rows: number) =>
-      this.#device.queue.writeTexture({ texture: base.texture }, texels, { bytesPerRow: width * 16 }, [width, rows]);
-    return { ...base, write } as TableTexture;
+    const buffer = asBuffer ? this.#buffer(width * height * 16, GPUBufferUsage.STORAGE) : undefined;
+    const write = (texels: Float32Array<ArrayBuffer>, rows: number) => {
+      queue.writeTexture({ texture: base.texture }, texels, { bytesPerRow: width * 16 }, [width, rows]);
+      if (buffer) queue.writeBuffer(buffer, 0, texels, 0, width * rows * 4);
+    };
+    const destroy = () => {
+      base.destroy();
+      if (buffer) this.#destroyBuffer(buffer);
+    };
+    return { ...base, buffer, write, destroy } as TableTexture;
   }
 
   createFilm(width: number, height: number, count = 1): FilmTexture {
     const { RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC, COPY_DST } = GPUTextureUsage;
-    const usage = RENDER_ATTACHMENT | TEXTURE_BINDING | COPY_SRC | COPY_DST;
+    const usage = RENDER_ATTACHMENT | TEXTURE_BINDING | GPUTextureUsage.STORAGE_BINDING | COPY_SRC | COPY_DST;
     const layers = Array.from({ length: count }, () => this.#texture(width, height, usage));
     const destroy = () => {
       for (const layer of layers) layer.destroy();
@@ -178,14 +218,15 @@ class WebGpuDevice implements Device {
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
-    const { pipeline, layout } = pass as WebGpuPass;
+    const { source, pipeline, layout } = pass as WebGpuPass;
+    if (source.compute) return this.#dispatch(pass as WebGpuPass, target as FilmTexture, resources, region!);
     const views = target === 'canvas' ? [this.#canvasView()] : viewsOf(target);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const clear = region === undefined || region.firstRow === 0;
     const renderPass = encoder.beginRenderPass({
       colorAttachments: views.map((view) => ({ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' })),
     });
-    renderPass.setPipeline(pipeline);
+    renderPass.setPipeline(pipeline as GPURenderPipeline);
     const entries = resources.map((r, binding) => ({ binding, resource: (r as unknown as GpuResource).binding }));
     renderPass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
     if (region) {
@@ -195,6 +236,29 @@ class WebGpuDevice implements Device {
     }
     renderPass.draw(3);
     renderPass.end();
+    this.#device.queue.submit([encoder.finish()]);
+  }
+
+  #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
+    const { source, pipeline, layout } = pass;
+    const { compute, bindings } = source;
+    const { firstColumn = 0, firstRow, columnCount = region.width, rowCount } = region;
+    this.#region ??= this.createUniforms(16);
+    this.#region.write(new Uint32Array([firstColumn, firstRow, columnCount, rowCount]).buffer);
+    const inputs = resources.map((resource, i) => {
+      const { binding, buffer } = resource as unknown as GpuResource;
+      const spec = bindings[i]!;
+      return 'texture' in spec && compute!.buffers.includes(spec.texture) ? { buffer: buffer! } : binding;
+    });
+    const all = [...inputs, (this.#region as unknown as GpuResource).binding, ...viewsOf(film)];
+    const entries = all.map((resource, binding) => ({ binding, resource }));
+    const encoder = this.#device.createCommandEncoder({ label: pass.label });
+    const computePass = encoder.beginComputePass();
+    computePass.setPipeline(pipeline as GPUComputePipeline);
+    computePass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+    const [width, height] = compute!.tile;
+    computePass.dispatchWorkgroups(Math.ceil(columnCount / width), Math.ceil(rowCount / height));
+    computePass.end();
     this.#device.queue.submit([encoder.finish()]);
   }
 

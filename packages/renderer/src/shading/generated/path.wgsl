@@ -194,11 +194,11 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 const noShape = 0xffffffffu;
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = sceneTexel(9u, i);
+  let t1 = sceneTexel(10u, i);
+  let t2 = sceneTexel(11u, i);
+  let t3 = sceneTexel(12u, i);
+  let t4 = sceneTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -304,11 +304,11 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
 }
 
 fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  let t0 = sceneTexel(14u, i);
+  let t1 = sceneTexel(15u, i);
+  let t2 = sceneTexel(16u, i);
+  let t3 = sceneTexel(17u, i);
+  let t4 = sceneTexel(18u, i);
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
 }
 
@@ -472,7 +472,9 @@ fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn sceneTexel(column: u32, row: u32) -> vec4f {
+  return textureLoad(sceneTable, vec2u(column, row), 0);
+}
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -498,6 +500,8 @@ struct Surface {
 }
 
 
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
 // These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
 fn kindOf(code: u32) -> u32 {
   return code & 3u;
@@ -506,7 +510,7 @@ fn kindOf(code: u32) -> u32 {
 const dielectric = 3u;
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = sceneTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -521,8 +525,8 @@ override hasBoxes = true;
 override hasSpheres = true;
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = sceneTexel(1u, i);
+  let t1 = sceneTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -604,7 +608,6 @@ fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -1856,4 +1859,6 @@ struct Frame {
   environmentTurn: f32,
   // columns and rows of the map of the sky
   environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
 }

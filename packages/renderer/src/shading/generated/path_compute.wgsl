@@ -1,0 +1,1907 @@
+// Linked from integrator/path/path_compute.wesl by `npm run shaders`. Do not edit.
+// First column and row, columns and rows of the part of the film that is traced.
+@group(0) @binding(5) var<uniform> region: vec4u;
+
+@group(0) @binding(6) var film: texture_storage_2d<rgba32float, write>;
+
+@group(0) @binding(7) var filmSquares: texture_storage_2d<rgba32float, write>;
+
+// A workgroup is a tile of pixels times the threads that share a pixel's samples.
+const tile = vec2u(8u, 4u);
+
+const pixels = 32u;
+
+const shares = 4u;
+
+var<workgroup> sums: array<vec3f, 128>;
+
+var<workgroup> squares: array<vec3f, 128>;
+
+@compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let place = thread % pixels;
+  let inRegion = group.xy * tile + vec2u(place % tile.x, place / tile.x);
+  let pixel = region.xy + inRegion;
+  let inside = all(inRegion < region.zw);
+  let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
+  var index = frame.sampleIndex + thread / pixels;
+  var sum = vec3f(0.0);
+  var square = vec3f(0.0);
+  if (index < end) {
+    var p = startPath(pixel, index);
+    loop {
+      extendPath(&p);
+      if (isOver(p)) {
+        sum += p.radiance;
+        square += p.radiance * p.radiance;
+        index += shares;
+        if (index >= end) {
+          break;
+        }
+        p = startPath(pixel, index);
+      }
+    }
+  }
+  sums[thread] = sum;
+  squares[thread] = square;
+  workgroupBarrier();
+  if ((thread >= pixels) | !inside) {
+    return;
+  }
+  for (var i = thread + pixels; i < pixels * shares; i += pixels) {
+    sum += sums[i];
+    square += squares[i];
+  }
+  var before = vec4f(0.0);
+  var squaresBefore = vec4f(0.0);
+  if (frame.sampleIndex > 0u) {
+    before = textureLoad(previousFilm, pixel, 0);
+    squaresBefore = textureLoad(previousSquares, pixel, 0);
+  }
+  textureStore(film, pixel, before + vec4f(sum, f32(frame.sampleCount)));
+  textureStore(filmSquares, pixel, squaresBefore + vec4f(square, 0.0));
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
+  var s = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
+  let camera = cameraRay(filmPosition, next2d(&s));
+  let rays = RayPair(camera.origin, noShape, 0.0, camera.direction, false, camera.direction, false, -1.0, noShape);
+  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
+}
+
+// The rays traced, and what they met taken up; the next two rays are ready, if any.
+fn extendPath(p: ptr<function, Path>) {
+  let hit = tracePair((*p).rays);
+  (*p).radiance += select((*p).light, vec3f(0.0), hit.blocked);
+  (*p).rays.lightDistance = -1.0;
+  if ((*p).alive) {
+    meetSurface(p, hit);
+  }
+}
+
+// Whether there is a ray left to trace.
+fn isOver(p: Path) -> bool {
+  return !p.alive & (p.rays.lightDistance < 0.0);
+}
+
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
+fn tracePair(p: RayPair) -> PairHit {
+  var found = PairHit(miss, noShape, false);
+  let ends = frame.shapeEnds;
+  var i = 0u;
+  if (hasSpheres & (i < ends.x)) {
+    loop {
+      found = meetSphere(found, p, i);
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
+  }
+  if (hasBoxes & (i < ends.y)) {
+    loop {
+      found = meetBox(found, p, i);
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
+  }
+  if (hasQuads & (i < ends.z)) {
+    loop {
+      found = meetQuad(found, p, i);
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
+  }
+  if (hasPlanes & (i < ends.w)) {
+    loop {
+      found = meetPlane(found, p, i);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+struct Path {
+  rays: RayPair,
+  // What the light ray brings to the pixel if nothing is in its way.
+  light: vec3f,
+  // Whether the path's own ray goes on.
+  alive: bool,
+  throughput: vec3f,
+  depth: u32,
+  radiance: vec3f,
+  // Density of the present direction by the BSDF, per steradian; 0: only the BSDF could find it.
+  pdf: f32,
+  // For the probability with which light sampling at the last vertex would have chosen an emitter: the side that is lit, zero
+  // where both are, and the sum of all emitters' estimates.
+  litSide: vec3f,
+  total: f32,
+  sampler: Sampler,
+}
+
+
+struct RayPair {
+  point: vec3f,
+  // The shape that the point lies on. A ray that leaves it outwards (or a flat one) does not meet it at once; of one that goes
+  // inwards only its far side counts.
+  shape: u32,
+  // ray.wesl, Start.tMin
+  tMin: f32,
+  direction: vec3f,
+  inwards: bool,
+  lightDirection: vec3f,
+  lightInwards: bool,
+  // What is met farther away than this stands behind the light. Negative: there is no ray to a light.
+  lightDistance: f32,
+  // The shape that is the light, or noShape.
+  lightShape: u32,
+}
+
+
+struct Sampler {
+  // Goes up by one with each group of dimensions.
+  key: u32,
+  salt: u32,
+  // Last 16 bits of the sample index, reversed.
+  sample: u32,
+  // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
+  place: u32,
+}
+
+
+fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
+  let rays = (*p).rays;
+  let escaped = hit.shape == noShape;
+  let shape = select(hit.shape, 0u, escaped);
+  let surface = fetchSurface(shape);
+  let isGlass = isDielectric(u32(surface.code));
+  let point = rays.point + hit.t * rays.direction;
+  let outward = normalAt(rays, hit.t, shape);
+  // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
+  let basis = basisAbout(select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isGlass));
+  let wo = toLocal(basis, -rays.direction);
+  if (hasGlass) {
+    let inside = isGlass & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
+    (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
+  }
+  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, outward);
+
+  // Light that must come from this side to count: none is excluded where light goes through.
+  let litSide = select(basis.normal, vec3f(0.0), isGlass);
+  let uLight = next3d(&(*p).sampler);
+  let uBsdf = next3d(&(*p).sampler);
+  let choice = chooseEmitter(point, litSide, uLight.z);
+  let emitter = fetchEmitter(choice.index);
+  let light = sampleEmitter(emitter, point, uLight.xy);
+  let lightPdf = light.pdf * choice.probability;
+  let o = outgoing(surface, wo);
+  let toLight = evaluateBsdf(surface, o, toLocal(basis, light.direction));
+  // A light that rays cannot meet is found by light sampling only.
+  let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
+  let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
+  let drawn = sampleLobe(surface, o, uBsdf);
+  let bsdf = completed(drawn, evaluateBsdf(surface, o, drawn.direction));
+  let direction = toWorld(basis, bsdf.direction);
+  let goesOn = !escaped & ((*p).depth != frame.maxDepth);
+  let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
+  let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
+  (*p).light = select(vec3f(0.0), contribution, lit);
+  let throughput = (*p).throughput * bsdf.weight;
+  let survival = select(min(max3(throughput), 0.95), 1.0, (*p).depth < rouletteDepth);
+  (*p).alive = goesOn & (bsdf.pdf > 0.0) & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  (*p).throughput = throughput / survival;
+  (*p).depth++;
+  (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
+  (*p).litSide = litSide;
+  (*p).total = choice.total;
+  let solid = !isFlat(shape);
+  let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
+  (*p).rays = RayPair(point, shape, relativeTMin * length(point), direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape);
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = sceneTexel(9u, i);
+  let t1 = sceneTexel(10u, i);
+  let t2 = sceneTexel(11u, i);
+  let t3 = sceneTexel(12u, i);
+  let t4 = sceneTexel(13u, i);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
+}
+
+// The geometric normal where the path's ray ends: unit length, out of solids.
+fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
+  let b = fetchBounds(i);
+  let origin = p.point - b.center;
+  var normal = b.center;
+  if (hasQuads) {
+    let e = fetchExtent(i);
+    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
+  }
+  if (hasBoxes) {
+    let e = fetchExtent(i);
+    let inside = (i == p.shape) & p.inwards;
+    let face = boxNormal(turned(e.a, origin), turned(e.a, p.direction), e.b.xyz, p.tMin, inside);
+    normal = select(normal, turnedBack(e.a, face), isBox(i));
+  }
+  if (hasSpheres) {
+    normal = select(normal, origin + t * p.direction, isSphere(i));
+  }
+  return normalize(normal);
+}
+
+fn basisAbout(n: vec3f) -> Basis {
+  let side = select(-1.0, 1.0, n.z >= 0.0);
+  let a = -1.0 / (side + n.z);
+  let b = n.x * n.y * a;
+  return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
+}
+
+fn toLocal(b: Basis, v: vec3f) -> vec3f {
+  return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
+}
+
+override hasGlass = true;
+
+// Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
+fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f) -> vec3f {
+  let escaped = hit.shape == noShape;
+  let direction = p.rays.direction;
+  let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
+  let own = emitterOf(s.code);
+  var found = select(s.emission, vec3f(0.0), hidden | escaped);
+  // A lamp beyond the number of emitters that light sampling knows counts whole.
+  let weighed = escaped | (own >= 0);
+  if (weighed & (frame.emitterCount > 0u)) {
+    let emission = found;
+    found = vec3f(0.0);
+    var i = select(u32(max(own, 0)), 0u, escaped);
+    loop {
+      let e = fetchEmitter(i);
+      let far = farLight(e, direction);
+      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward), far.pdf, escaped);
+      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.total);
+      let radiance = select(emission, far.radiance, escaped);
+      found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
+      i++;
+      if (!(hasSky | hasSuns) | !escaped | (i >= frame.emitterCount)) {
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+fn next3d(s: ptr<function, Sampler>) -> vec3f {
+  let g = nextGroup(s);
+  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
+  return vec3f(points2d(g), toUnit(reverseHalves(z & 0xffffu), z));
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    var total = 0.0;
+    var chosen = 0u;
+    var chosenWeight = 0.0;
+    var rest = u;
+    var i = 0u;
+    loop {
+      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+      total += weight;
+      let share = weight / max(total, 1e-37);
+      let take = rest < share;
+      chosen = select(chosen, i, take);
+      chosenWeight = select(chosenWeight, weight, take);
+      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+      i++;
+      if (i >= frame.emitterCount) {
+        break;
+      }
+    }
+    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+  }
+  return choice;
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = sceneTexel(14u, i);
+  let t1 = sceneTexel(15u, i);
+  let t2 = sceneTexel(16u, i);
+  let t3 = sceneTexel(17u, i);
+  let t4 = sceneTexel(18u, i);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
+// lamp that the point itself lies on.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    s = sampleSphere(e, point, u);
+  }
+  if (hasQuadLights & (e.kind == quadKind)) {
+    s = sampleQuad(e, point, u);
+  }
+  if (hasBoxLights & (e.kind == boxKind)) {
+    s = sampleBox(e, point, u);
+  }
+  if (hasPointLights & (e.kind == pointKind)) {
+    s = samplePoint(e, point);
+  }
+  if (hasPointLights & (e.kind == spotKind)) {
+    s = sampleSpot(e, point);
+  }
+  if (hasSuns & (e.kind == directionalKind)) {
+    s = sampleDirectional(e, u);
+  }
+  if (hasSky & (e.kind == skyKind)) {
+    s = sampleSky(u);
+  }
+  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
+  return s;
+}
+
+fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
+  let code = u32(s.code);
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
+  if (hasMetallicRoughness) {
+    o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+  }
+  if (hasGlass) {
+    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z), isDielectric(code));
+  }
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
+    o.stretched = stretched(wo, s.alpha);
+  }
+  return o;
+}
+
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0.
+fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
+  let lambert = invPi * max(wi.z, 0.0);
+  var value = vec4f(s.baseColor, 1.0) * lambert;
+  var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    let code = u32(s.code);
+    let facets = evaluateFacets(s, o, wi);
+    var base = vec3f(0.0);
+    if (hasMetallicRoughness) {
+      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+    }
+    let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
+    value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
+    dark = select(dark, isSmooth(code), isDielectric(code));
+  }
+  return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
+}
+
+const miss = 1e30;
+
+// Power heuristic, for one sample of each kind.
+fn misWeight(own: f32, other: f32) -> f32 {
+  let ratio = other / own;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+// A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
+// are still to be had from evaluateBsdf: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
+  let wo = o.wo;
+  let mirror = mirrorShare(s.reflectivity);
+  let base = 1.0 - mirror;
+  // What is left of u.z is uniform again, and once more below.
+  let choice = (u.z - mirror) / base;
+  var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    let code = u32(s.code);
+    let isGlass = isDielectric(code);
+    let delta = isSmooth(code);
+    let h = sampleFacet(s.alpha, delta, o, u.xy);
+    let oh = max(dot(wo, h), 0.0);
+    let f = facetReflectance(s, oh, o.ratio);
+    let crossing = isGlass & (choice >= f.x);
+    var wi = 2.0 * oh * h - wo;
+    var probability = base * o.share;
+    var weight = f / o.share;
+    if (hasGlass) {
+      let thin = isThin(code);
+      wi = select(wi, select(refracted(wo, h, o.ratio), -wo, thin), crossing);
+      probability = select(probability, base * select(f.x, 1.0 - f.x, crossing), isGlass);
+      weight = select(weight, vec3f(select(1.0, 1.0 / (o.ratio * o.ratio), crossing & !thin)), isGlass);
+    }
+    // A facet may send light to the wrong side: it is lost, as in single scattering.
+    let lost = !delta & (crossing != ((wo.z < 0.0) != (wi.z < 0.0)));
+    let specular = choice < o.share;
+    drawn.direction = select(drawn.direction, wi, specular);
+    drawn.pdf = select(drawn.pdf, select(probability, 0.0, lost), specular);
+    drawn.weight = select(drawn.weight, weight, specular);
+    drawn.delta = specular & delta;
+  }
+  if (hasMirrorLayers) {
+    let reflected = u.z < mirror;
+    drawn.direction = select(drawn.direction, mirrored(wo), reflected);
+    drawn.pdf = select(drawn.pdf, mirror, reflected);
+    drawn.weight = select(drawn.weight, vec3f(1.0), reflected);
+    drawn.delta = drawn.delta | reflected;
+  }
+  return drawn;
+}
+
+// `value` is what evaluateBsdf says of the sample's direction.
+fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
+  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
+  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
+  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
+}
+
+fn toWorld(b: Basis, v: vec3f) -> vec3f {
+  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
+}
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+// From this depth on paths end by chance.
+const rouletteDepth = 4u;
+
+// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
+fn nextHash(s: ptr<function, Sampler>) -> f32 {
+  (*s).key = (*s).key + 1u;
+  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample << 8u) | (*s).place)));
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+struct PairHit {
+  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
+  t: f32,
+  shape: u32,
+  // Whether the light is hidden.
+  blocked: bool,
+}
+
+
+fn isThin(code: u32) -> bool {
+  return hasGlass & ((code & 7u) == 7u);
+}
+
+fn sceneTexel(column: u32, row: u32) -> vec4f {
+  return sceneTable[row * tableWidth + column];
+}
+
+struct Surface {
+  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
+  baseColor: vec3f,
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  code: f32,
+  // radiance sent out
+  emission: vec3f,
+  // share of the perfect mirror layer over the base
+  reflectivity: f32,
+  // conductor: index of refraction per channel; dielectric: the index in all three
+  eta: vec3f,
+  // GGX width, roughness^2; 0: smooth
+  alpha: f32,
+  // conductor: extinction coefficient per channel
+  k: vec3f,
+  // metallicRoughness: share of metal
+  metallic: f32,
+  // dielectric: Beer-Lambert coefficient, 1 / metre
+  absorption: vec3f,
+  // unused
+  spare0: f32,
+}
+
+
+@group(0) @binding(1) var<storage> sceneTable: array<vec4f>;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 19u;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const dielectric = 3u;
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = sceneTexel(0u, i);
+  return Bounds(t0.xyz, t0.w);
+}
+
+override hasQuads = true;
+
+override hasBoxes = true;
+
+// What a scene may ask of the path kernel. Whoever makes a pipeline switches off what its scenes do not have, and the compiler
+// leaves that code out: integrator/path/features.ts. (A software rasteriser runs both sides of every branch, Windows' shader
+// compiler pays for every line, and a GPU for every register.) On WebGL2 these become `const` in the GLSL.
+// Kinds of shape, and boxes that do not lie along the axes.
+override hasSpheres = true;
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = sceneTexel(1u, i);
+  let t1 = sceneTexel(2u, i);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = (s.near > tMin) & !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
+}
+
+// The same where a pipeline may know that no box is turned.
+fn turned(q: vec4f, v: vec3f) -> vec3f {
+  var w = v;
+  if (hasTurnedBoxes) {
+    w = rotate(q, v);
+  }
+  return w;
+}
+
+fn turnedBack(q: vec4f, v: vec3f) -> vec3f {
+  return turned(vec4f(-q.xyz, q.w), v);
+}
+
+fn isBox(i: u32) -> bool {
+  return (i >= frame.shapeEnds.x) & (i < frame.shapeEnds.y);
+}
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction, origin);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+override hasTurnedBoxes = true;
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+struct Basis {
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+}
+
+
+// Index of the emitter that a shape is, from -1 for none.
+fn emitterOf(code: f32) -> i32 {
+  return (i32(code) >> 6u) - 1;
+}
+
+fn farLight(e: Emitter, direction: vec3f) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
+  }
+  if (hasSky & (e.kind == skyKind)) {
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
+  }
+  return far;
+}
+
+// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
+// outward normal.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  var pdf = 0.0;
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    pdf = spherePdf(e, point, direction);
+  }
+  if (hasQuadLights & (e.kind == quadKind)) {
+    pdf = quadPdf(e, point, distance);
+  }
+  if (hasBoxLights & (e.kind == boxKind)) {
+    pdf = boxPdf(e, point, direction, distance, normal);
+  }
+  return pdf;
+}
+
+// With which chooseEmitter would have chosen this one there.
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  }
+  return probability;
+}
+
+override hasSky = true;
+
+override hasSuns = true;
+
+// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
+// before the sky and add to it.
+struct FarLight {
+  radiance: vec3f,
+  pdf: f32,
+}
+
+
+const skyKind = 6.0;
+
+struct Emitter {
+  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  radius: f32,
+  // other edge of a quad
+  v: vec3f,
+  // cosine of the inner angle of a spot
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+}
+
+
+const directionalKind = 5.0;
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
+
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
+}
+
+const pi = 3.14159265359;
+
+// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
+fn skyLight(direction: vec3f) -> EnvironmentLight {
+  var light = white;
+  if (hasEnvironment) {
+    light = lookUpEnvironment(direction);
+  }
+  return EnvironmentLight(light.radiance * sky(direction), light.pdf);
+}
+
+// Without a map: white, uniform in all directions.
+const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+
+// A sky with a map.
+override hasEnvironment = true;
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
+  let size = frame.environmentSize;
+  let sine = max(length(direction.xz), 1e-9);
+  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
+  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
+  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
+  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
+  let fromPole = angles.y * (size.y / pi) + 0.5;
+  let row = floor(fromPole);
+  let isLower = direction.y < 0.0;
+  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
+  let within = fromPole - row;
+  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
+  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
+}
+
+// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
+fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
+  let low = min(x, y);
+  let high = max(x, y);
+  let middle = low > 0.4142135624 * high;
+  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
+  return select(angle, 1.570796327 - angle, y > x);
+}
+
+fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
+  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
+}
+
+fn environmentCorners(cell: vec2u) -> Corners {
+  let size = vec2u(frame.environmentSize);
+  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
+  let right = select(cell.x, 0u, cell.x == size.x);
+  let upper = max(cell.y, 1u) - 1u;
+  let lower = min(cell.y, size.y - 1u);
+  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
+  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
+  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+}
+
+struct EnvironmentLight {
+  radiance: vec3f,
+  // Per solid angle.
+  pdf: f32,
+}
+
+
+// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
+// the upper pole, j = rows that at the lower.
+struct Corners {
+  a: vec4f,
+  b: vec4f,
+  c: vec4f,
+  d: vec4f,
+}
+
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
+
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
+
+override hasQuadLights = true;
+
+const quadKind = 1.0;
+
+override hasBoxLights = true;
+
+const boxKind = 2.0;
+
+// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
+fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
+  let view = viewSphere(e, point);
+  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
+  return select(0.0, conePdf(view.width), reached);
+}
+
+fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
+  let toCenter = e.position - point;
+  let d = length(toCenter);
+  let power = abs((d - e.radius) * (d + e.radius));
+  let inside = d <= e.radius;
+  let sine = min(e.radius / max(d, 1e-30), 1.0);
+  let cosine = sqrt(power) / max(d, 1e-30);
+  // 1 - cos = sin^2 / (1 + cos)
+  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
+}
+
+fn conePdf(width: f32) -> f32 {
+  return 1.0 / (2.0 * pi * max(width, 1e-31));
+}
+
+struct SphereView {
+  toCenter: vec3f,
+  distance: f32,
+  // |distance^2 - radius^2|
+  power: f32,
+  inside: bool,
+  // 1 - cosine of the cone's half angle.
+  width: f32,
+}
+
+
+fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
+  return pdfOfView(viewQuad(e, point), e.area, distance);
+}
+
+fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
+  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
+  return select(0.0, pdf, q.lit);
+}
+
+fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
+  let corner = e.position - point;
+  let lengths = vec2f(length(e.u), length(e.v));
+  let axisX = e.u / lengths.x;
+  let axisY = e.v / lengths.y;
+  let normal = normalize(cross(axisX, axisY));
+  let signedHeight = dot(corner, normal);
+  // From the plane itself a quad is a line.
+  let least = 1e-7 * (lengths.x + lengths.y);
+  let height = max(abs(signedHeight), least);
+  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
+  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
+  let high = low + lengths;
+  let y = vec2f(low.y, high.y);
+  let start = stretch(low.x, y, height);
+  let solidAngle = stretch(high.x, y, height) - start;
+  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
+  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
+  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
+}
+
+// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
+fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
+  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
+  return min(pdf, largestPdf);
+}
+
+// Rectangles that fill less than this, in steradians, are sampled by area.
+const smallSolidAngle = 0.01;
+
+struct QuadView {
+  // From the point.
+  corner: vec3f,
+  // Unit, along u and v, and from the point to the plane.
+  axisX: vec3f,
+  axisY: vec3f,
+  axisZ: vec3f,
+  // The corner's coordinates and the edges' lengths.
+  low: vec2f,
+  high: vec2f,
+  height: f32,
+  // T(x0) and T(x1) - T(x0).
+  start: f32,
+  solidAngle: f32,
+  // Shines at the point.
+  lit: bool,
+  bySolidAngle: bool,
+}
+
+
+// Above all real densities, so that what divides by one stays finite.
+const largestPdf = 1e30;
+
+// T(x)
+fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
+  let r = sqrt(x * x + y * y + h * h);
+  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
+}
+
+// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
+// 1e-4, and solid angles are differences of such angles.
+fn arctangent(x: f32) -> f32 {
+  let a = abs(x);
+  let steep = a > 2.414213562;
+  let middle = (a > 0.4142135624) & !steep;
+  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
+  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  return sign(x) * (base + (series * z * r + r));
+}
+
+fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  let b = viewBox(e, point);
+  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
+}
+
+fn viewBox(e: Emitter, point: vec3f) -> BoxView {
+  let rotation = fetchExtent(u32(e.shape)).a;
+  let p = rotate(rotation, point - e.position);
+  let seen = abs(p) > e.u;
+  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
+  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
+}
+
+struct BoxView {
+  // World to box.
+  rotation: vec4f,
+  // The point in the box's own axes.
+  point: vec3f,
+  // Area, per axis, of the face that is seen; at most one of the two.
+  faces: vec3f,
+  area: f32,
+  inside: bool,
+}
+
+
+override hasManyLights = true;
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasPointLights = true;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+fn nextGroup(s: ptr<function, Sampler>) -> Group {
+  (*s).key = (*s).key + 1u;
+  let a = mixBits((*s).key);
+  let half = (a ^ (*s).salt) * 0x9e3779b1u;
+  let b = half ^ (half >> 16u);
+  let place = scramble((*s).place, b);
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
+  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+}
+
+// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
+// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
+// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+fn scramble(x: u32, seed: u32) -> u32 {
+  var y = x ^ (x * 0x3d20adeau);
+  y = (y + seed) * ((seed >> 16u) | 1u);
+  y ^= y * 0x05526c56u;
+  return y ^ (y * 0x53a22864u);
+}
+
+// The same with w^2 in place of w, of any eight digits.
+fn pascalW2(x: u32) -> u32 {
+  var y = x ^ timesW2((x >> 2u) & 0x3333u);
+  y ^= timesW((y >> 4u) & 0x0f0fu);
+  return y ^ timesW2((y >> 8u) & 0x00ffu);
+}
+
+fn timesW2(x: u32) -> u32 {
+  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+}
+
+fn points2d(g: Group) -> vec2f {
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
+  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
+  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+}
+
+// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
+fn toUnit(reversed: u32, scrambled: u32) -> f32 {
+  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
+fn reverseHalves(x: u32) -> u32 {
+  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
+  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
+  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
+  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+}
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
+}
+
+// One padded sequence: what all its dimensions have in common.
+struct Group {
+  // Shuffled sample index.
+  index: u32,
+  // What sets this pixel apart from its neighbours.
+  shift: u32,
+  seedA: u32,
+  seedB: u32,
+}
+
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: u32) -> u32 {
+  var y = x ^ timesW((x >> 2u) & 0x33u);
+  y ^= timesW2((y >> 4u) & 0x0fu);
+  return timesW(y) | (y << 8u);
+}
+
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
+fn timesW(x: u32) -> u32 {
+  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: u32) -> u32 {
+  var y = x ^ ((x >> 1u) & 0x5555u);
+  y ^= (y >> 2u) & 0x3333u;
+  y ^= (y >> 4u) & 0x0f0fu;
+  return y ^ ((y >> 8u) & 0x00ffu);
+}
+
+struct EmitterChoice {
+  index: u32,
+  // 0: no light reaches the point.
+  probability: f32,
+  // The sum of all estimates at the point, for `probabilityOf`.
+  total: f32,
+}
+
+
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
+}
+
+
+const pointKind = 3.0;
+
+fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let view = viewSphere(e, point);
+  let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
+  let ray = sampleCone(axis, view.width, u);
+  let along = view.distance * ray.cosine;
+  let halfChord = sqrt(max(e.radius * e.radius - view.distance * view.distance * ray.sine2, 0.0));
+  // The product of the ray's two distances to the sphere is the point's power (Euclid III.36): the smaller of them by division.
+  let larger = abs(along) + halfChord;
+  let takeLarger = view.inside & (along > 0.0);
+  let distance = select(view.power / max(larger, 1e-30), larger, takeLarger);
+  return LightSample(ray.direction, distance, e.radiance, conePdf(view.width), false);
+}
+
+fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
+  let oneMinusCosine = u.x * width;
+  let cosine = 1.0 - oneMinusCosine;
+  let sine2 = oneMinusCosine * (2.0 - oneMinusCosine);
+  let sine = sqrt(max(sine2, 0.0));
+  let phi = 2.0 * pi * u.y;
+  // Some GPUs' sines are off by 1e-4; the direction keeps its length.
+  let turn = vec2f(cos(phi), sin(phi));
+  let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
+  return ConeDirection(direction, cosine, sine2);
+}
+
+// v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
+  let s = select(-1.0, 1.0, axis.z >= 0.0);
+  let a = -1.0 / (s + axis.z);
+  let b = axis.x * axis.y * a;
+  let x = vec3f(1.0 + s * axis.x * axis.x * a, s * b, -s * axis.x);
+  let y = vec3f(b, s + axis.y * axis.y * a, -axis.y);
+  return v.x * x + v.y * y + v.z * axis;
+}
+
+struct ConeDirection {
+  direction: vec3f,
+  cosine: f32,
+  sine2: f32,
+}
+
+
+fn sampleQuad(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let q = viewQuad(e, point);
+  let onArea = q.corner + u.x * e.u + u.y * e.v;
+  let toLight = select(onArea, sphericalRectangle(q, u), q.bySolidAngle);
+  let distance = max(length(toLight), q.height);
+  return LightSample(toLight / distance, distance, e.radiance, pdfOfView(q, e.area, distance), false);
+}
+
+// From the point to the rectangle, uniform in solid angle.
+fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
+  let h = q.height;
+  let y = vec2f(q.low.y, q.high.y);
+  let s = y / sqrt(y * y + h * h);
+  let halfT = cosineAndSine(0.5 * (q.start + u.x * q.solidAngle));
+  let across = vec2f(s.y - s.x, s.y + s.x) * halfT;
+  let w = 2.0 * halfT.x * halfT.y / max(length(across), 1e-15);
+  let x = clamp(h * w * inverseSqrt(max(1.0 - w * w, 1e-12)), q.low.x, q.high.x);
+  // Along the line of this x the density is that of y / sqrt(x^2 + h^2 + y^2).
+  let d2 = x * x + h * h;
+  let ends = y * inverseSqrt(d2 + y * y);
+  let v = mix(ends.x, ends.y, u.y);
+  let atY = clamp(v * sqrt(d2) * inverseSqrt(max(1.0 - v * v, 1e-12)), y.x, y.y);
+  return x * q.axisX + atY * q.axisY + h * q.axisZ;
+}
+
+// Cosine and sine of x, |x| <= pi / 2, from the sine of x / 2.
+fn cosineAndSine(x: f32) -> vec2f {
+  let h = 0.5 * x;
+  let z = h * h;
+  let sine = ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1) * z * h + h;
+  return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * sqrt(1.0 - sine * sine));
+}
+
+fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let b = viewBox(e, point);
+  let onFaces = pointOnFaces(e, b, u);
+  let outwards = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
+  let distance = select(length(onFaces.xyz), max(boxSlabs(b.point, outwards, e.u).far, 0.0), b.inside);
+  let direction = select(onFaces.xyz / max(distance, 1e-30), outwards, b.inside);
+  let pdf = select(areaPdf(b.area, onFaces.w, distance), conePdf(2.0), b.inside);
+  return LightSample(rotateBack(b.rotation, direction), distance, e.radiance, pdf, false);
+}
+
+// From the point to a place on the faces that it sees, and its distance from the plane of that face.
+fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
+  let both = b.faces.x + b.faces.y;
+  let at = u.x * b.area;
+  let onX = at < b.faces.x;
+  let onY = !onX & (at < both);
+  let face = select(select(b.faces.z, b.faces.y, onY), b.faces.x, onX);
+  // What is left of u.x within the face.
+  let within = clamp((at - select(select(both, b.faces.x, onY), 0.0, onX)) / max(face, 1e-30), 0.0, 1.0);
+  let axis = vec3f(select(0.0, 1.0, onX), select(0.0, 1.0, onY), select(1.0, 0.0, onX | onY));
+  let p = vec3f(select(-1.0, 1.0, dot(axis, b.point) >= 0.0), 2.0 * within - 1.0, 2.0 * u.y - 1.0);
+  let toLight = select(select(p.yzx, p.zxy, onY), p.xyz, onX) * e.u - b.point;
+  return vec4f(toLight, abs(dot(axis, toLight)));
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
+  let toLight = e.position - point;
+  let distance = length(toLight);
+  let safe = max(distance, 1e-15);
+  return LightSample(toLight / safe, distance, e.radiance / (safe * safe), select(0.0, 1.0, distance > 1e-15), true);
+}
+
+fn sampleSpot(e: Emitter, point: vec3f) -> LightSample {
+  var s = samplePoint(e, point);
+  let falloff = spotFalloff(e, s.direction);
+  s.radiance *= falloff;
+  s.pdf = select(0.0, s.pdf, falloff > 0.0);
+  return s;
+}
+
+fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
+  let delta = e.area == 0.0;
+  let ray = sampleCone(-e.u, e.area / (2.0 * pi), u);
+  return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
+}
+
+fn sampleSky(u: vec2f) -> LightSample {
+  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white);
+  if (hasEnvironment) {
+    s = sampleEnvironment(u);
+  }
+  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
+}
+
+struct EnvironmentSample {
+  direction: vec3f,
+  light: EnvironmentLight,
+}
+
+
+fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
+  let size = frame.environmentSize;
+  let chosen = chooseCell(u);
+  let k = environmentCorners(chosen.cell);
+  let cell = vec2f(chosen.cell);
+  let atPole = vec2<bool>(cell.y == 0.0, cell.y == size.y);
+  let y = linearSample(chosen.rest.y, max(k.a.a + k.b.a, 0.0), max(k.c.a + k.d.a, 0.0));
+  let t = y * select(1.0, 0.5, any(atPole)) + select(0.0, 0.5, atPole.x);
+  let s = linearSample(chosen.rest.x, mix(k.a.a, k.c.a, t), mix(k.b.a, k.d.a, t));
+  let isLower = 2.0 * cell.y > size.y;
+  let fromPole = select(cell.y + (t - 0.5), size.y - cell.y + (0.5 - t), isLower);
+  let theta = cosineAndSine(fromPole * (pi / size.y));
+  let halfTurns = 2.0 * ((cell.x + (s - 0.5)) / size.x - frame.environmentTurn);
+  let nearest = floor(halfTurns + 0.5);
+  let back = fract(0.5 * nearest) > 0.0;
+  let phi = cosineAndSine((halfTurns - nearest) * pi) * select(1.0, -1.0, back);
+  let sine = max(theta.y, 1e-9);
+  let direction = vec3f(sine * phi.y, select(theta.x, -theta.x, isLower), -sine * phi.x);
+  return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
+}
+
+fn chooseCell(u: vec2f) -> ChosenCell {
+  let size = vec2u(frame.environmentSize);
+  let place = splitProduct(u, size + vec2u(0u, 1u));
+  // The digits that the choice of a column has used up are replaced by hashed ones: probabilities in the table may be small.
+  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
+  let fine = f32(hash) * 5.9604644775390625e-8 * frame.environmentSize.x;
+  let x = min((place.rest.x + fine) * 5.9604644775390625e-8, 0.99999994);
+  // Two rows of cells share a row of texels.
+  let rows = (size.y + 2u) / 2u;
+  let second = place.whole.y >= rows;
+  let entries = textureLoad(environment, vec2u(place.whole.x, place.whole.y + size.y - select(0u, rows, second)), 0);
+  let entry = select(entries.xy, entries.zw, second);
+  let own = x < entry.x;
+  let other = u32(entry.y);
+  let otherRow = other / size.x;
+  let cell = select(vec2u(other - otherRow * size.x, otherRow), place.whole, own);
+  let rest = select((x - entry.x) / max(1.0 - entry.x, 1e-7), x / max(entry.x, 1e-37), own);
+  return ChosenCell(cell, vec2f(min(rest, 1.0), place.rest.y * 5.9604644775390625e-8));
+}
+
+// Where in [0, 1] a number of a density that goes from a to b in a line lies.
+fn linearSample(u: f32, a: f32, b: f32) -> f32 {
+  let ends = vec2f(a, b) / max(a + b, 1e-37);
+  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
+}
+
+fn splitProduct(u: vec2f, n: vec2u) -> Parts {
+  let digits = vec2u(u * 16777216.0);
+  let low = (digits & vec2u(4095u)) * n;
+  let high = (digits >> vec2u(12u)) * n + (low >> vec2u(12u));
+  return Parts(high >> vec2u(12u), vec2f(((high & vec2u(4095u)) << vec2u(12u)) | (low & vec2u(4095u))));
+}
+
+// The cell, and what is left of u, in [0, 1).
+struct ChosenCell {
+  cell: vec2u,
+  rest: vec2f,
+}
+
+
+// u n for whole n up to 4096, without rounding: the whole part, and what is left of it in units of 2^-24.
+struct Parts {
+  whole: vec2u,
+  rest: vec2f,
+}
+
+
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Outgoing {
+  wo: vec3f,
+  // Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
+  share: f32,
+  // Of a dielectric: the index behind the boundary over that on wo's side.
+  ratio: f32,
+  // ggx.wesl, of wo.
+  bound: f32,
+  stretched: f32,
+}
+
+
+fn isConductor(code: u32) -> bool {
+  return hasConductors & (kindOf(code) == conductor);
+}
+
+override hasMetallicRoughness = true;
+
+override hasConductors = true;
+
+// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
+// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
+fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
+  let specular = dot(schlick(metallicRoughnessF0(baseColor, metallic), cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(baseColor, metallic, 1.0), vec3f(1.0));
+  return specular / max(specular + diffuse, 1e-20);
+}
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
+fn schlick(f0: vec3f, cosine: f32) -> vec3f {
+  let m = max(1.0 - cosine, 0.0);
+  let m2 = m * m;
+  return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
+  return mix(vec3f(dielectricF0), baseColor, metallic);
+}
+
+// Albedo of the diffuse part for light that meets facets at this cosine.
+fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec3f {
+  return (1.0 - metallic) * (1.0 - schlick(vec3f(dielectricF0), cosine).x) * baseColor;
+}
+
+const dielectricF0 = 0.04;
+
+const metallicRoughness = 1u;
+
+// Index behind the boundary over the index on the side of a direction with this z.
+fn indexRatio(eta: f32, z: f32) -> f32 {
+  return select(eta, 1.0 / eta, z < 0.0);
+}
+
+// Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
+// Eto and Tokuyoshi, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023, k of equation 5.
+fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
+  let s = 1.0 + length(wo.xy);
+  let s2 = s * s;
+  let a2 = alpha * alpha;
+  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
+}
+
+// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
+fn stretched(w: vec3f, alpha: f32) -> f32 {
+  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
+}
+
+const conductor = 2u;
+
+// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
+const invPi = 0.31830988618;
+
+// Share of the perfect mirror over the base.
+fn mirrorShare(reflectivity: f32) -> f32 {
+  return select(0.0, reflectivity, hasMirrorLayers);
+}
+
+fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
+  let wo = o.wo;
+  let isGlass = isDielectric(u32(s.code));
+  let crossing = hasGlass & ((wo.z < 0.0) != (wi.z < 0.0));
+  let m = wo + wi * select(1.0, o.ratio, crossing);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  let zo = abs(wo.z);
+  let zi = abs(wi.z);
+  // Facets do not turn their back on one direction while the surface does not.
+  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
+  let f = facetReflectance(s, abs(oh), o.ratio);
+  var passes = select(f, 1.0 - f, crossing);
+  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
+  let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
+  if (hasCompensation) {
+    passes *= compensation(s, zo);
+  }
+  return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
+}
+
+// Whether what reflects or refracts does so like a mirror.
+fn isSmooth(code: u32) -> bool {
+  return (code & 32u) != 0u;
+}
+
+// Kinds, as Surface.code numbers them.
+const diffuse0 = 0u;
+
+// D(h): facets around the half vector per area and solid angle.
+fn facetDensity(h: vec3f, alpha: f32) -> f32 {
+  // At least 1 for a unit vector; opposite directions along the surface have none.
+  let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
+  return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Share of light that a facet reflects, met at this cosine.
+fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
+  let code = u32(s.code);
+  var reflectance = vec3f(0.0);
+  if (hasMetallicRoughness) {
+    reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+  }
+  if (hasConductors) {
+    reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
+  }
+  if (hasGlass) {
+    reflectance = select(reflectance, vec3f(glassReflectance(cosine, ratio, isThin(code))), isDielectric(code));
+  }
+  return reflectance;
+}
+
+override hasCompensation = true;
+
+// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
+// in m, the half vector before it gets length 1.
+struct FacetLobe {
+  value: vec3f,
+  pdf: f32,
+  // dot(wo, h)
+  cosine: f32,
+}
+
+
+// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
+// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
+fn compensation(s: Surface, cosine: f32) -> vec3f {
+  let code = u32(s.code);
+  let asked = ((code & 8u) != 0u) & !isDielectric(code);
+  let albedo = singleScatteringAlbedo(cosine, s.alpha);
+  return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
+}
+
+// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
+// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
+// loss near the horizon is a function of that ratio alone as alpha goes to 0.
+fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
+  let x = cosine / (cosine + alpha);
+  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
+  let a2 = alpha * alpha;
+  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+}
+
+// Without measured constants (eta and k black) the base colour comes back at every angle.
+fn conductorReflectance(baseColor: vec3f, eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
+  let constants = dot(eta + k, vec3f(1.0));
+  return select(baseColor, conductorFresnel(cosine, eta, k), constants > 0.0);
+}
+
+// Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
+// Fresnel equations").
+fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
+  let cosine2 = cosine * cosine;
+  let sine2 = 1.0 - cosine2;
+  let difference = eta * eta - k * k - sine2;
+  let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
+  // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least0);
+  let a = select(eta * k / larger, larger, difference > vec3f(0.0));
+  // least: an index of 0, or of 1 along the surface, is no division by 0.
+  let across = (a2PlusB2 + cosine2 - 2.0 * cosine * a + least0) / (a2PlusB2 + cosine2 + 2.0 * cosine * a + least0);
+  let sum = cosine2 * a2PlusB2 + sine2 * sine2;
+  let part = 2.0 * cosine * sine2 * a;
+  return 0.5 * across * (1.0 + (sum - part + least0) / (sum + part + least0));
+}
+
+const least0 = 1e-20;
+
+// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
+fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
+  let r = dielectricFresnel(cosine, ratio);
+  return select(r, 2.0 * r / (1.0 + r), thin);
+}
+
+// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
+// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
+fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
+  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
+  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
+  let inside = sqrt(max(inside2, 0.0));
+  let across = (cosine - inside) / (cosine + inside);
+  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
+  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
+}
+
+// Kinds of material beside diffuse, and what may be laid over or set on top.
+override hasMirrorLayers = true;
+
+struct BsdfSample {
+  direction: vec3f,
+  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
+  pdf: f32,
+  // f |cos| / pdf
+  weight: vec3f,
+  delta: bool,
+}
+
+
+// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
+fn sampleCosine(u: vec2f) -> vec3f {
+  let radius = sqrt(u.x);
+  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
+  let phi = 6.28318530718 * u.y - 3.14159265359;
+  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
+}
+
+// A facet that wo sees, turned to wo's side.
+fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
+  let side = select(1.0, -1.0, o.wo.z < 0.0);
+  let rough = sampleVisibleNormal(o.wo * side, max(alpha, leastAlpha), o.bound, u);
+  return select(rough, vec3f(0.0, 0.0, 1.0), isMirror) * side;
+}
+
+// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
+fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
+  let cosine = dot(wo, h);
+  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
+  return ((cosine - inside) * h - wo) / ratio;
+}
+
+// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
+// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
+fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
+  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
+  let phi = 6.28318530718 * u.x - 3.14159265359;
+  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
+  let drop = u.y * (1.0 + bound * w.z);
+  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
+  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
+  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
+}
+
+// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
+// Written so that nothing is divided by a cosine: grazing directions need no special case.
+// Narrower highlights are a mirror's: packed-scene/surface-values.ts.
+const leastAlpha = 1e-3;
+
+// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
+fn mirrored(wo: vec3f) -> vec3f {
+  return vec3f(-wo.xy, wo.z);
+}
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+override hasPlanes = true;
+
+fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let own = i == p.shape;
+  let t = intersectSphere(p.point, p.direction, b.center, b.radius, p.tMin, own & p.inwards);
+  let lightT = intersectSphere(p.point, p.lightDirection, b.center, b.radius, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
+}
+
+// Distances of both rays, path then light, to shape i taken up into what was found so far.
+fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
+  let own = i == p.shape;
+  let pathT = select(t.x, miss, own & !p.inwards);
+  let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
+  let nearer = pathT < found.t;
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance));
+}
+
+fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let own = i == p.shape;
+  let origin = turned(e.a, p.point - b.center);
+  let t = intersectBox(origin, turned(e.a, p.direction), e.b.xyz, p.tMin, own & p.inwards);
+  let lightT = intersectBox(origin, turned(e.a, p.lightDirection), e.b.xyz, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
+}
+
+fn meetQuad(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let t = intersectQuad(p.point, p.direction, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  let lightT = intersectQuad(p.point, p.lightDirection, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn meetPlane(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let t = intersectPlane(p.point, p.direction, b.center, b.radius, p.tMin);
+  let lightT = intersectPlane(p.point, p.lightDirection, b.center, b.radius, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
+}
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
+
+fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
+  // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
+  let independent = frame.independent != 0u;
+  let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
+  let place = spread0(pixel.x & 15u) | (spread0(pixel.y & 15u) << 1u);
+  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
+  let used = select(reversed, 0u, independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+}
+
+// From the centre of the pixel, in pixels.
+fn filterOffset(u: vec2f) -> vec2f {
+  var offset = u - 0.5;
+  if (hasFilter) {
+    offset = vec2f(filterAxis(u.x), filterAxis(u.y));
+  }
+  return offset;
+}
+
+fn next2d(s: ptr<function, Sampler>) -> vec2f {
+  return points2d(nextGroup(s));
+}
+
+// `lens`: two random numbers in 0 … 1.
+fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
+  var lensPoint = vec2f(0.0);
+  if (hasLens) {
+    lensPoint = concentricDisc(lens);
+  }
+  return rayThroughLens(filmPosition, lensPoint);
+}
+
+fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
+  return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
+}
+
+// Bits 0 to 3 of x to the even places.
+fn spread0(x: u32) -> u32 {
+  let y = (x | (x << 2u)) & 0x33u;
+  return (y | (y << 1u)) & 0x55u;
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+override hasFilter = true;
+
+// Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
+// ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
+fn filterAxis(u: f32) -> f32 {
+  let across = 2.0 * u - 1.0;
+  let x = 16.0 - 16.0 * sqrt(1.0 - abs(across));
+  let piece = min(floor(x), 15.0);
+  let t = x - piece;
+  let c = frame.filterPieces[u32(piece)];
+  let offset = c.x + t * (c.y + t * (c.z + t * c.w));
+  return select(offset, -offset, across < 0.0);
+}
+
+// Cameras other than pinholes, filters other than the box.
+override hasLens = true;
+
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (hasOtherProjections & (frame.projection == 2u)) {
+    let longitude = pi0 * x;
+    let latitude = 0.5 * pi0 * y;
+    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  }
+  return ray;
+}
+
+// From the unit square to the unit disc, without tearing it or changing the share of area (Shirley & Chiu, "A Low Distortion Map
+// Between Disk and Square", 1997).
+fn concentricDisc(u: vec2f) -> vec2f {
+  let p = 2.0 * u - 1.0;
+  let wide = abs(p.x) > abs(p.y);
+  let radius = select(p.y, p.x, wide);
+  // Where both are 0, so is the radius, and the angle does not matter.
+  let ratio = select(p.x, p.y, wide) / select(radius, 1.0, radius == 0.0);
+  let angle = select(0.5 * pi0 - 0.25 * pi0 * ratio, 0.25 * pi0 * ratio, wide);
+  return radius * vec2f(cos(angle), sin(angle));
+}
+
+const pi0 = 3.14159265358979;
+
+override hasOtherProjections = true;
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+@group(0) @binding(2) var previousFilm: texture_2d<f32>;
+
+@group(0) @binding(3) var previousSquares: texture_2d<f32>;
+
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
+}
