@@ -19,8 +19,6 @@ interface Program {
   readonly name: string;
   readonly root: string;
   readonly entries: readonly { readonly entry: string; readonly stage: 'vertex' | 'fragment' }[];
-  /** For `@if` in the modules. */
-  readonly conditions?: Record<string, boolean>;
   /** Default: RENDERER_OUTPUT. */
   readonly output?: string;
 }
@@ -32,8 +30,7 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/classic/preview',
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
-  { name: 'path', root: 'integrator/path/path_pass', entries: [{ entry: 'path', stage: 'fragment' }] },
-  { name: 'path_compute', root: 'integrator/path/path_compute', conditions: { compute: true }, entries: [] },
+  { name: 'path', root: 'integrator/path/path_entries', entries: [{ entry: 'path', stage: 'fragment' }] },
   {
     name: 'aov',
     root: 'integrator/aov/aov',
@@ -186,15 +183,18 @@ async function generate(): Promise<Record<string, string>> {
     'packages/renderer/src/shading/layout.wesl': structsWgsl(),
     'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
   };
-  for (const { name, root, conditions = {}, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
-    const linked = await link({ weslSrc, conditions, rootModuleName: `./${root}.wesl` });
-    const wgsl = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n${linked.dest.trim()}\n`;
+  for (const { name, root, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
+    const linkedFor = async (compute: boolean) =>
+      (await link({ weslSrc, conditions: { compute }, rootModuleName: `./${root}.wesl` })).dest.trim();
+    const wgsl = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n${await linkedFor(true)}\n`;
     files[`${output}/${name}.wgsl`] = wgsl;
+    // naga does not write GLSL ES 3.00 of a module in which there is a compute pass.
+    const drawn = await linkedFor(false);
     for (const { entry, stage } of entries) {
       const glsl = translate({
         from: 'wgsl',
         to: 'glsl',
-        source: asVariables(wgsl),
+        source: asVariables(drawn),
         options: { version: '300 es', stage, entryPoint: entry, flags: { adjustCoordinateSpace: false } },
       });
       files[`${output}/${entry}.glsl`] = readableGlsl(withoutShortCircuits(withSwitches(glsl, wgsl)), wgsl);

@@ -20,8 +20,8 @@ import { CUT } from '../../tests/reference/samples.ts';
 import { judge, LIMITS } from '../../tests/reference/statistics.ts';
 
 const SIZE = 256;
-/** Samples of a timed call before the first that counts. */
-const WARM_UP = 128;
+/** Work before a film is timed, milliseconds: an idle GPU takes its time to clock up. */
+const WARM_UP = 500;
 /** What Mitsuba's independent sampler gave with 16 and 64 samples a pixel, mean of (a − r)² / (r² + 0.01). */
 const MITSUBA_ERROR: Readonly<Record<string, readonly [number, number]>> = {
   C1: [0.0158, 0.004],
@@ -51,13 +51,19 @@ console.log(`${tracer.description}, ${SIZE} × ${SIZE}, ${samples} samples a pix
 
 async function begin(scene: Scene, seed: number, squares: boolean): Promise<void> {
   const area = { x: 0, y: 0, width: SIZE, height: SIZE };
-  const settings = { ...scene.render, integrator: 'path', maxDepth: scene.render.maxDepth ?? -1, seed } as FilmJob['settings'];
+  const settings = {
+    ...scene.render,
+    integrator: 'path',
+    maxDepth: scene.render.maxDepth ?? -1,
+    seed,
+  } as FilmJob['settings'];
   await tracer.begin({ scene, settings, width: SIZE, height: SIZE, area, squares });
 }
 
 function filmOf(sums: Float32Array): Film {
   const texels = SIZE * SIZE;
-  const rgb = (from: number) => Float64Array.from({ length: 3 * texels }, (_, i) => sums[4 * (from + Math.floor(i / 3)) + (i % 3)]!);
+  const rgb = (from: number) =>
+    Float64Array.from({ length: 3 * texels }, (_, i) => sums[4 * (from + Math.floor(i / 3)) + (i % 3)]!);
   return {
     width: SIZE,
     height: SIZE,
@@ -79,14 +85,14 @@ async function proof(scene: Scene, name: string) {
 /** Milliseconds of one film, the reading of its sums included. */
 async function time(scene: Scene): Promise<number> {
   await begin(scene, 100, false);
-  await tracer.trace(0, WARM_UP, null);
+  for (const start = performance.now(); performance.now() - start < WARM_UP; ) await tracer.trace(0, samples, null);
   const runs: number[] = [];
-  for (let run = 0; run < 3; run++) {
+  for (let run = 0; run < 5; run++) {
     const start = performance.now();
     await tracer.trace(0, samples, null);
     runs.push(performance.now() - start);
   }
-  return runs.sort((a, b) => a - b)[1]!;
+  return runs.sort((a, b) => a - b)[2]!;
 }
 
 async function errorWith(scene: Scene, name: string, count: number): Promise<number> {
@@ -107,7 +113,7 @@ for (const name of positionals.length > 0 ? positionals : namesIn(references)) {
   const speed = (SIZE * SIZE * samples) / milliseconds / 1000;
   const row: Record<string, unknown> = {
     scene: name,
-    'ms': milliseconds.toFixed(1),
+    ms: milliseconds.toFixed(1),
     'Msamples/s': speed.toFixed(0),
     '/ Mitsuba': MITSUBA_SPEED[name] ? (speed / MITSUBA_SPEED[name]).toFixed(2) : '',
   };
@@ -126,7 +132,11 @@ for (const name of positionals.length > 0 ? positionals : namesIn(references)) {
     row['Mitsuba 64'] = theirs[1];
   }
   rows.push(row);
-  console.log(Object.entries(row).map(([key, value]) => `${key} ${value}`).join(' | '));
+  console.log(
+    Object.entries(row)
+      .map(([key, value]) => `${key} ${value}`)
+      .join(' | '),
+  );
 }
 console.table(rows);
 if (values.json) writeFileSync(values.json, JSON.stringify(rows, null, 1));

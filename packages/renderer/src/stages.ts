@@ -126,7 +126,7 @@ export class Stages {
     if (packed.environment) this.#environment.hold(packed.environment);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
-      this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32), true);
+      this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
     }
     this.#table.write(packed.table.f32, packed.rows);
   }
@@ -164,7 +164,9 @@ export class Stages {
         this.#draw(pass, { width, height, firstRow: row, rowCount, ...columns });
         row += rowCount;
         if (row === end) this.#complete(count, submitted);
-        const done = device.finished().then(() => this.#measure(controller, pass, area.width * rowCount * count, begun));
+        const done = device
+          .finished()
+          .then(() => this.#measure(controller, pass, area.width * rowCount * count, begun));
         done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
         // Two submits at once, so that the device has the next one when it has finished one.
         const before = this.#before;

@@ -27,8 +27,6 @@ export interface ComputeSource {
   readonly entry: string;
   /** Pixels of a workgroup. */
   readonly tile: readonly [width: number, height: number];
-  /** Which of the `texture` bindings are storage buffers here. */
-  readonly buffers: readonly string[];
 }
 
 /** A shader program and what it reads, in both languages. Texture and block names are those of the WGSL source. */
@@ -117,8 +115,7 @@ export interface Device {
   /** Takes the canvas for good, if that was not needed to open the device: call it when everything needed compiles. */
   attach(): void;
   createUniforms(byteLength: number): UniformBuffer;
-  /** `asBuffer`: compute passes read it as a storage buffer. */
-  createTable(width: number, height: number, asBuffer?: boolean): TableTexture;
+  createTable(width: number, height: number): TableTexture;
   createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;

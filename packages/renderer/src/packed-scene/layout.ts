@@ -209,14 +209,17 @@ export function structsWgsl(): string {
     const lines = Object.entries(fields).map(([key, f]) => `  // ${f.doc}\n  ${key}: ${typeName(f.type)},`);
     return `struct ${name} {\n${lines.join('\n')}\n}\n`;
   };
-  return `${GENERATED}\n// Texels in a row of the scene table.\nconst tableWidth = ${TABLE_WIDTH}u;\n\n${Object.entries(STRUCTS)
+  return `${GENERATED}\n${Object.entries(STRUCTS)
     .map(([k, v]) => one([k, v as Fields]))
     .join('\n')}`;
 }
 
 function fetchFunction(name: TableStruct): string {
   const texels = structSize(name) / 16;
-  const loads = Array.from({ length: texels }, (_, t) => `  let t${t} = sceneTexel(${tableColumn(name) + t}u, i);`);
+  const loads = Array.from(
+    { length: texels },
+    (_, t) => `  let t${t} = textureLoad(sceneTable, vec2u(${tableColumn(name) + t}u, i), 0);`,
+  );
   const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
     const offset = placement(name).offsets[key]!;
     const first = (offset % 16) / 4;
@@ -227,6 +230,6 @@ function fetchFunction(name: TableStruct): string {
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */
 export function fetchWgsl(): string {
-  const imports = `import package::shading::bindings::sceneTexel;\nimport package::shading::layout::{${TABLE_STRUCTS.join(', ')}};\n`;
+  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${TABLE_STRUCTS.join(', ')}};\n`;
   return `${GENERATED}${imports}\n${TABLE_STRUCTS.map(fetchFunction).join('\n')}`;
 }

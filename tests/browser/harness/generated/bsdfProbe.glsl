@@ -65,18 +65,13 @@ const bool hasCompensation = true;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
-vec4 sceneTexel(uint column, uint row) {
-    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
-    return _e5;
-}
-
 Surface fetchSurface(uint i) {
-    vec4 _e2 = sceneTexel(9u, i);
-    vec4 _e4 = sceneTexel(10u, i);
-    vec4 _e6 = sceneTexel(11u, i);
-    vec4 _e8 = sceneTexel(12u, i);
-    vec4 _e10 = sceneTexel(13u, i);
-    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(9u, i)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(10u, i)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i)), 0);
+    return Surface(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
 uint kindOf(uint code) {

@@ -27,11 +27,11 @@ const sampledDirection = 1u;
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = sceneTexel(9u, i);
-  let t1 = sceneTexel(10u, i);
-  let t2 = sceneTexel(11u, i);
-  let t3 = sceneTexel(12u, i);
-  let t4 = sceneTexel(13u, i);
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -121,9 +121,7 @@ fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
   return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
 }
 
-fn sceneTexel(column: u32, row: u32) -> vec4f {
-  return textureLoad(sceneTable, vec2u(column, row), 0);
-}
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -148,8 +146,6 @@ struct Surface {
   spare0: f32,
 }
 
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {

@@ -226,18 +226,13 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     return _e115;
 }
 
-vec4 sceneTexel(uint column, uint row) {
-    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
-    return _e5;
-}
-
 Emitter fetchEmitter(uint i) {
-    vec4 _e2 = sceneTexel(14u, i);
-    vec4 _e4 = sceneTexel(15u, i);
-    vec4 _e6 = sceneTexel(16u, i);
-    vec4 _e8 = sceneTexel(17u, i);
-    vec4 _e10 = sceneTexel(18u, i);
-    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w);
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(14u, i)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(15u, i)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(16u, i)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(17u, i)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(18u, i)), 0);
+    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w);
 }
 
 EmitterChoice chooseEmitter(vec3 point_1, vec3 normal_2, float u) {
@@ -433,9 +428,9 @@ LightSample sampleQuad(Emitter e_6, vec3 point_6, vec2 u_4) {
 }
 
 Extent fetchExtent(uint i_2) {
-    vec4 _e2 = sceneTexel(1u, i_2);
-    vec4 _e4 = sceneTexel(2u, i_2);
-    return Extent(_e2.xyzw, _e4.xyzw);
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
+    return Extent(t0_1.xyzw, t1_1.xyzw);
 }
 
 vec3 rotate(vec4 q_2, vec3 v_1) {
@@ -801,8 +796,8 @@ float hitShape(uint i_10, Bounds bounds_4, Ray ray_4) {
 }
 
 Bounds fetchBounds(uint i_11) {
-    vec4 _e2 = sceneTexel(0u, i_11);
-    return Bounds(_e2.xyz, _e2.w);
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(0u, i_11)), 0);
+    return Bounds(t0_2.xyz, t0_2.w);
 }
 
 bool isPlane(uint i_12) {
@@ -877,13 +872,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_10) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_5));
     float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
+    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_1 = floor(fromPole_1);
+    float row = floor(fromPole_1);
     bool isLower_1 = (direction_10.y < 0.0);
-    vec2 cell_3 = vec2(floor(column_1), pick(isLower_1, (size_3.y - row_1), row_1));
-    float within_2 = (fromPole_1 - row_1);
-    vec2 at_2 = vec2((column_1 - cell_3.x), pick(isLower_1, (1.0 - within_2), within_2));
+    vec2 cell_3 = vec2(floor(column), pick(isLower_1, (size_3.y - row), row));
+    float within_2 = (fromPole_1 - row);
+    vec2 at_2 = vec2((column - cell_3.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_3));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_5);
     return _e67;

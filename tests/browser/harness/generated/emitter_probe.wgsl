@@ -147,11 +147,11 @@ fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
 }
 
 fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = sceneTexel(14u, i);
-  let t1 = sceneTexel(15u, i);
-  let t2 = sceneTexel(16u, i);
-  let t3 = sceneTexel(17u, i);
-  let t4 = sceneTexel(18u, i);
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
 }
 
@@ -308,10 +308,6 @@ struct Frame {
 }
 
 
-fn sceneTexel(column: u32, row: u32) -> vec4f {
-  return textureLoad(sceneTable, vec2u(column, row), 0);
-}
-
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Ray {
@@ -344,7 +340,7 @@ fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = sceneTexel(0u, i);
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -399,6 +395,7 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -439,8 +436,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = sceneTexel(1u, i);
-  let t1 = sceneTexel(2u, i);
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
   return Extent(t0.xyzw, t1.xyzw);
 }
 

@@ -79,7 +79,7 @@ fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = sceneTexel(0u, i);
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -121,6 +121,7 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -161,8 +162,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = sceneTexel(1u, i);
-  let t1 = sceneTexel(2u, i);
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -184,9 +185,7 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   return v + q.w * t + cross(q.xyz, t);
 }
 
-fn sceneTexel(column: u32, row: u32) -> vec4f {
-  return textureLoad(sceneTable, vec2u(column, row), 0);
-}
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -195,8 +194,6 @@ struct Extent {
   b: vec4f,
 }
 
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
   let inverse = safeReciprocal(direction, origin);

@@ -23,8 +23,6 @@ interface WebGpuPass extends Pass {
 }
 interface GpuResource {
   readonly binding: GPUBindingResource;
-  /** Of a table that compute passes read. */
-  readonly buffer?: GPUBuffer | undefined;
 }
 
 /** Texels of a film that are read at once, bytes: far below the largest buffer that a device must grant. */
@@ -63,7 +61,6 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
   const visibility = compute ? GPUShaderStage.COMPUTE : GPUShaderStage.FRAGMENT;
   const inputs: Omit<GPUBindGroupLayoutEntry, 'binding' | 'visibility'>[] = bindings.map((b) => {
     if ('block' in b) return { buffer: {} };
-    if (compute?.buffers.includes(b.texture)) return { buffer: { type: 'read-only-storage' } };
     return { texture: { sampleType: 'unfilterable-float' } };
   });
   if (compute) {
@@ -114,7 +111,13 @@ class WebGpuDevice implements Device {
       const pipeline = await (source.compute
         ? this.#computePipeline(source, layout)
         : this.#renderPipeline(source, layout));
-      const pass: WebGpuPass = { label: source.label, addsMany: source.compute !== undefined, source, pipeline, layout };
+      const pass: WebGpuPass = {
+        label: source.label,
+        addsMany: source.compute !== undefined,
+        source,
+        pipeline,
+        layout,
+      };
       return pass;
     } catch (error) {
       throw new DeviceError(`WebGPU could not make the pipeline "${source.label}": ${(error as Error).message}`);
@@ -161,24 +164,18 @@ class WebGpuDevice implements Device {
   }
 
   createUniforms(byteLength: number): UniformBuffer {
-    const buffer = this.#buffer(byteLength, GPUBufferUsage.UNIFORM);
+    const usage = GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST;
+    const buffer = this.#device.createBuffer({ size: byteLength, usage });
+    this.counts.buffers++;
     const uniforms: UniformBuffer & GpuResource = {
       binding: { buffer },
       write: (bytes) => this.#device.queue.writeBuffer(buffer, 0, bytes),
-      destroy: () => this.#destroyBuffer(buffer),
+      destroy: () => {
+        this.counts.buffers--;
+        buffer.destroy();
+      },
     };
     return uniforms;
-  }
-
-  /** One that the CPU fills. */
-  #buffer(size: number, usage: GPUBufferUsageFlags): GPUBuffer {
-    this.counts.buffers++;
-    return this.#device.createBuffer({ size, usage: usage | GPUBufferUsage.COPY_DST });
-  }
-
-  #destroyBuffer(buffer: GPUBuffer): void {
-    this.counts.buffers--;
-    buffer.destroy();
   }
 
   #texture(width: number, height: number, usage: number) {
@@ -192,19 +189,11 @@ class WebGpuDevice implements Device {
     return { texture, binding: texture.createView(), width, height, destroy };
   }
 
-  createTable(width: number, height: number, asBuffer = false): TableTexture {
-    const { queue } = this.#device;
+  createTable(width: number, height: number): TableTexture {
     const base = this.#texture(width, height, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
-    const buffer = asBuffer ? this.#buffer(width * height * 16, GPUBufferUsage.STORAGE) : undefined;
-    const write = (texels: Float32Array<ArrayBuffer>, rows: number) => {
-      queue.writeTexture({ texture: base.texture }, texels, { bytesPerRow: width * 16 }, [width, rows]);
-      if (buffer) queue.writeBuffer(buffer, 0, texels, 0, width * rows * 4);
-    };
-    const destroy = () => {
-      base.destroy();
-      if (buffer) this.#destroyBuffer(buffer);
-    };
-    return { ...base, buffer, write, destroy } as TableTexture;
+    const write = (texels: Float32Array<ArrayBuffer>, rows: number) =>
+      this.#device.queue.writeTexture({ texture: base.texture }, texels, { bytesPerRow: width * 16 }, [width, rows]);
+    return { ...base, write } as TableTexture;
   }
 
   createFilm(width: number, height: number, count = 1): FilmTexture {
@@ -241,22 +230,17 @@ class WebGpuDevice implements Device {
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
     const { source, pipeline, layout } = pass;
-    const { compute, bindings } = source;
     const { firstColumn = 0, firstRow, columnCount = region.width, rowCount } = region;
     this.#region ??= this.createUniforms(16);
     this.#region.write(new Uint32Array([firstColumn, firstRow, columnCount, rowCount]).buffer);
-    const inputs = resources.map((resource, i) => {
-      const { binding, buffer } = resource as unknown as GpuResource;
-      const spec = bindings[i]!;
-      return 'texture' in spec && compute!.buffers.includes(spec.texture) ? { buffer: buffer! } : binding;
-    });
-    const all = [...inputs, (this.#region as unknown as GpuResource).binding, ...viewsOf(film)];
+    const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
+    const all = [...inputs, ...viewsOf(film)];
     const entries = all.map((resource, binding) => ({ binding, resource }));
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const computePass = encoder.beginComputePass();
     computePass.setPipeline(pipeline as GPUComputePipeline);
     computePass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
-    const [width, height] = compute!.tile;
+    const [width, height] = source.compute!.tile;
     computePass.dispatchWorkgroups(Math.ceil(columnCount / width), Math.ceil(rowCount / height));
     computePass.end();
     this.#device.queue.submit([encoder.finish()]);

@@ -13,7 +13,6 @@ import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
 import pathWgsl from '../../shading/generated/path.wgsl?raw';
-import pathComputeWgsl from '../../shading/generated/path_compute.wgsl?raw';
 import { PATH_FEATURES, type PathFeature } from './path-features.ts';
 
 /** Layers of the film that it needs. */
@@ -32,7 +31,7 @@ const PATH: PassSource = {
     { texture: 'environment' },
   ],
   target: 'film',
-  compute: { wgsl: pathComputeWgsl, entry: 'pathCompute', tile: [8, 4], buffers: ['sceneTable'] },
+  compute: { wgsl: pathWgsl, entry: 'pathCompute', tile: [8, 4] },
   layers: PATH_LAYERS,
 };
 

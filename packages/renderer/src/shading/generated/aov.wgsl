@@ -427,7 +427,7 @@ fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = sceneTexel(0u, i);
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -444,6 +444,7 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
 }
 
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -451,10 +452,6 @@ struct Bounds {
   radius: f32,
 }
 
-
-fn sceneTexel(column: u32, row: u32) -> vec4f {
-  return textureLoad(sceneTable, vec2u(column, row), 0);
-}
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
@@ -471,8 +468,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = sceneTexel(1u, i);
-  let t1 = sceneTexel(2u, i);
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -599,11 +596,11 @@ fn albedoOf(s: Surface, fromBack: bool) -> vec3f {
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = sceneTexel(9u, i);
-  let t1 = sceneTexel(10u, i);
-  let t2 = sceneTexel(11u, i);
-  let t3 = sceneTexel(12u, i);
-  let t4 = sceneTexel(13u, i);
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -695,8 +692,8 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
 const least = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = sceneTexel(3u, i);
-  let t1 = sceneTexel(4u, i);
+  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 

@@ -386,20 +386,15 @@ float hitSphere(uint i, Bounds bounds, Ray ray_1) {
     return pick((i == ray_1.start.leaves), 1e30, _e13);
 }
 
-vec4 sceneTexel(uint column, uint row) {
-    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
-    return _e5;
-}
-
 Bounds fetchBounds(uint i_1) {
-    vec4 _e2 = sceneTexel(0u, i_1);
-    return Bounds(_e2.xyz, _e2.w);
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
+    return Bounds(t0_.xyz, t0_.w);
 }
 
 Extent fetchExtent(uint i_2) {
-    vec4 _e2 = sceneTexel(1u, i_2);
-    vec4 _e4 = sceneTexel(2u, i_2);
-    return Extent(_e2.xyzw, _e4.xyzw);
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
+    return Extent(t0_1.xyzw, t1_.xyzw);
 }
 
 bool isTurned(vec4 q) {
@@ -684,18 +679,18 @@ vec3 albedoOf(Surface s_3, bool fromBack) {
 }
 
 Surface fetchSurface(uint i_11) {
-    vec4 _e2 = sceneTexel(9u, i_11);
-    vec4 _e4 = sceneTexel(10u, i_11);
-    vec4 _e6 = sceneTexel(11u, i_11);
-    vec4 _e8 = sceneTexel(12u, i_11);
-    vec4 _e10 = sceneTexel(13u, i_11);
-    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_11)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_11)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_11)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_11)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_11)), 0);
+    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
 Material fetchMaterial(uint i_12) {
-    vec4 _e2 = sceneTexel(3u, i_12);
-    vec4 _e4 = sceneTexel(4u, i_12);
-    return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_12)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_12)), 0);
+    return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
 }
 
 void main() {

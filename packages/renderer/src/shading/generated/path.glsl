@@ -526,14 +526,9 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     return Path(rays, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e36);
 }
 
-vec4 sceneTexel(uint column, uint row) {
-    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
-    return _e5;
-}
-
 Bounds fetchBounds(uint i) {
-    vec4 _e2 = sceneTexel(0u, i);
-    return Bounds(_e2.xyz, _e2.w);
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
+    return Bounds(t0_.xyz, t0_.w);
 }
 
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
@@ -566,9 +561,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 _e2 = sceneTexel(1u, i_3);
-    vec4 _e4 = sceneTexel(2u, i_3);
-    return Extent(_e2.xyzw, _e4.xyzw);
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_1.xyzw, t1_.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -730,12 +725,12 @@ PairHit tracePair(RayPair p_6) {
 }
 
 Surface fetchSurface(uint i_8) {
-    vec4 _e2 = sceneTexel(9u, i_8);
-    vec4 _e4 = sceneTexel(10u, i_8);
-    vec4 _e6 = sceneTexel(11u, i_8);
-    vec4 _e8 = sceneTexel(12u, i_8);
-    vec4 _e10 = sceneTexel(13u, i_8);
-    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_8)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_8)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_8)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_8)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_8)), 0);
+    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
 uint kindOf(uint code) {
@@ -835,12 +830,12 @@ int emitterOf(float code_3) {
 }
 
 Emitter fetchEmitter(uint i_13) {
-    vec4 _e2 = sceneTexel(14u, i_13);
-    vec4 _e4 = sceneTexel(15u, i_13);
-    vec4 _e6 = sceneTexel(16u, i_13);
-    vec4 _e8 = sceneTexel(17u, i_13);
-    vec4 _e10 = sceneTexel(18u, i_13);
-    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w);
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
+    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
 bool isOnDisc(Emitter e, vec3 direction_6) {
@@ -891,13 +886,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_8) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_8.z, direction_8.y)), vec2(abs(direction_8.x), sine_1));
     float turn = (pick((direction_8.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_8.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
     float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
-    float row_1 = floor(fromPole);
+    float row = floor(fromPole);
     bool isLower = (direction_8.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_1.y - row_1), row_1));
-    float within_1 = (fromPole - row_1);
-    vec2 at_1 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
+    float within_1 = (fromPole - row);
+    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
     return _e67;

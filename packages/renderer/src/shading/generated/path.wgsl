@@ -1,4 +1,4 @@
-// Linked from integrator/path/path_pass.wesl by `npm run shaders`. Do not edit.
+// Linked from integrator/path/path_entries.wesl by `npm run shaders`. Do not edit.
 struct Film {
   // RGB sums, and in alpha how many samples.
   @location(0) sums: vec4f,
@@ -20,6 +20,71 @@ struct Film {
     film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
   }
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
+}
+
+// A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
+// pixel are dealt out to several threads of one workgroup, whose sums are then added in a fixed order: the same input gives the same
+// film.
+// First column and row, columns and rows of the part of the film that is traced.
+@group(0) @binding(5) var<uniform> region: vec4u;
+
+@group(0) @binding(6) var film: texture_storage_2d<rgba32float, write>;
+
+@group(0) @binding(7) var filmSquares: texture_storage_2d<rgba32float, write>;
+
+// A workgroup is a tile of pixels times the threads that share a pixel's samples.
+const tile = vec2u(8u, 4u);
+
+const pixels = 32u;
+
+const shares = 4u;
+
+var<workgroup> sums: array<vec3f, 128>;
+
+var<workgroup> squares: array<vec3f, 128>;
+
+@compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let place = thread % pixels;
+  let inRegion = group.xy * tile + vec2u(place % tile.x, place / tile.x);
+  let pixel = region.xy + inRegion;
+  let inside = all(inRegion < region.zw);
+  let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
+  var index = frame.sampleIndex + thread / pixels;
+  var sum = vec3f(0.0);
+  var square = vec3f(0.0);
+  if (index < end) {
+    var p = startPath(pixel, index);
+    loop {
+      extendPath(&p);
+      if (isOver(p)) {
+        sum += p.radiance;
+        square += p.radiance * p.radiance;
+        index += shares;
+        if (index >= end) {
+          break;
+        }
+        p = startPath(pixel, index);
+      }
+    }
+  }
+  sums[thread] = sum;
+  squares[thread] = square;
+  workgroupBarrier();
+  if ((thread >= pixels) | !inside) {
+    return;
+  }
+  for (var i = thread + pixels; i < pixels * shares; i += pixels) {
+    sum += sums[i];
+    square += squares[i];
+  }
+  var before = vec4f(0.0);
+  var squaresBefore = vec4f(0.0);
+  if (frame.sampleIndex > 0u) {
+    before = textureLoad(previousFilm, pixel, 0);
+    squaresBefore = textureLoad(previousSquares, pixel, 0);
+  }
+  textureStore(film, pixel, before + vec4f(sum, f32(frame.sampleCount)));
+  textureStore(filmSquares, pixel, squaresBefore + vec4f(square, 0.0));
 }
 
 fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
@@ -194,11 +259,11 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 const noShape = 0xffffffffu;
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = sceneTexel(9u, i);
-  let t1 = sceneTexel(10u, i);
-  let t2 = sceneTexel(11u, i);
-  let t3 = sceneTexel(12u, i);
-  let t4 = sceneTexel(13u, i);
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -304,11 +369,11 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
 }
 
 fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = sceneTexel(14u, i);
-  let t1 = sceneTexel(15u, i);
-  let t2 = sceneTexel(16u, i);
-  let t3 = sceneTexel(17u, i);
-  let t4 = sceneTexel(18u, i);
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
 }
 
@@ -472,9 +537,7 @@ fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
 }
 
-fn sceneTexel(column: u32, row: u32) -> vec4f {
-  return textureLoad(sceneTable, vec2u(column, row), 0);
-}
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -500,8 +563,6 @@ struct Surface {
 }
 
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
 // These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
 fn kindOf(code: u32) -> u32 {
   return code & 3u;
@@ -510,7 +571,7 @@ fn kindOf(code: u32) -> u32 {
 const dielectric = 3u;
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = sceneTexel(0u, i);
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -525,8 +586,8 @@ override hasBoxes = true;
 override hasSpheres = true;
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = sceneTexel(1u, i);
-  let t1 = sceneTexel(2u, i);
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -608,6 +669,7 @@ fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
 }
 
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
