@@ -6,9 +6,10 @@
  * FOLDER holds scenes/NAME.json and refs/NAME.npz (`mean` and `se`, linear RGB, row 0 on top) with refs/NAME.report.json.
  * Scenes that our format cannot say are passed over, with the reason.
  */
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Scene } from '../packages/renderer/src/scene/scene.ts';
 import { writeScene } from '../packages/renderer/src/scene-file/index.ts';
 import { readNpy, writeNpy } from '../tests/reference/npy.ts';
 import { ConversionError, type Converted, convertScene } from './reference/convert-scene.ts';
@@ -41,6 +42,15 @@ function convertOrTell(name: string, json: unknown): Converted | null {
   }
 }
 
+/** Copies the map of the sky, if there is one. */
+function withImageBeside(scene: Scene, from: string, folder: string): Scene {
+  const { image } = scene.sky;
+  if (image === undefined) return scene;
+  const name = `sky${extname(image)}`;
+  copyFileSync(join(from, 'scenes', image), join(folder, name));
+  return { ...scene, sky: { ...scene.sky, image: name } };
+}
+
 function write(from: string, name: string): void {
   const read = (path: string) => readFileSync(join(from, path), 'utf8');
   const converted = convertOrTell(name, JSON.parse(read(`scenes/${name}.json`)));
@@ -54,7 +64,7 @@ function write(from: string, name: string): void {
   const folder = join(to, name);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  writeFileSync(join(folder, 'scene.json'), writeScene(converted.scene, SCHEMA));
+  writeFileSync(join(folder, 'scene.json'), writeScene(withImageBeside(converted.scene, from, folder), SCHEMA));
   writeFileSync(join(folder, 'mean.npy'), writeNpy({ shape, data: small.mean }, 32));
   writeFileSync(join(folder, 'error.npy'), writeNpy({ shape, data: error }, 16));
   const { spp, mitsuba } = JSON.parse(read(`refs/${name}.report.json`));

@@ -30,7 +30,15 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/classic/preview',
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
-  { name: 'path', root: 'integrator/path/path', entries: [{ entry: 'path', stage: 'fragment' }] },
+  { name: 'path', root: 'integrator/path/path_pass', entries: [{ entry: 'path', stage: 'fragment' }] },
+  {
+    name: 'aov',
+    root: 'integrator/aov/aov',
+    entries: [
+      { entry: 'aovFeatures', stage: 'fragment' },
+      { entry: 'aovData', stage: 'fragment' },
+    ],
+  },
   { name: 'full_screen', root: 'shading/full_screen', entries: [{ entry: 'fullScreen', stage: 'vertex' }] },
   {
     name: 'display',
@@ -41,6 +49,7 @@ const PROGRAMS: readonly Program[] = [
       { entry: 'showMapped', stage: 'fragment' },
     ],
   },
+  { name: 'aov_view', root: 'display/aov_view', entries: [{ entry: 'showAov', stage: 'fragment' }] },
   {
     name: 'camera_probe',
     root: 'tests/camera-probe',
@@ -90,6 +99,74 @@ function weslModules(): Record<string, string> {
   return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...written };
 }
 
+/**
+ * Switches (`override`) as naga can write them into GLSL: variables first, which `withSwitches` then makes constants. Whoever compiles
+ * the program sets one by replacing its `true` (gpu/webgl2/program.ts).
+ */
+const SWITCH = /^override (\w+) = true;/gm;
+const asVariables = (wgsl: string) => wgsl.replace(SWITCH, 'var<private> $1: bool = true;');
+function withSwitches(glsl: string, wgsl: string): string {
+  let text = glsl;
+  for (const [, name] of wgsl.matchAll(SWITCH))
+    text = text.replaceAll(new RegExp(`^( *)bool (\\w+ = true|_e\\d+ = ${name});$`, 'gm'), (line, space, rest) =>
+      rest === `${name} = true` || rest.endsWith(` = ${name}`) ? `${space}const bool ${rest};` : line,
+    );
+  return text;
+}
+
+/**
+ * WGSL's `&`, `|` and `select` evaluate both sides. naga writes them as `&&`, `||` and `?:`, for which a driver may make branches
+ * when a side is more than a name: ANGLE does, and a software rasteriser behind it is slow with branches and takes minutes to compile
+ * a thousand of them. A function's arguments are names, so it has none. (What WGSL does evaluate by need comes out of naga as an `if`.) naga puts
+ * parentheses around every operation.
+ */
+function withoutShortCircuits(glsl: string): string {
+  let text = replaceOperations(glsl, ' && ', (left, right) => `pick(${left}, ${right}, false)`);
+  text = replaceOperations(text, ' || ', (left, right) => `pick(${left}, true, ${right})`);
+  text = replaceOperations(text, ' ? ', (condition, rest) => {
+    const middle = outside(rest, ' : ');
+    return `pick(${condition}, ${rest.slice(0, middle)}, ${rest.slice(middle + 3)})`;
+  });
+  if (!text.includes('pick(')) return text;
+  const one = (type: string) => `${type} pick(bool which, ${type} yes, ${type} no) { return which ? yes : no; }`;
+  return text.replace(/^(precision .*\n)+/m, (lines) => `${lines}\n${PICKED.map(one).join('\n')}\n`);
+}
+const PICKED = ['bool', 'int', 'uint', 'float', 'vec2', 'vec3', 'vec4', 'uvec2'];
+
+/** Every `(left operator right)`, parentheses included, by what `write` makes of it. */
+function replaceOperations(glsl: string, operator: string, write: (left: string, right: string) => string): string {
+  let text = glsl;
+  for (let at = text.indexOf(operator); at >= 0; at = text.indexOf(operator)) {
+    const open = parenthesisAround(text, at - 1, -1);
+    const close = parenthesisAround(text, at + operator.length, 1);
+    const written = write(text.slice(open + 1, at), text.slice(at + operator.length, close));
+    text = text.slice(0, open) + written + text.slice(close + 1);
+  }
+  return text;
+}
+
+/** Where, seen from `from` in that direction, the parenthesis around it stands. */
+function parenthesisAround(text: string, from: number, step: 1 | -1): number {
+  const [deeper, out] = step > 0 ? '()' : ')(';
+  let depth = 0;
+  for (let i = from; i >= 0 && i < text.length; i += step) {
+    if (text[i] === out && depth-- === 0) return i;
+    if (text[i] === deeper) depth++;
+  }
+  throw new Error(`No parenthesis around …${text.slice(from - 40, from + 40)}…`);
+}
+
+/** The first place of `wanted` that is in no parentheses. */
+function outside(text: string, wanted: string): number {
+  let depth = 0;
+  for (let i = 0; i < text.length; i++) {
+    if (text[i] === '(') depth++;
+    if (text[i] === ')') depth--;
+    if (depth === 0 && text.startsWith(wanted, i)) return i;
+  }
+  throw new Error(`No "${wanted}" in ${text}`);
+}
+
 /** naga names blocks `Frame_block_0Fragment` and samplers `_group_0_binding_4_fs`; give them the WGSL names again. */
 function readableGlsl(glsl: string, wgsl: string): string {
   let text = glsl.replace(/\b(\w+)_block_\d+(Fragment|Vertex)\b/g, '$1Block');
@@ -114,10 +191,10 @@ async function generate(): Promise<Record<string, string>> {
       const glsl = translate({
         from: 'wgsl',
         to: 'glsl',
-        source: wgsl,
+        source: asVariables(wgsl),
         options: { version: '300 es', stage, entryPoint: entry, flags: { adjustCoordinateSpace: false } },
       });
-      files[`${output}/${entry}.glsl`] = readableGlsl(glsl, wgsl);
+      files[`${output}/${entry}.glsl`] = readableGlsl(withoutShortCircuits(withSwitches(glsl, wgsl)), wgsl);
     }
   }
   return files;

@@ -36,6 +36,8 @@ test('camera, picture, depth, exposure, sky', () => {
   expect(scene.render).toMatchObject({ integrator: 'path', maxDepth: 5, exposure: -1 });
   expect(scene.sky).toEqual({ horizon: [1, 2, 3], zenith: [1, 2, 3] });
   expect(converted({ lights: [] }).sky.horizon).toEqual([0, 0, 0]);
+  const envmap = { type: 'envmap', file: '../meshes/sun.npy', scale: 2 };
+  expect(converted({ lights: [envmap] })).toMatchObject({ sky: { image: '../meshes/sun.npy', scale: 2 }, lights: {} });
   expect(writeScene(scene)).toContain('"sphere 1": { "type": "sphere"');
 });
 
@@ -138,7 +140,17 @@ describe('lights: the largest channel, and a colour', () => {
 test.each([
   ['meshes', { primitives: [{ type: 'mesh', file: 'a.ply', smooth: true, material: 'm' }] }, /"mesh": not yet/],
   ['instances', { primitives: [BALL, { type: 'instances', meshes: {}, items: [] }] }, /"instances": not yet/],
-  ['environment maps', { lights: [{ type: 'envmap', file: 'a.npy', scale: 1 }] }, /"envmap": not yet/],
+  ['an environment map from elsewhere', { lights: [{ type: 'envmap', file: '/a.npy' }] }, /\/sky\/image/],
+  [
+    'an environment map and a constant light',
+    {
+      lights: [
+        { type: 'envmap', file: 'a.npy' },
+        { type: 'constant', radiance: [1, 1, 1] },
+      ],
+    },
+    /one sky/,
+  ],
   ['two skies', { lights: [1, 2].map((x) => ({ type: 'constant', radiance: [x, x, x] })) }, /one sky/],
   ['another filter', { image: { width: 64, height: 32, filter: 'tent', view_exposure: 1 } }, /"tent"/],
   ['stretched pixels', { image: { width: 64, height: 64, filter: 'box', view_exposure: 1 } }, /aspect/],
@@ -156,11 +168,10 @@ test('refuses glass that is a mere quad', () => {
 test('tells all problems at once', () => {
   const lines = problems({
     primitives: [{ type: 'mesh' }, BALL, { type: 'mesh' }],
-    lights: [{ type: 'envmap' }],
+    lights: [
+      { type: 'envmap', file: 'a.npy' },
+      { type: 'constant', radiance: [1, 1, 1] },
+    ],
   }).split('\n');
-  expect(lines.map((line) => line.split(':')[0])).toEqual([
-    'primitives.mesh 1',
-    'primitives.mesh 2',
-    'lights.envmap light 1',
-  ]);
+  expect(lines.map((line) => line.split(':')[0])).toEqual(['lights', 'primitives.mesh 1', 'primitives.mesh 2']);
 });

@@ -96,10 +96,15 @@ function checkCamera({ camera, image }: NeutralScene, problems: Problems): void 
     problems.add('camera.aspect', `${camera.aspect} where the picture is ${width} × ${height}: ours has square pixels`);
 }
 
-function skyOf(lights: readonly NeutralLight[], problems: Problems): Color {
-  const constants = lights.filter((light) => light.type === 'constant');
-  if (constants.length > 1) problems.add('lights', 'more than one constant light: ours has one sky');
-  return constants[0]?.radiance ?? [0, 0, 0];
+type SkyLight = Extract<NeutralLight, { type: 'constant' | 'envmap' }>;
+const isSky = (light: NeutralLight): light is SkyLight => light.type === 'constant' || light.type === 'envmap';
+
+function skyOf(lights: readonly NeutralLight[], problems: Problems): Color | { image: string; scale: number } {
+  const skies = lights.filter(isSky);
+  if (skies.length > 1) problems.add('lights', 'more than one constant light or envmap: ours has one sky');
+  const [sky] = skies;
+  if (sky?.type === 'envmap') return { image: sky.file, scale: sky.scale };
+  return sky?.radiance ?? [0, 0, 0];
 }
 
 /** Names such as "box 2": neutral primitives have none. */
@@ -136,11 +141,11 @@ function convertShape(p: NeutralPrimitive) {
 }
 
 function lightsOf(lights: readonly NeutralLight[], problems: Problems) {
-  const others = lights.filter((light) => light.type !== 'constant');
+  const others = lights.filter((light): light is Exclude<NeutralLight, SkyLight> => !isSky(light));
   return convertAll(numbered(others, ' light'), 'lights', convertLight, problems);
 }
 
-function convertLight(light: NeutralLight) {
+function convertLight(light: Exclude<NeutralLight, SkyLight>) {
   switch (light.type) {
     case 'sphere': {
       const { strength, color } = brightness(light.radiance);
@@ -159,8 +164,6 @@ function convertLight(light: NeutralLight) {
       const { strength, color } = brightness(light.irradiance);
       return { type: 'directional', direction: light.direction, irradiance: strength, color };
     }
-    default:
-      throw new Refusal(`lights of type "${light.type}": not yet`);
   }
 }
 

@@ -65,7 +65,8 @@ const light = v.variant('type', [
   v.strictObject({ type: v.literal('point'), position: triple, intensity: triple }),
   v.strictObject({ type: v.literal('directional'), direction: triple, irradiance: triple }),
   v.strictObject({ type: v.literal('constant'), radiance: triple }),
-  v.looseObject({ type: v.literal('envmap') }),
+  /** Latitude-longitude, as the sky's image of ours; the file's name counts from the JSON's folder. */
+  v.strictObject({ type: v.literal('envmap'), file: v.string(), scale: v.optional(real, 1) }),
 ]);
 
 export const neutralScene = v.strictObject({

@@ -82,12 +82,15 @@ async function everySetting(): Promise<void> {
   }
 }
 
-/** Runs in the page: numbers changed, and a scene with far more shapes and lights. */
+/** Runs in the page: numbers changed, a map of the sky, and a scene with far more shapes and lights. */
 async function editedScenes(): Promise<void> {
   const renderer = window.mirrorball.renderer!;
   const scene = renderer.scene!;
   const [name, light] = Object.entries(scene.lights as Record<string, SphereLight>)[0]!;
   await renderer.setScene({ ...scene, lights: { ...scene.lights, [name]: { ...light, radius: light.radius * 2 } } });
+  const map = { width: 64, height: 32, data: new Float32Array(64 * 32 * 3).fill(0.5) };
+  const render = { ...scene.render, integrator: 'path' } as const;
+  await renderer.setScene({ ...scene, sky: { ...scene.sky, map }, render });
   const ball = (i: number) => ({ type: 'sphere', center: [i / 50, i / 40, 0], radius: 0.1 });
   const material = Object.keys(scene.materials)[0]!;
   const balls = Array.from({ length: 100 }, (_, i) => [`ball ${i}`, { ...ball(i), material }]);

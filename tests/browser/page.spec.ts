@@ -1,3 +1,4 @@
+import { fromInterleaved, writeNpy } from '../../packages/renderer/src/export/index.ts';
 import { backends, everywhere, expect, test } from './fixtures.ts';
 import {
   choose,
@@ -79,6 +80,20 @@ for (const backend of backends) {
       await expect(page.getByRole('slider', { name: 'Reflections' })).toHaveCount(0);
       await choose(page, 'Method', 'Classic ray tracing');
       await expectState(page, (state) => state.settings.integrator, 'classic');
+    });
+
+    test('view: depth and shapes instead of the picture, and back', async ({ page }) => {
+      const menu = page.getByRole('combobox', { name: 'Show' });
+      let before = await lookAtPicture(page);
+      for (const [name, view] of [
+        ['Depth', 'depth'],
+        ['Shapes', 'primitive-id'],
+        ['Picture', 'picture'],
+      ] as const) {
+        await menu.selectOption(name);
+        await expectState(page, (state) => state.settings.view, view);
+        before = await expectChange(page, before, 3, `${name} looks different`);
+      }
     });
 
     test('comparison: strips with dividers that move', async ({ page }) => {
@@ -209,6 +224,28 @@ test('a scene file opens; a broken one lists its problems and changes nothing', 
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
   await expect(group(page, 'Scene').getByRole('radio', { name: 'Cube room' })).toBeChecked();
+});
+
+test('a scene opens with its map of the sky when both files come together, and says so when the map is missing', async ({
+  page,
+  openStudio,
+}) => {
+  await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
+  const scene = `{ "version": 1, "name": "Under a map", "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "sky": { "image": "sky.npy" },
+    "materials": { "grey": {} }, "shapes": { "ball": { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "grey" } } }`;
+  const file = (name: string, content: string | Uint8Array) => ({
+    name,
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from(content),
+  });
+  const input = page.locator('input[type=file]');
+  await input.setInputFiles([file('sky.json', scene)]);
+  const dialog = page.getByRole('dialog', { name: /sky\.json/ });
+  await expect(dialog).toContainText('sky.npy together with the scene');
+  await page.keyboard.press('Escape');
+  const map = writeNpy(fromInterleaved(2, 1, ['R', 'G', 'B'], [1, 2, 3, 4, 5, 6]));
+  await input.setInputFiles([file('sky.npy', map), file('sky.json', scene)]);
+  await expect(group(page, 'Scene').getByRole('radio', { name: 'Under a map' })).toBeChecked();
 });
 
 test('prefers-reduced-motion starts paused', async ({ page, openStudio }) => {

@@ -1,7 +1,9 @@
 /** The scenes and pictures of this folder, for tests and scripts in Node. */
 import { readdirSync, readFileSync } from 'node:fs';
+import { formatOf } from '../../packages/renderer/src/export/formats.ts';
 import type { Scene } from '../../packages/renderer/src/scene/scene.ts';
-import { parseScene } from '../../packages/renderer/src/scene-file/index.ts';
+import { environmentFromPicture } from '../../packages/renderer/src/scene-file/environment-from-picture.ts';
+import { parseScene, withMap } from '../../packages/renderer/src/scene-file/parse-scene.ts';
 import type { Reference } from './blocks.ts';
 import { readNpy } from './npy.ts';
 
@@ -15,7 +17,10 @@ export const referenceNames: readonly string[] = readdirSync(file('.'), { withFi
 export function referenceScene(name: string): Scene {
   const parsed = parseScene(readFileSync(file(`${name}/scene.json`), 'utf8'));
   if (!parsed.ok) throw new Error(`${name}: ${parsed.problems.map(({ message }) => message).join(' ')}`);
-  return parsed.scene;
+  const { image } = parsed.scene.sky;
+  if (image === undefined) return parsed.scene;
+  const bytes = readFileSync(file(`${name}/${image}`));
+  return withMap(parsed.scene, environmentFromPicture(formatOf(image).read(bytes)).map);
 }
 
 export function referencePicture(name: string): Reference {

@@ -20,6 +20,7 @@ export const SAMPLES: Readonly<Record<string, number>> = {
   C1_d3: 8,
   D1: 4,
   D1_d2: 4,
+  E2: 4,
   F1_diffuse: 4,
   F1_ggx010_hc: 4,
   F1_ggx030_hc: 4,

@@ -3,7 +3,7 @@ import type { Problem, Scene } from 'mirrorball';
 import { stopMotion } from './camera-motion.ts';
 import { comparisonModes } from './comparison.ts';
 import { dismiss, notify, reasonOf } from './notices.ts';
-import { builtInScene, readSceneFile } from './scene-files.ts';
+import { builtInScene, readSceneFile, sortFiles } from './scene-files.ts';
 import * as state from './state.ts';
 
 /** What a person can do, whether by the panel, the keys or a dropped file. */
@@ -40,12 +40,16 @@ export function chooseScene(id: string): void {
   show(builtInScene(id));
 }
 
-/** Opens a scene file; when it is broken, says all that is wrong and leaves the scene as it is. */
-export async function openSceneFile(file: File): Promise<void> {
+/** Opens a scene file, with those that it names; when it is broken, says all that is wrong and leaves the scene as it is. */
+export async function openSceneFiles(files: readonly File[]): Promise<void> {
+  const { scene: file, others } = sortFiles(files);
+  if (!file) return;
   try {
-    const read = await readSceneFile(file);
-    if (read.ok) show({ id: 'file', scene: read.scene, fileName: file.name });
-    else refusedFile.value = { name: file.name, problems: read.problems };
+    const read = await readSceneFile(file, others);
+    if (read.ok) {
+      show({ id: 'file', scene: read.scene, fileName: file.name });
+      if (read.notes.length > 0) notify('file', () => read.notes.join(' '));
+    } else refusedFile.value = { name: file.name, problems: read.problems };
   } catch (error) {
     notify('file', (t) => t.fileUnreadable(file.name, reasonOf(error)));
   }

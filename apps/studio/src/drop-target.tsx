@@ -1,10 +1,10 @@
-import { openSceneFile } from './actions.ts';
+import { openSceneFiles } from './actions.ts';
 import { dictionary } from './i18n.ts';
 import { dragOver } from './state.ts';
 
 const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
 
-/** Lets a scene file be dropped anywhere on the page. */
+/** Lets a scene file be dropped anywhere on the page, with the files that it names. */
 export function followDrops(): void {
   addEventListener('dragover', (event) => {
     if (!holdsFiles(event)) return;
@@ -18,8 +18,7 @@ export function followDrops(): void {
     if (!holdsFiles(event)) return;
     event.preventDefault();
     dragOver.value = false;
-    const file = event.dataTransfer?.files[0];
-    if (file) void openSceneFile(file);
+    void openSceneFiles([...(event.dataTransfer?.files ?? [])]);
   });
 }
 

@@ -20,7 +20,7 @@ export const en = {
     materials: 'Materials',
   } as Readonly<Record<string, string>>,
   openFile: 'Open a scene file…',
-  dropHere: 'Drop a scene.json to open it',
+  dropHere: 'Drop a scene.json to open it, with the images that it names',
 
   light: 'Light',
   integrator: 'Method',
@@ -57,6 +57,18 @@ export const en = {
   seconds: (n: string) => `${n} s`,
 
   view: 'View',
+  show: 'Show',
+  viewNames: {
+    picture: 'Picture',
+    albedo: 'Albedo',
+    normal: 'Normals',
+    'geometric-normal': 'Geometric normals',
+    depth: 'Depth',
+    position: 'Positions',
+    'primitive-id': 'Shapes',
+    'material-id': 'Materials',
+  },
+  stillShowsPicture: 'A CPU still shows the picture only.',
   resetView: 'Reset view',
   fullScreen: 'Full screen',
   leaveFullScreen: 'Leave full screen',

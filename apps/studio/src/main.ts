@@ -60,6 +60,7 @@ function takeParameters(given: UrlParameters): void {
     state.lightSamples.value = given.samples ?? state.lightSamples.value;
     state.exposure.value = given.exposure ?? state.exposure.value;
     state.integrator.value = given.integrator ?? state.integrator.value;
+    state.shownView.value = given.view ?? state.shownView.value;
     state.maxDepth.value = given.depth ?? state.maxDepth.value;
     state.toneMapping.value = given.tone ?? state.toneMapping.value;
     state.resolutionScale.value = given.scale ?? state.resolutionScale.value;

@@ -26,9 +26,15 @@ const allowedForms: readonly Form[] = [
   [/: a list of at most (\d+) tracks$/, (most) => `最多 ${most} 条轨道组成的列表`],
   [/: a number or a list of three numbers$/, () => '一个数，或由三个数组成的列表'],
   [
-    /^the sky: one colour \[red, green, blue\], or an object with (.*)$/,
-    (names) => `一个颜色 [红, 绿, 蓝]，或含有 ${listed(names)} 的对象`,
+    /^the sky: one colour \[red, green, blue\], or an object with (.*), or with (".*")$/,
+    (names, image) => `一个颜色 [红, 绿, 蓝]，或含有 ${listed(names)} 的对象，或含有 ${image} 的对象`,
   ],
+  [
+    /^the name of a file with a picture of all around, (.*) or (\S+), from the folder of the scene on/,
+    (endings, last) =>
+      `全景图片的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"`,
+  ],
+  [/^nothing, as it belongs to an "image" and the sky has none$/, () => '不写，因为它属于 "image"，而天空没有图片'],
   [/^the metal: (.*), or an object with (.*)$/, (metals, names) => `${listed(metals)}，或含有 ${listed(names)} 的对象`],
   [/: an object whose "type" is (.*)$/, (names) => `"type" 为 ${listed(names)} 之一的对象`],
   [/: an object with (.*)$/, (names) => `含有 ${listed(names)} 的对象`],
@@ -92,6 +98,7 @@ const foundForms: readonly Form[] = [
   [/^(\S+) after (\S+)$/, (time, before) => `${time}，排在 ${before} 之后`],
   [/^(".*"), which track (\d+) moves already$/, (pointer, track) => `${pointer}，已由轨道 ${track} 使用`],
   [/^the target (".*")$/, (pointer) => `目标 ${pointer}`],
+  [/^the file (".*"), which cannot be used \((.*)\)$/, (file, reason) => `无法使用的文件 ${file}（${reason}）`],
   [/^the unknown key (".*")$/, (key) => `未知的键 ${key}`],
   [/^the reserved name (".*")$/, (name) => `保留的名称 ${name}`],
   [/^a name that looks the same as another, (".*")$/, (name) => `与另一个名称看起来相同的 ${name}`],

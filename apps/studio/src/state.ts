@@ -1,5 +1,14 @@
 import { computed, signal } from '@preact/signals';
-import type { Backend, FrameStats, Integrator, Renderer, RendererSettings, Scene, ToneMapping } from 'mirrorball';
+import type {
+  Backend,
+  FrameStats,
+  Integrator,
+  Renderer,
+  RendererSettings,
+  Scene,
+  ToneMapping,
+  ViewName,
+} from 'mirrorball';
 import { type ComparisonMode, comparisonFor, type Dividers, evenDividers, fitDividers } from './comparison.ts';
 import { framingFor } from './framing.ts';
 
@@ -24,6 +33,8 @@ export const lightSamples = signal(9);
 export const exposure = signal(0);
 export const toneMapping = signal<ToneMapping>('none');
 export const integrator = signal<Integrator>('classic');
+/** The picture, or what is known of each pixel; a CPU still is always the picture. */
+export const shownView = signal<ViewName>('picture');
 /** Segments of a path; −1: no limit. */
 export const maxDepth = signal(-1);
 export const resolutionScale = signal(1);
@@ -90,6 +101,7 @@ export const comparing = computed<ComparisonMode>(() =>
 export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples' | 'pixelFilter' | 'independentSamples'>>(
   () => ({
     integrator: integrator.value,
+    view: shownView.value,
     maxDepth: maxDepth.value,
     maxReflections: reflections.value,
     lightSamples: lightSamples.value,

@@ -12,7 +12,7 @@ test('an empty address leaves everything open and shows the controls', () => {
 
 test('every parameter is read', () => {
   const address =
-    '?scene=mirror-blocks&backend=webgl2&size=512&reflections=10&samples=9&exposure=-0.5&tone=agx&integrator=path&depth=8&compare=samples&time=1.3&paused=1&lang=zh&ui=0&scale=0.5&adaptive=0&seed=1';
+    '?scene=mirror-blocks&backend=webgl2&size=512&reflections=10&samples=9&exposure=-0.5&tone=agx&integrator=path&depth=8&view=normal&compare=samples&time=1.3&paused=1&lang=zh&ui=0&scale=0.5&adaptive=0&seed=1';
   expect(readParameters(address, scenes)).toEqual({
     scene: 'mirror-blocks',
     backend: 'webgl2',
@@ -23,6 +23,7 @@ test('every parameter is read', () => {
     tone: 'agx',
     integrator: 'path',
     depth: 8,
+    view: 'normal',
     compare: 'samples',
     time: 1.3,
     paused: true,

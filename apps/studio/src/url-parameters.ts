@@ -1,3 +1,6 @@
+import type { ViewName } from 'mirrorball';
+import { en } from './en.ts';
+
 /**
  * The address as an input, so that a picture can be linked, tested and measured:
  *
@@ -7,6 +10,7 @@
  *     &reflections=10       0 … 64               &samples=9     points on each light, 1 … 256
  *     &exposure=0.5         stops, −10 … 10      &compare=reflections    or samples: three strips side by side
  *     &tone=agx             tone mapping: none, aces, agx or neutral
+ *     &view=depth           instead of the picture: albedo, normal, geometric-normal, depth, position, primitive-id, material-id
  *     &time=1.3             seconds to start at  &paused=1      stand still (0: move, even where reduced motion is wished)
  *     &scale=1              resolution scale, 0.1 … 1           &adaptive=0    hold that scale in motion
  *     &seed=1               of the random numbers
@@ -25,6 +29,7 @@ export interface UrlParameters {
   readonly samples: number | null;
   readonly exposure: number | null;
   readonly tone: 'none' | 'aces' | 'agx' | 'neutral' | null;
+  readonly view: ViewName | null;
   readonly compare: 'off' | 'reflections' | 'samples' | null;
   readonly time: number | null;
   readonly paused: boolean | null;
@@ -38,6 +43,8 @@ export interface UrlParameters {
   /** Parameters that there are not, such as "reflection=10". */
   readonly unknown: readonly string[];
 }
+
+const VIEWS = Object.keys(en.viewNames) as readonly ViewName[];
 
 /** So many parameters that there are not are named. */
 const MOST_UNKNOWN = 8;
@@ -104,6 +111,7 @@ export function readParameters(search: string, sceneIds: readonly string[]): Url
     samples: read.number('samples', 1, 256, true),
     exposure: read.number('exposure', -10, 10),
     tone: read.choice('tone', ['none', 'aces', 'agx', 'neutral']),
+    view: read.choice('view', VIEWS),
     compare: read.choice('compare', ['off', 'reflections', 'samples']),
     time: read.number('time', 0, 1e6),
     paused: read.flag('paused'),

@@ -18,7 +18,7 @@ export const zhCN: Dictionary = {
     materials: '材质陈列',
   },
   openFile: '打开场景文件…',
-  dropHere: '松开鼠标即可打开 scene.json',
+  dropHere: '松开鼠标即可打开 scene.json（连同它用到的图片）',
 
   light: '光照',
   integrator: '渲染方法',
@@ -55,6 +55,18 @@ export const zhCN: Dictionary = {
   seconds: (n) => `${n} 秒`,
 
   view: '视角',
+  show: '显示内容',
+  viewNames: {
+    picture: '画面',
+    albedo: '反照率',
+    normal: '法线',
+    'geometric-normal': '几何法线',
+    depth: '深度',
+    position: '位置',
+    'primitive-id': '物体编号',
+    'material-id': '材质编号',
+  },
+  stillShowsPicture: 'CPU 静帧只能显示画面本身。',
   resetView: '还原视角',
   fullScreen: '全屏',
   leaveFullScreen: '退出全屏',

@@ -1,9 +1,11 @@
 /** The commands and their options: what can be typed, and nothing of what is done then. */
 import { Command, CommanderError, Option } from 'commander';
+import { builtInScenes } from 'mirrorball/built-in';
+import { AOV_NAMES, type AovName } from 'mirrorball/headless';
 import { SCENE_LIMITS } from 'mirrorball/scene';
 import { EXIT, type ExitCode } from './exit-codes.ts';
 import type { SampleRange } from './sample-ranges.ts';
-import { depth, pixel, positive, range, real, region, size, whole } from './values.ts';
+import { depth, names, pixel, positive, range, real, region, size, whole } from './values.ts';
 
 /** A film's sample index must stay exact in float32. */
 const MOST_SAMPLES = 2 ** 24;
@@ -20,6 +22,7 @@ export interface OutputOptions extends CommonOptions {
   readonly half?: boolean;
   readonly bits: '8' | '16';
   readonly exposure?: number;
+  readonly aov?: readonly AovName[];
 }
 export interface RenderOptions extends OutputOptions {
   readonly output?: string;
@@ -43,6 +46,16 @@ export interface RenderOptions extends OutputOptions {
 }
 export interface MergeOptions extends OutputOptions {
   readonly output: string;
+  readonly backend: BackendChoice;
+}
+
+export interface BenchOptions extends CommonOptions {
+  readonly backend: BackendChoice;
+  /** Ids of built-in scenes. */
+  readonly scene?: readonly string[];
+  readonly size: { readonly width: number; readonly height: number };
+  readonly spp: number;
+  readonly seconds: number;
 }
 
 /** What each command does. */
@@ -54,6 +67,7 @@ export interface Actions {
   schema(options: { readonly output?: string }): Promise<void>;
   info(files: string[], options: CommonOptions): Promise<void>;
   doctor(options: CommonOptions): Promise<void>;
+  bench(options: BenchOptions): Promise<void>;
 }
 
 const json = () => new Option('--json', 'one JSON object a line on standard output');
@@ -63,7 +77,13 @@ const pictureOptions = (command: Command): Command =>
   command
     .addOption(new Option('--half', 'EXR with 16-bit floats'))
     .addOption(new Option('--bits <n>', 'bits of a PNG channel').choices(['8', '16']).default('8'))
-    .addOption(new Option('--exposure <stops>', "PNG: brightness; default: the scene's").argParser(real(-32, 32)));
+    .addOption(new Option('--exposure <stops>', "PNG: brightness; default: the scene's").argParser(real(-32, 32)))
+    .addOption(
+      new Option('--aov <names>', `more than the picture, with commas: ${AOV_NAMES.join(', ')}`).argParser(
+        names(AOV_NAMES),
+      ),
+    )
+    .addOption(new Option('--backend <name>', 'what traces').choices(['auto', ...BACKENDS]).default('auto'));
 
 function addRender(program: Command, actions: Actions): void {
   const command = program.command('render').description('render a scene file (or a built-in scene by its name)');
@@ -93,11 +113,6 @@ function addRender(program: Command, actions: Actions): void {
     .addOption(option('--fps <n>', 'frames a second').argParser(positive(1e6)).default(24))
     .addOption(option('--until-error <e>', 'stop when the estimated error is below').argParser(positive(1e6)))
     .addOption(option('--until-time <s>', 'stop after so many seconds a picture').argParser(positive(1e9)))
-    .addOption(
-      option('--backend <name>', 'what traces')
-        .choices(['auto', ...BACKENDS])
-        .default('auto'),
-    )
     .addOption(option('--resume', 'go on from what an interrupted run saved'));
   pictureOptions(command).addOption(json());
   command.action((scene: string, options: RenderOptions) => actions.render(scene, options));
@@ -139,12 +154,37 @@ function addOthers(program: Command, actions: Actions): void {
     .action((options: CommonOptions) => actions.doctor(options));
 }
 
+function addBench(program: Command, actions: Actions): void {
+  const scenes = builtInScenes.map(({ id }) => id);
+  program
+    .command('bench')
+    .description('how fast this machine traces: both integrators, backend by backend')
+    .addOption(
+      new Option('--backend <name>', 'only this one; auto: webgpu and chromium')
+        .choices(['auto', ...BACKENDS])
+        .default('auto'),
+    )
+    .addOption(
+      new Option('--scene <names>', `with commas: ${scenes.join(', ')} (default: cube-room,materials)`).argParser(
+        names(scenes),
+      ),
+    )
+    .addOption(
+      new Option('--size <WxH>', 'pixels').argParser(size(MOST_SIDE)).default({ width: 320, height: 180 }, '320x180'),
+    )
+    .addOption(new Option('--spp <n>', 'samples a pixel at most').argParser(whole(1, MOST_SAMPLES)).default(65536))
+    .addOption(new Option('--seconds <s>', 'of each measurement, about').argParser(positive(3600)).default(0.7))
+    .addOption(json())
+    .action((options: BenchOptions) => actions.bench(options));
+}
+
 export function createProgram(version: string, actions: Actions): Command {
   const program = new Command('mirrorball');
   program.description('Renders, merges, checks and compares without a window.').version(version);
   program.exitOverride().showSuggestionAfterError().enablePositionalOptions();
   addRender(program, actions);
   addOthers(program, actions);
+  addBench(program, actions);
   // Subcommands made before an override would not have it.
   for (const command of program.commands) {
     command

@@ -1,7 +1,7 @@
 /** What two films must have in common to be parts of one picture, and the scene's fingerprint in it. */
 import { createHash } from 'node:crypto';
 import type { FilmArea, FilmSettings } from 'mirrorball/headless';
-import type { Scene } from 'mirrorball/scene';
+import type { Scene, Sky } from 'mirrorball/scene';
 
 /** Plain JSON; what is not in it does not change the film. */
 export interface FilmIdentity {
@@ -25,8 +25,18 @@ function canonical(value: unknown, ordered: boolean): unknown {
   return ordered ? entries : entries.sort(([a], [b]) => (a < b ? -1 : 1));
 }
 
+/** A sky with an image by what is in it, whatever its file is called. */
+function hashedSky({ map, image: _, ...sky }: Sky): object {
+  if (!map) return sky;
+  const { buffer, byteOffset, byteLength } = map.data;
+  const content = createHash('sha256')
+    .update(new Uint8Array(buffer, byteOffset, byteLength))
+    .digest('hex');
+  return { ...sky, map: [map.width, map.height, content] };
+}
+
 export function sceneHash({ camera, sky, materials, shapes, lights, animation }: Scene): string {
-  const parts = [camera, sky, animation].map((part) => canonical(part, false));
+  const parts = [camera, hashedSky(sky), animation].map((part) => canonical(part, false));
   const named = [materials, shapes, lights].map((things) => canonical(things, true));
   return createHash('sha256')
     .update(JSON.stringify([parts, named]))

@@ -3,6 +3,7 @@
 import { isMainThread } from 'node:worker_threads';
 import { type Actions, createProgram, exitOfCommander } from './arguments.ts';
 import { serveRows } from './backends/cpu-worker.ts';
+import { bench } from './commands/bench.ts';
 import { compare } from './commands/compare.ts';
 import { doctor } from './commands/doctor.ts';
 import { info } from './commands/info.ts';
@@ -26,6 +27,7 @@ const actions: Actions = {
   schema,
   info: (files, options) => info(files, withJson(options)),
   doctor: (options) => doctor(withJson(options)),
+  bench: (options) => bench(options, withJson(options)),
 };
 
 function report(error: unknown): ExitCode {

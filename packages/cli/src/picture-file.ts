@@ -11,6 +11,7 @@ import {
   pickLayer,
   readNpz,
 } from 'mirrorball/picture-files';
+import { aovChannels, aovFile, aovPicture, aovTexts, holdsLayers, mayBeHalf, type WithAovs } from './aov-pictures.ts';
 import type { OutputOptions } from './arguments.ts';
 import { CommandError, EXIT, usage } from './exit-codes.ts';
 import { type Part, readPart, writePart } from './part-file.ts';
@@ -33,19 +34,59 @@ export function checkOutputName(path: string): void {
 
 const COLOURS = ['R', 'G', 'B'];
 
-/** Writes the film in the format of the file's name. */
-export async function writeFilm(path: string, part: Part, options: OutputOptions): Promise<void> {
-  if (isPart(path)) return writePart(path, part);
+/** Writes the film in the format of the file's name; gives the files, the picture's first: more than one where AOVs need their own. */
+export async function writeFilm(
+  path: string,
+  part: Part,
+  options: OutputOptions,
+  aovs: WithAovs | null = null,
+): Promise<string[]> {
+  if (isPart(path)) {
+    await writePart(path, part);
+    return [path];
+  }
   const { film, identity } = part;
   const [, , width, height] = identity.region;
+  const exposure = options.exposure ?? part.exposure;
+  const texts = {
+    ...part.texts,
+    Render: JSON.stringify({ ...identity, samples: formatRanges(film.ranges) }),
+    ...(aovs && aovTexts(aovs)),
+  };
+  const picture = fromInterleaved(width, height, COLOURS, film.mean());
+  if (!aovs || holdsLayers(path)) {
+    const channels = [...picture.channels, ...(aovs ? aovChannels(film, aovs) : [])];
+    await writePicture(path, { ...picture, channels, texts }, options, exposure);
+    return [path];
+  }
+  const files = aovs.names.map((name) => ({ name, file: aovFile(path, name) }));
+  for (const { name, file } of files)
+    await writePicture(
+      file,
+      { ...aovPicture(name, film, aovs), texts },
+      options,
+      // A share of light is no light: it has no exposure.
+      name === 'albedo' ? 0 : exposure,
+    );
+  // Last, so that with it all are there.
+  await writePicture(path, { ...picture, texts }, options, exposure);
+  return [path, ...files.map(({ file }) => file)];
+}
+
+async function writePicture(
+  path: string,
+  picture: FloatPicture,
+  options: OutputOptions,
+  exposure: number,
+): Promise<void> {
   const format = formatOf(path);
-  const mean = film.mean();
-  const values = format.forScreens ? forScreen(mean, options.exposure ?? part.exposure) : mean;
-  const texts = { ...part.texts, Render: JSON.stringify({ ...identity, samples: formatRanges(film.ranges) }) };
-  const picture: FloatPicture = { ...fromInterleaved(width, height, COLOURS, values), texts };
+  const channels = format.forScreens
+    ? picture.channels.map(({ name, data }) => ({ name, data: forScreen(data, exposure) }))
+    : picture.channels;
   try {
     const bits = options.bits === '16' ? 16 : 8;
-    await writeAtomically(path, [format.write(picture, { half: options.half === true, bits })]);
+    const half = options.half === true ? mayBeHalf : false;
+    await writeAtomically(path, [format.write({ ...picture, channels }, { half, bits })]);
   } catch (error) {
     if (error instanceof ImageError) throw new CommandError(EXIT.failed, `${path}: ${error.message}`);
     throw error;

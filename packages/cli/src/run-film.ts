@@ -1,6 +1,7 @@
 /** Brings a film to its samples, block by block, until it has them, is good enough, has taken its time, or is interrupted. */
 import type { FilmSums, FilmTracer } from 'mirrorball/headless';
 import { type AccumulatedFilm, BLOCK } from './accumulated-film.ts';
+import { startClock } from './clock.ts';
 import type { Progress } from './progress.ts';
 import { missingFrom, type SampleRange } from './sample-ranges.ts';
 
@@ -72,19 +73,4 @@ function endingNow(film: AccumulatedFilm, goal: FilmGoal, interrupted: AbortSign
   const error = film.error();
   if (goal.untilError !== undefined && error !== null && error <= goal.untilError) return 'error reached';
   return clock.aborted ? 'time over' : null;
-}
-
-/** A signal that comes when the time is over, and with every interruption. */
-function startClock(seconds: number | undefined, interrupted: AbortSignal): { signal: AbortSignal; stop: () => void } {
-  const controller = new AbortController();
-  const abort = () => controller.abort();
-  interrupted.addEventListener('abort', abort);
-  if (interrupted.aborted) abort();
-  // Timers cannot wait longer than 2^31 - 1 milliseconds.
-  const timer = seconds === undefined ? undefined : setTimeout(abort, Math.min(seconds * 1000, 2 ** 31 - 1));
-  const stop = () => {
-    clearTimeout(timer);
-    interrupted.removeEventListener('abort', abort);
-  };
-  return { signal: controller.signal, stop };
 }

@@ -1,11 +1,19 @@
 /** Scenes from files, or built-in ones by name, with everything that is wrong with them. */
-import { readFile } from 'node:fs/promises';
+import { readFile, stat } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
 import { builtInScenes } from 'mirrorball/built-in';
 import type { Scene } from 'mirrorball/scene';
-import { parseScene } from 'mirrorball/scene-file';
+import { loadImages, parseScene } from 'mirrorball/scene-file';
 import { type BadScene, BadSceneError, usage } from './exit-codes.ts';
+import type { Terminal } from './terminal.ts';
 
-export type SceneSource = { readonly file: string; readonly scene: Scene } | BadScene;
+export interface GoodScene {
+  readonly file: string;
+  readonly scene: Scene;
+  /** What was changed in files that it names, as sentences. */
+  readonly notes: readonly string[];
+}
+export type SceneSource = GoodScene | BadScene;
 
 /** Rejects only when the file cannot be read at all. A file goes before a built-in scene of its name. */
 export async function readScene(file: string): Promise<SceneSource> {
@@ -14,15 +22,33 @@ export async function readScene(file: string): Promise<SceneSource> {
     text = await readFile(file, 'utf8');
   } catch (error) {
     const builtIn = builtInScenes.find(({ id }) => id === file);
-    if (builtIn) return { file, scene: builtIn.scene };
+    if (builtIn) return { file, scene: builtIn.scene, notes: [] };
     throw usage(`The scene ${file} cannot be read: ${(error as Error).message}`);
   }
   const parsed = parseScene(text);
-  return parsed.ok ? { file, scene: parsed.scene } : { file, problems: parsed.problems };
+  if (!parsed.ok) return { file, problems: parsed.problems };
+  const loaded = await loadImages(parsed.scene, (name) => readBeside(file, name));
+  return loaded.ok ? { file, scene: loaded.scene, notes: loaded.notes } : { file, problems: loaded.problems };
 }
 
-export async function requireSceneFile(file: string): Promise<Scene> {
+/** A picture of all around that is larger than this has more texels than anybody can use, bytes. */
+const MOST_IMAGE_BYTES = 2 ** 30;
+
+/** A file that a scene names, by its path from the scene's folder. */
+async function readBeside(sceneFile: string, name: string): Promise<Uint8Array> {
+  const path = join(dirname(sceneFile), ...name.split('/'));
+  const found = await stat(path).catch((error: NodeJS.ErrnoException) => {
+    throw new Error(error.code === 'ENOENT' ? `there is no file ${path}` : error.message);
+  });
+  if (!found.isFile()) throw new Error(`${path} is no file`);
+  if (found.size > MOST_IMAGE_BYTES)
+    throw new Error(`${path} has ${found.size} bytes, where at most ${MOST_IMAGE_BYTES} are read`);
+  return readFile(path);
+}
+
+export async function requireSceneFile(file: string, terminal: Terminal): Promise<Scene> {
   const source = await readScene(file);
   if ('problems' in source) throw new BadSceneError([source]);
+  for (const note of source.notes) terminal.note(note);
   return source.scene;
 }

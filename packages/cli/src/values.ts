@@ -74,3 +74,14 @@ export const pixel =
       ? { x, y }
       : refuse('x,y in pixels from the top left corner, as in 12,34');
   };
+
+/** Some of these, with commas between, each once. */
+export const names =
+  <Name extends string>(allowed: readonly Name[]): Parse<readonly Name[]> =>
+  (text) => {
+    const given = text.split(',').map((name) => name.trim());
+    const known = allowed.filter((name) => given.includes(name));
+    const strange = given.filter((name) => !allowed.some((each) => each === name));
+    if (strange.length === 0 && known.length > 0) return known;
+    return refuse(`some of ${allowed.join(', ')}, with commas between them, not "${strange.join(', ')}"`);
+  };

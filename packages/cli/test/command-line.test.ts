@@ -1,5 +1,7 @@
 // The built program from outside. `npm run build` is not needed before: it is built here when it is not there or old.
-import { existsSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { builtInScenes } from 'mirrorball/built-in';
+import { fromInterleaved, interleave, pickLayer, readExr, readPfm, writeNpy } from 'mirrorball/picture-files';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import { buildCliIfStale } from '../../../scripts/build-cli.mjs';
 import { findChromium } from '../src/backends/find-chromium.ts';
@@ -25,6 +27,50 @@ const SMALL = '--size 24x16 --light-samples 4';
 
 beforeAll(() => writeFileSync(inFolder('bad.json'), '{"version":2,"name":"Bad","materials":{"a":{"roughness":7}}}'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('a sky with an image', () => {
+  const skyScene = (image: string) =>
+    JSON.stringify({
+      version: 1,
+      name: 'Sky',
+      camera: { eye: [0, 0, 5], target: [0, 0, 0] },
+      sky: { image },
+      materials: { grey: {} },
+      shapes: { ball: { type: 'sphere', center: [0, 0, 0], radius: 1, material: 'grey' } },
+    });
+  const map = (values: readonly number[]) => writeNpy(fromInterleaved(2, 1, ['R', 'G', 'B'], values));
+  const put = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
+
+  test('is looked for beside the scene; one that is missing or broken is a problem with its place', async () => {
+    mkdirSync(inFolder('scenes'));
+    mkdirSync(inFolder('maps'));
+    put('maps/a.npy', map([1, 2, 3, 4, 5, 6]));
+    put('scenes/good.json', skyScene('../maps/a.npy'));
+    expect(await mirrorball('validate scenes/good.json')).toMatchObject({ code: 0 });
+    put('scenes/missing.json', skyScene('a.npy'));
+    const missing = await mirrorball('validate scenes/missing.json');
+    expect(missing).toMatchObject({ code: 4, stderr: expect.stringContaining('/sky/image') });
+    expect(missing.stderr).toContain('there is no file scenes/a.npy');
+    put('scenes/b.npy', 'no array');
+    put('scenes/broken.json', skyScene('b.npy'));
+    expect(await mirrorball('validate scenes/broken.json')).toMatchObject({ code: 4 });
+    put('scenes/folder.json', skyScene('x.npy'));
+    mkdirSync(inFolder('scenes/x.npy'));
+    expect((await mirrorball('validate scenes/folder.json')).stderr).toContain('x.npy is no file');
+  });
+
+  test('belongs to the film: a part of another map does not go on, one of the same map by another name does', async () => {
+    const render = () => mirrorball('render sky.json -o sky.part --size 4x4 --spp 2 --resume --backend cpu');
+    put('a.npy', map([1, 2, 3, 4, 5, 6]));
+    put('sky.json', skyScene('a.npy'));
+    expect(await render()).toMatchObject({ code: 0 });
+    put('a.npy', map([1, 2, 3, 4, 5, 7]));
+    expect(await render()).toMatchObject({ code: 2, stderr: expect.stringContaining('another scene') });
+    put('b.npy', map([1, 2, 3, 4, 5, 6]));
+    put('sky.json', skyScene('b.npy'));
+    expect(await render()).toMatchObject({ code: 0 });
+  });
+});
 
 describe('exit codes', () => {
   test.each([
@@ -210,6 +256,80 @@ test.skipIf(!chromium)(`cpu = chromium${chromium ? '' : ' (skipped: no Chromium 
   for (const name of ['cpu', 'chromium'])
     expect((await mirrorball(`${picture} --backend ${name} -o ${name}.npy`)).code).toBe(0);
   expectParity(pixelsOf('chromium.npy'), pixelsOf('cpu.npy'));
+});
+
+describe(`AOVs, by ${backend}`, () => {
+  const path = dawn ? '--integrator path --max-depth 5' : '--light-samples 1';
+  const render = (args: string, integrator = '--integrator classic --light-samples 1') =>
+    mirrorball(`render cube-room --backend ${backend} --size 20x14 ${integrator} ${args}`);
+  const layer = (file: string, name: string) => interleave(pickLayer(readExr(bytesOf(file)), name));
+
+  test('one EXR has them as layers: direct + indirect = the picture, and places fit depths and numbers', async () => {
+    const names =
+      'albedo,normal,geometric-normal,depth,position,primitive-id,material-id,direct,indirect,samples,error';
+    const { code, stderr } = await render(`--spp 34 --half -o aov.exr --aov ${names}`, path);
+    expect([code, stderr]).toEqual([0, expect.any(String)]);
+    const [direct, indirect, picture] = ['direct', 'indirect', ''].map((name) => layer('aov.exr', name));
+    const sum = direct!.map((value, i) => value + indirect![i]!);
+    // All three are rounded to 16 bits.
+    expect(largestDifference(sum, picture!)).toBeLessThan(2e-3);
+    expect(Math.max(...indirect!)).toBeGreaterThan(0.01);
+    expect(new Set(layer('aov.exr', 'samples'))).toEqual(new Set([34]));
+    expect(Math.max(...layer('aov.exr', 'error'))).toBeGreaterThan(0);
+    const { eye, target } = builtInScenes.find(({ id }) => id === 'cube-room')!.scene.camera;
+    const forward = target.map((x, c) => x - eye[c]!);
+    const [depth, position] = [layer('aov.exr', 'depth'), layer('aov.exr', 'P')];
+    depth.forEach((z, i) => {
+      const along = forward.reduce((d, f, c) => d + f * (position[3 * i + c]! - eye[c]!), 0) / Math.hypot(...forward);
+      expect(z).toBeCloseTo(along, 4);
+    });
+    const facts = (await mirrorball('info aov.exr --json')).events[0]!;
+    const ids = JSON.parse(String(facts.PrimitiveIds)) as string[];
+    expect(Math.max(...layer('aov.exr', 'primitiveId'))).toBeLessThan(ids.length);
+    expect(ids[1]).toMatch(/^\/shapes\//);
+  });
+
+  test('merged parts have the AOVs of the whole picture, and so has a part of the picture', async () => {
+    const aov = '--aov depth,albedo,indirect';
+    expect((await render(`--spp 12 -o one.npy ${aov}`)).code).toBe(0);
+    for (const range of ['0-4', '5-11']) expect((await render(`--samples ${range} -o q${range}.part`)).code).toBe(0);
+    const merged = await mirrorball(`merge q0-4.part q5-11.part -o two.npy --backend ${backend} ${aov}`);
+    expect([merged.code, merged.stderr]).toEqual([0, expect.any(String)]);
+    for (const name of ['depth', 'albedo', 'indirect'])
+      expect(largestDifference(pixelsOf(`two.${name}.npy`), pixelsOf(`one.${name}.npy`))).toBeLessThan(1e-5);
+    expect((await render(`--spp 12 -o cut.npy --region 3,2,5,4 ${aov}`)).code).toBe(0);
+    const [cut, whole] = [pixelsOf('cut.depth.npy'), pixelsOf('one.depth.npy')];
+    expect(Array.from(cut)).toEqual(
+      Array.from({ length: 20 }, (_, i) => whole[(2 + Math.floor(i / 5)) * 20 + 3 + (i % 5)]!),
+    );
+  });
+
+  test('files of their own where a format has no layers; what it cannot hold is refused before any work', async () => {
+    const { code, events } = await render('--spp 2 -o s.png --aov albedo,direct --json');
+    expect([code, events.at(-1)!.files]).toEqual([0, ['s.png', 's.albedo.png', 's.direct.png']]);
+    expect(existsSync(inFolder('s.direct.png'))).toBe(true);
+    expect((await render('--spp 2 -o n.pfm --aov normal,depth')).code).toBe(0);
+    expect(readPfm(bytesOf('n.normal.pfm')).channels).toHaveLength(3);
+    const again = await render('--spp 2 -o n.pfm --resume --aov position');
+    expect([again.code, existsSync(inFolder('n.position.pfm'))]).toEqual([0, true]);
+    const refused = await render('--spp 2 -o t.png --aov depth');
+    expect([refused.code, refused.stderr]).toEqual([2, expect.stringContaining('Write .exr, .npy or .pfm')]);
+    const strange = await render('--spp 2 -o t.exr --aov depht');
+    expect([strange.code, strange.stderr]).toEqual([2, expect.stringContaining('not "depht"')]);
+  });
+});
+
+test('bench measures both integrators on a GPU, the classic one alone on the CPU', async () => {
+  const args = '--size 16x12 --spp 3 --seconds 0.2 --scene cube-room --json';
+  const { events, code } = await mirrorball(`bench --backend ${backend} ${args}`);
+  expect(code).toBe(0);
+  const measured = events.filter(({ event }) => event === 'measured');
+  expect(measured.map(({ integrator }) => integrator)).toEqual(dawn ? ['classic', 'path'] : ['classic']);
+  for (const { samples, samplesPerSecond, firstSampleSeconds } of measured) {
+    expect(samples).toBeGreaterThan(0);
+    expect(samplesPerSecond).toBeGreaterThan(0);
+    expect(firstSampleSeconds).toBeGreaterThan(0);
+  }
 });
 
 test('doctor names each backend', async () => {

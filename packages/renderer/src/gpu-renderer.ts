@@ -197,7 +197,7 @@ export class GpuRenderer implements Renderer {
   /** Resolves to false when the device was lost on the way. */
   async #renderWith(painter: Painter): Promise<boolean> {
     this.#controller.watched = this.running;
-    if (!this.running) await painter.stages.ready(this.settings.integrator);
+    if (!this.running) await painter.stages.ready(this.#view.subject);
     if (!painter.free) painter.refresh();
     while (!painter.free && painter === this.#painter) await pause(4);
     if (painter !== this.#painter) return false;
@@ -212,10 +212,13 @@ export class GpuRenderer implements Renderer {
   }
 
   async readFilm() {
+    const { view } = this.settings;
+    if (view !== 'picture')
+      throw new Error(`The film holds the view "${view}". Set view to "picture" to read the picture.`);
     const painter = await this.#waitForPainter();
     // The film of a picture that was never asked for, or only of the preview, is not the integrator's.
     if (painter.filmRevision >= 0 && !painter.filmComplete)
-      await painter.stages.ready(this.settings.integrator).then(() => this.render());
+      await painter.stages.ready(this.#view.subject).then(() => this.render());
     while (painter === this.#painter && painter.stages.pending && painter.stages.film.samples === 0) await pause(4);
     const { film } = (await this.#waitForPainter()).stages;
     if (film.samples === 0) throw new Error('Nothing has been rendered yet.');

@@ -1,4 +1,5 @@
 /** Mirrorball: ray tracing in the browser. `createRenderer(canvas)`, `renderer.setScene(scene)`, `renderer.start()`. */
+export type { ViewName } from './display/views.ts';
 export { DeviceError } from './gpu/device.ts';
 export { createRenderer } from './renderer.ts';
 export type * from './renderer-types.ts';

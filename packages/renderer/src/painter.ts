@@ -71,8 +71,7 @@ export class Painter {
     if (this.#outdated(size)) this.#begin(size);
     else if (this.#enough()) return this.#rest();
     await this.#trace(unwanted);
-    const { integrator } = this.#easel.view.settings;
-    if (!this.stages.has(integrator)) await this.stages.ready(integrator);
+    if (!this.#complete) await this.stages.ready(this.#easel.view.subject);
   }
 
   /** While a frame takes its time: a resized canvas is not left blank, and exposure follows the hand. */
@@ -124,7 +123,7 @@ export class Painter {
 
   /** Whether the integrator that is wanted can draw. */
   get #complete(): boolean {
-    return this.stages.has(this.#easel.view.settings.integrator);
+    return this.stages.has(this.#easel.view.subject);
   }
 
   #enough(): boolean {
@@ -147,11 +146,7 @@ export class Painter {
     const { targetFps, resolutionScale } = view.settings;
     const largest = Math.min(resolutionScale, this.stages.device.maxTextureSize / Math.max(width, height));
     const pixels = (side: number, scale: number) => Math.max(Math.round(side * scale), 1);
-    this.stages.film.reserve(
-      pixels(width, largest),
-      pixels(height, largest),
-      this.stages.layersFor(view.settings.integrator),
-    );
+    this.stages.film.reserve(pixels(width, largest), pixels(height, largest), this.stages.layersFor(view.subject));
     const scale = reduced ? controller.movingScale(width * height, targetFps, largest) : largest;
     return { width: pixels(width, scale), height: pixels(height, scale) };
   }

@@ -1,3 +1,4 @@
+import type { ViewName } from './display/views.ts';
 import type { PixelFilter } from './packed-scene/pack-filter.ts';
 import type { Camera, Integrator, Scene, ToneMapping } from './scene/scene.ts';
 
@@ -28,6 +29,8 @@ export interface Framing {
 /** Everything that may change from frame to frame without touching the scene. Changing any of it compiles nothing. */
 export interface RendererSettings {
   integrator: Integrator;
+  /** What is shown: the picture, or what is known of each pixel, docs/aov.md. The CPU shows the picture only. */
+  view: ViewName;
   /** `path`: segments of a path from the camera on, 1 … 4096; −1 = no limit. */
   maxDepth: number;
   /** `path`: how the samples of a pixel are weighted about its centre; all but `box` also reach into its neighbours. */
@@ -106,7 +109,7 @@ export interface Renderer {
   speed: number;
   /** Draws one frame now and resolves when the device has finished it. */
   render(): Promise<void>;
-  /** The film: linear RGB + sample count, float32, width × height × 4, row 0 on top; mean radiance. */
+  /** The film of the picture (not of another `view`): linear RGB + sample count, float32, width × height × 4, row 0 on top; mean radiance. */
   readFilm(): Promise<{ width: number; height: number; pixels: Float32Array }>;
   dispose(): void;
 }

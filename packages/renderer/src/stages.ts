@@ -2,25 +2,25 @@
  * Everything that lives on one device: the passes, the film, the packed scene. Made anew when a device was lost. One film
  * sample is a visible list of calls: pack, trace in short submits, show.
  */
+import { AovDisplay, type Sight } from './display/aov-view.ts';
 import { Display, type Look } from './display/display.ts';
+import { EnvironmentTexture } from './environment-texture.ts';
 import { Film } from './film/film.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
-import { createClassicPass, createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
-import { createPathPass, drawPath, PATH_LAYERS } from './integrator/path/path.ts';
+import { aovFrame, drawAov } from './integrator/aov/aov.ts';
+import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
+import { drawPath } from './integrator/path/path.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
-import { createBlock } from './packed-scene/write-struct.ts';
-import type { RendererSettings } from './renderer-types.ts';
-import type { Camera, Integrator, Scene } from './scene/scene.ts';
+import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
+import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
+import { sceneSeenBy } from './scene/seen-by.ts';
 
 /** One state of the world, as the film is to hold it. */
-export interface Shot {
-  readonly scene: Scene;
-  readonly camera: Camera;
-  readonly settings: Readonly<RendererSettings>;
+export interface Shot extends Subject {
   /** At most. */
   readonly raysPerPixel: number;
   /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
@@ -38,17 +38,21 @@ export class Stages {
   readonly device: Device;
   readonly film: Film;
   readonly #display: Display;
+  #aovDisplay: AovDisplay | null = null;
+  #openingAovDisplay: Promise<void> | null = null;
   readonly #preview: Pass;
   readonly #frame: UniformBuffer;
   readonly #frameBlock = createBlock(structSize('Frame'));
-  readonly #integrators = new Map<Integrator, Pass>();
-  readonly #compiling = new Map<Integrator, Promise<void>>();
+  readonly #programs: Programs;
   #table: TableTexture | null = null;
   #packed: PackedScene | undefined;
+  readonly #environment: EnvironmentTexture;
   #shot: Shot | null = null;
-  /** What draws the samples of the shot, and whether it is the path integrator. */
+  /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
-  #paths = false;
+  #content: Content | null = null;
+  /** What the film's newest whole picture shows, when it is no picture. */
+  #pictured: Sight | null = null;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -57,20 +61,25 @@ export class Stages {
   /** The integrators that have drawn something. */
   readonly #warm = new Set<Pass>();
 
-  /** Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. */
-  static async open(device: Device): Promise<Stages> {
+  /**
+   * Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. `exact`: path programs are made for
+   * exactly what is asked of them, whenever that changes.
+   */
+  static async open(device: Device, exact = false): Promise<Stages> {
     const [display, preview] = await Promise.all([Display.create(device), createPreviewPass(device)]);
     device.attach();
-    return new Stages(device, display, preview);
+    return new Stages(device, display, preview, exact);
   }
 
-  private constructor(device: Device, display: Display, preview: Pass) {
+  private constructor(device: Device, display: Display, preview: Pass, exact: boolean) {
     this.device = device;
+    this.#programs = new Programs(device, exact);
     this.#display = display;
     this.#preview = preview;
     this.#pass = preview;
     this.film = new Film(device);
     this.#frame = device.createUniforms(structSize('Frame'));
+    this.#environment = new EnvironmentTexture(device);
   }
 
   /** Whether a sample has been begun whose last rows are not submitted yet. */
@@ -78,39 +87,43 @@ export class Stages {
     return this.#pending;
   }
 
-  /** Whether the film gets this integrator's samples and not the preview's. */
-  has(integrator: Integrator): boolean {
-    return this.#integrators.has(integrator);
+  /** Whether the film of this subject gets what it asks for and not the preview's samples. */
+  has(subject: Subject): boolean {
+    return this.#programs.get(subject) !== undefined;
   }
 
-  /** Compiles the integrator, and the display's tone mapping, once. Call it when the first picture is on its way. */
-  ready(integrator: Integrator): Promise<void> {
-    let compiling = this.#compiling.get(integrator);
-    if (!compiling) {
-      const create = integrator === 'path' ? createPathPass : createClassicPass;
-      compiling = Promise.all([create(this.device), this.#display.ready()]).then(([pass]) => {
-        this.#integrators.set(integrator, pass);
-      });
-      this.#compiling.set(integrator, compiling);
-    }
-    return compiling;
+  /** Compiles the subject's program, and what shows it, once. Call it when the first picture is on its way. */
+  async ready(subject: Subject): Promise<void> {
+    const display = isAov(contentOfSubject(subject)) ? this.#aovReady() : this.#display.ready();
+    await Promise.all([this.#programs.ready(subject), display]);
   }
 
-  /** Layers that the film of such a shot has now. */
-  layersFor(integrator: Integrator): number {
-    return integrator === 'path' && this.has('path') ? PATH_LAYERS : 1;
+  #aovReady(): Promise<void> {
+    this.#openingAovDisplay ??= AovDisplay.create(this.device).then((display) => {
+      this.#aovDisplay = display;
+    });
+    return this.#openingAovDisplay;
+  }
+
+  /** Layers that the film of such a subject has now. */
+  layersFor(subject: Subject): number {
+    return this.has(subject) ? layersOf(contentOfSubject(subject)) : 1;
   }
 
   /** Points the film at a new shot, empty, of this size in pixels. */
   begin(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
     this.film.restart(width, height);
-    this.#pass = this.#integrators.get(shot.settings.integrator) ?? this.#preview;
-    this.#paths = this.#pass === this.#integrators.get('path');
-    const pack = this.#paths ? packPathScene : packScene;
+    const { integrator } = shot.settings;
+    const program = this.#programs.get(shot);
+    this.#pass = program ?? this.#preview;
+    this.#content = program ? contentOfSubject(shot) : null;
+    const pack = this.#content === 'path' || isAov(this.#content) ? packPathScene : packScene;
+    const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
     const reach = viewReach(shot.camera, width / height, shot.settings.framing);
-    const packed = pack(shot.scene, shot.camera.eye, { reuse: this.#packed, reach });
+    const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
+    if (packed.environment) this.#environment.hold(packed.environment);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
@@ -159,20 +172,30 @@ export class Stages {
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
-    const draw = this.#paths ? drawPath : drawClassic;
-    draw(device, pass, film.next, inputs, region);
+    if (this.#content === 'path')
+      drawPath(device, pass, film.next, { ...inputs, environment: this.#environment.texture }, region);
+    else if (isAov(this.#content)) drawAov(device, pass, film.next, inputs, region);
+    else drawClassic(device, pass, film.next, inputs, region);
   }
 
   #writeFrame(): void {
-    const { scene, camera, settings } = this.#shot!;
-    packFrame(this.#frameBlock, this.film, camera, scene.sky, this.#packed!, settings, this.film.nextSample);
+    const { camera, settings } = this.#shot!;
+    packFrame(this.#frameBlock, this.film, camera, this.#packed!, settings, this.film.nextSample);
+    if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);
   }
 
   #complete(submitted: () => void): void {
     this.#pending = false;
     this.film.swap();
+    this.#pictured = this.#sight();
     submitted();
+  }
+
+  #sight(): Sight | null {
+    const { scene, camera, settings } = this.#shot!;
+    const { view, integrator } = settings;
+    return isAov(this.#content) && view !== 'picture' ? { view, scene, camera, integrator } : null;
   }
 
   /** Before the first measurement nobody knows how fast the device is, only how many rays a pixel may ask for. */
@@ -197,7 +220,10 @@ export class Stages {
   /** Puts the newest whole picture on the canvas; false when there is none. */
   show(look: Look): boolean {
     const { picture } = this.film;
-    if (picture) this.#display.show(picture.film.layers[0]!, picture.width, picture.height, look);
-    return picture !== null;
+    if (!picture) return false;
+    const { film, width, height } = picture;
+    if (this.#pictured) this.#aovDisplay!.show(film, width, height, this.#pictured);
+    else this.#display.show(film.layers[0]!, width, height, look);
+    return true;
   }
 }

@@ -3,7 +3,9 @@
  * look at `revision` to know that the picture changed. No GPU, no DOM.
  */
 
+import { VIEW_NAMES } from './display/views.ts';
 import { PIXEL_FILTERS } from './packed-scene/pack-filter.ts';
+import type { Subject } from './programs.ts';
 import type { Panel, RendererSettings } from './renderer-types.ts';
 import { compileAnimation } from './scene/animation.ts';
 import { PROJECTIONS, wholeCamera } from './scene/camera.ts';
@@ -15,6 +17,7 @@ import { requireScene } from './scene-file/require-scene.ts';
 
 export const DEFAULT_SETTINGS: RendererSettings = {
   integrator: 'classic',
+  view: 'picture',
   maxDepth: -1,
   pixelFilter: 'box',
   independentSamples: false,
@@ -45,6 +48,7 @@ const isSamples = wholeIn(1, SCENE_LIMITS.lightSamples);
 /** For each setting: whether a value is allowed, and what is, in words. */
 const ALLOWED: { [K in keyof RendererSettings]: [(value: RendererSettings[K]) => boolean, string] } = {
   integrator: [(name) => name === 'classic' || name === 'path', '"classic" or "path"'],
+  view: [(name) => VIEW_NAMES.includes(name), VIEW_NAMES.map((name) => `"${name}"`).join(', ')],
   maxDepth: [
     (n) => n !== 0 && wholeIn(-1, SCENE_LIMITS.maxDepth)(n),
     `-1, or a whole number from 1 to ${SCENE_LIMITS.maxDepth}`,
@@ -162,6 +166,19 @@ export class View {
     return this.#at(this.#time);
   }
 
+  /** What is to be drawn now. Its scene is worked out when somebody reads it. */
+  get subject(): Subject {
+    const { camera, settings } = this;
+    const scene = () => this.sceneNow();
+    return {
+      camera,
+      settings,
+      get scene() {
+        return scene();
+      },
+    };
+  }
+
   set(settings: Partial<RendererSettings>): void {
     checkSettings(settings);
     const changed = (Object.keys(settings) as (keyof RendererSettings)[]).filter(
@@ -228,6 +245,7 @@ export class View {
 
   /** The mean over the panels. */
   raysPerPixel(): number {
+    if (this.#settings.view !== 'picture') return 1;
     const panels = this.#settings.comparison?.panels ?? [this.#settings];
     const rays = panels.map((panel) => raysPerPixel(this.#scene, { ...this.#settings, ...panel }));
     return rays.reduce((sum, n) => sum + n, 0) / rays.length;

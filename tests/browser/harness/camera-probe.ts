@@ -33,7 +33,7 @@ export async function cameraRays(backend: GpuBackend, camera: Camera, width: num
   const scene = testScene({}, {});
   const cast = async (sample: number): Promise<number[]> => {
     const settings = { maxReflections: 0, lightSamples: 1, maxDepth: -1, seed: 0, comparison: null };
-    packFrame(block, { width, height }, camera, scene.sky, packScene(scene, camera.eye), settings, sample);
+    packFrame(block, { width, height }, camera, packScene(scene, camera.eye), settings, sample);
     frame.write(block.bytes);
     device.draw(pass, film, [frame], { width, height, firstRow: 0, rowCount: height });
     return Array.from(await device.read(film.layers[0]!, width, height));

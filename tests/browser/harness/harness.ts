@@ -1,9 +1,12 @@
+import { aovFilms } from './aov.ts';
 import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
 import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { displayed } from './displayed.ts';
+import { displayedView } from './displayed-views.ts';
 import { probeChoices } from './emitters/choices.ts';
+import { probeEnvironments } from './emitters/environments.ts';
 import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
@@ -20,9 +23,11 @@ import { probeShapes } from './shapes/probe.ts';
  * Arguments and results go through JSON-like copying, so results are plain objects and ordinary arrays.
  */
 export const harness = {
+  aovFilms,
   cameraRays,
   describeDevices,
   displayed,
+  displayedView,
   hardNames,
   hardPicture,
   headlessFilms,
@@ -33,6 +38,7 @@ export const harness = {
   pictureOf,
   probeSampler,
   probeChoices,
+  probeEnvironments,
   probeFarLights,
   probeLamps,
   probeShapes,

@@ -1,5 +1,5 @@
 import { useRef } from 'preact/hooks';
-import { chooseScene, openSceneFile } from '../actions.ts';
+import { chooseScene, openSceneFiles } from '../actions.ts';
 import { Button } from '../controls/button.tsx';
 import { Choice } from '../controls/choice.tsx';
 import { dictionary, sceneName } from '../i18n.ts';
@@ -15,9 +15,8 @@ export function SceneSection() {
   if (now?.id === 'file') options.push({ value: 'file', label: now.scene.name || now.fileName || 'scene.json' });
 
   const picked = (input: HTMLInputElement): void => {
-    const file = input.files?.[0];
-    if (file) void openSceneFile(file);
-    // So that the same file can be chosen again once it is mended.
+    void openSceneFiles([...(input.files ?? [])]);
+    // So that the same files can be chosen again once they are mended.
     input.value = '';
   };
   return (
@@ -34,7 +33,8 @@ export function SceneSection() {
         ref={picker}
         id="scene-file"
         type="file"
-        accept=".json,application/json"
+        accept=".json,application/json,.hdr,.exr,.npy,.pfm"
+        multiple
         aria-label={t.openFile}
         tabIndex={-1}
         hidden

@@ -1,14 +1,27 @@
 import { useSignal, useSignalEffect } from '@preact/signals';
+import type { ViewName } from 'mirrorball';
 import { resetView, toggleFullScreen } from '../actions.ts';
 import { Button } from '../controls/button.tsx';
+import { Menu } from '../controls/menu.tsx';
+import { en } from '../en.ts';
 import { dictionary } from '../i18n.ts';
-import { helpOpen } from '../state.ts';
+import { helpOpen, isStill, shownView } from '../state.ts';
 import { Section } from './section.tsx';
+
+const viewNames = Object.keys(en.viewNames) as readonly ViewName[];
 
 export function ViewSection() {
   const t = dictionary.value;
   return (
     <Section id="view" title={t.view}>
+      <Menu
+        id="show"
+        label={t.show}
+        options={viewNames.map((value) => ({ value, label: t.viewNames[value] }))}
+        value={isStill.value ? 'picture' : shownView.value}
+        onChange={(view) => (shownView.value = view)}
+        idle={isStill.value ? t.stillShowsPicture : null}
+      />
       <div class="buttons">
         <Button id="reset-view" icon="reset" onClick={resetView}>
           {t.resetView}

@@ -1,5 +1,7 @@
 /** Runs in Chromium's page: a tracer on the browser's WebGPU, or its WebGL2, spoken to through `window.mirrorballPage`. */
+
 import { DeviceError, type FilmJob, type FilmSums, GpuFilmTracer, openWebGl2, openWebGpu } from 'mirrorball/headless';
+import type { EnvironmentMap } from 'mirrorball/scene';
 
 /** Floats travel as base64 of their bytes. */
 export interface PageTask {
@@ -55,7 +57,25 @@ function toBase64(sums: FilmSums): string {
 const fromBase64 = (text: string): FilmSums =>
   new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
 
-const mirrorballPage = { open, begin: (job: FilmJob) => tracer!.begin(job), trace, stop: () => running.abort() };
+/** The sky's map, which comes in pieces before the job that uses it. */
+let map: EnvironmentMap | null = null;
+
+function openMap({ width, height }: { width: number; height: number }): void {
+  map = { width, height, data: new Float32Array(width * height * 3) };
+}
+
+function addToMap({ first, floats }: { first: number; floats: string }): void {
+  map!.data.set(fromBase64(floats), first);
+}
+
+/** A scene that names an image has the map that was sent last. */
+function begin(job: FilmJob): Promise<void> {
+  const { sky } = job.scene;
+  const scene = sky.image !== undefined && map ? { ...job.scene, sky: { ...sky, map } } : job.scene;
+  return tracer!.begin({ ...job, scene });
+}
+
+const mirrorballPage = { open, openMap, addToMap, begin, trace, stop: () => running.abort() };
 
 declare global {
   interface Window {

@@ -4,10 +4,13 @@
  */
 import { existsSync, readFileSync } from 'node:fs';
 import { DeviceError, type FilmJob, type FilmSums, type FilmTracer, type TraceOptions } from 'mirrorball/headless';
+import type { EnvironmentMap } from 'mirrorball/scene';
 import type { Browser, Page } from 'playwright-core';
 import { workerEntry } from '../entry.ts';
 import { findChromium, HARDWARE_FLAGS, SOFTWARE_FLAGS } from './find-chromium.ts';
 
+/** Floats of a map that are sent at once. */
+const MAP_PIECE = 2 ** 21;
 const ADDRESS = 'https://mirrorball.invalid/';
 
 /** The page's script, which the build puts beside the program. */
@@ -60,6 +63,8 @@ class ChromiumFilmTracer implements FilmTracer {
   readonly #browser: Browser;
   readonly #page: Page;
   readonly #gone: Promise<never>;
+  /** The map of the sky that the page has. */
+  #map: EnvironmentMap | null = null;
   progress: (samples: number) => void = () => {};
 
   constructor(browser: Browser, page: Page, description: string) {
@@ -74,7 +79,23 @@ class ChromiumFilmTracer implements FilmTracer {
   }
 
   async begin(job: FilmJob): Promise<void> {
-    await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.begin(given), job));
+    const { map, ...sky } = job.scene.sky;
+    if (map) await this.#sendMap(map);
+    const slim = map ? { ...job, scene: { ...job.scene, sky } } : job;
+    await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.begin(given), slim));
+  }
+
+  /** Once, in pieces: a large map as one message takes a browser's memory many times over. */
+  async #sendMap(map: EnvironmentMap): Promise<void> {
+    if (map === this.#map) return;
+    const { width, height, data } = map;
+    await this.#orGone(this.#page.evaluate((size) => window.mirrorballPage.openMap(size), { width, height }));
+    for (let first = 0; first < data.length; first += MAP_PIECE) {
+      const floats = data.subarray(first, first + MAP_PIECE);
+      const piece = { first, floats: base64Of(floats) };
+      await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.addToMap(given), piece));
+    }
+    this.#map = map;
   }
 
   async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {
@@ -100,7 +121,8 @@ class ChromiumFilmTracer implements FilmTracer {
   }
 }
 
-const toBase64 = (sums: FilmSums): string =>
-  Buffer.from(sums.buffer, sums.byteOffset, sums.byteLength).toString('base64');
+const base64Of = ({ buffer, byteOffset, byteLength }: Float32Array): string =>
+  Buffer.from(buffer, byteOffset, byteLength).toString('base64');
+const toBase64 = (sums: FilmSums): string => base64Of(sums);
 
 const fromBase64 = (text: string): FilmSums => new Float32Array(new Uint8Array(Buffer.from(text, 'base64')).buffer);

@@ -1,7 +1,15 @@
 /** The double-precision reference tracer on all cores: slow, and it needs nothing but Node. */
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
-import { DeviceError, type FilmJob, type FilmSums, type FilmTracer, type TraceOptions } from 'mirrorball/headless';
+import {
+  addReferenceSample,
+  DeviceError,
+  type FilmJob,
+  type FilmSums,
+  type FilmTracer,
+  referenceLayers,
+  type TraceOptions,
+} from 'mirrorball/headless';
 import { workerEntry } from '../entry.ts';
 import type { RowsReply, RowsTask } from './cpu-worker.ts';
 
@@ -15,6 +23,12 @@ interface Sample {
 }
 
 export const openCpu = (threads = availableParallelism()): FilmTracer => new CpuFilmTracer(threads);
+
+/** The classic integrator does not look at the sky's map: no thread needs a copy of it. */
+function withoutMap(job: FilmJob): FilmJob {
+  const { map: _, image: __, ...sky } = job.scene.sky;
+  return { ...job, scene: { ...job.scene, sky } };
+}
 
 class CpuFilmTracer implements FilmTracer {
   readonly description: string;
@@ -32,12 +46,15 @@ class CpuFilmTracer implements FilmTracer {
       throw new DeviceError('The CPU traces the classic integrator only; the path integrator needs a GPU or Chromium.');
     await this.dispose();
     this.#job = job;
-    this.#workers = Array.from({ length: this.#threads }, () => new Worker(workerEntry(), { workerData: job }));
+    this.#workers = Array.from(
+      { length: this.#threads },
+      () => new Worker(workerEntry(), { workerData: withoutMap(job) }),
+    );
   }
 
   trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {
     const { area } = this.#job!;
-    const sums = onto?.slice() ?? new Float32Array(area.width * area.height * 4);
+    const sums = onto?.slice() ?? new Float32Array(area.width * area.height * 4 * referenceLayers(this.#job!));
     return new Promise((resolve, reject) => {
       const run = new Run(this.#job!, this.#threads, first, count, sums);
       const finish = () => {
@@ -79,7 +96,7 @@ class Run {
   static #runs = 0;
   readonly #run = ++Run.#runs;
   readonly #sums: FilmSums;
-  readonly #area: FilmJob['area'];
+  readonly #job: FilmJob;
   readonly #rows: number;
   readonly #stripes: number;
   readonly #first: number;
@@ -89,9 +106,10 @@ class Run {
   #taken = 0;
   #added = 0;
 
-  constructor({ area }: FilmJob, threads: number, first: number, count: number, sums: FilmSums) {
+  constructor(job: FilmJob, threads: number, first: number, count: number, sums: FilmSums) {
+    const { area } = job;
     this.#sums = sums;
-    this.#area = area;
+    this.#job = job;
     this.#first = first;
     this.#count = count;
     this.#rows = Math.max(Math.ceil(area.height / (threads * STRIPES)), 1);
@@ -111,8 +129,9 @@ class Run {
     const sample = this.#first + Math.floor(this.#given / this.#stripes);
     const firstRow = (this.#given % this.#stripes) * this.#rows;
     this.#given++;
-    const rowCount = Math.min(this.#rows, this.#area.height - firstRow);
-    return { run: this.#run, sample, firstRow: this.#area.y + firstRow, rowCount };
+    const { y, height } = this.#job.area;
+    const rowCount = Math.min(this.#rows, height - firstRow);
+    return { run: this.#run, sample, firstRow: y + firstRow, rowCount };
   }
 
   take({ sample, firstRow, pixels }: RowsReply): void {
@@ -122,10 +141,14 @@ class Run {
       held = { pixels: new Float32Array(this.#sums.length), missing: this.#stripes };
       this.#samples.set(sample, held);
     }
-    held.pixels.set(pixels, (firstRow - this.#area.y) * this.#area.width * 4);
+    const { y, width, height } = this.#job.area;
+    const layers = referenceLayers(this.#job);
+    const [whole, part] = [width * height * 4, pixels.length / layers];
+    for (let layer = 0; layer < layers; layer++)
+      held.pixels.set(pixels.subarray(layer * part, (layer + 1) * part), layer * whole + (firstRow - y) * width * 4);
     held.missing--;
     for (let next = this.#samples.get(this.#first + this.#added); next?.missing === 0; ) {
-      for (let i = 0; i < this.#sums.length; i++) this.#sums[i]! += next.pixels[i]!;
+      addReferenceSample(this.#sums, next.pixels, this.#job);
       this.#samples.delete(this.#first + this.#added);
       this.#added++;
       next = this.#samples.get(this.#first + this.#added);

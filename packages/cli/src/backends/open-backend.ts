@@ -17,6 +17,9 @@ const OPEN: Readonly<Record<BackendName, () => Promise<FilmTracer>>> = {
   cpu: async () => openCpu(),
 };
 
+/** This one. Rejects with `DeviceError` when it does not work here. */
+export const openNamed = (name: BackendName): Promise<FilmTracer> => OPEN[name]();
+
 const ADVICE =
   'Install the package "webgpu" (npm install webgpu@0.6.2) and a Vulkan driver for your GPU, or Chromium; ' +
   'or render with --backend cpu, which is slow and needs nothing. `mirrorball doctor` tells more.';

@@ -65,7 +65,7 @@ async function partFacts(file: string): Promise<Facts> {
 async function sceneFacts(file: string): Promise<Facts | BadScene> {
   const source = await readScene(file);
   if ('problems' in source) return source;
-  const { name, description, shapes, materials, lights, animation, camera, render } = source.scene;
+  const { name, description, sky, shapes, materials, lights, animation, camera, render } = source.scene;
   const kinds: Record<string, number> = {};
   for (const { type } of Object.values(shapes)) kinds[type] = (kinds[type] ?? 0) + 1;
   const ends = animation.map(({ keys }) => keys.at(-1)!.time);
@@ -78,6 +78,7 @@ async function sceneFacts(file: string): Promise<Facts | BadScene> {
     lights: Object.keys(lights).length,
     tracks: animation.length,
     seconds: Math.max(0, ...ends),
+    ...(sky.map ? { sky: `${sky.image}, ${sky.map.width} × ${sky.map.height}` } : {}),
     camera,
     render,
   };

@@ -1,10 +1,12 @@
 /** `mirrorball render`: scene → film → file, one picture or many. */
 import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
-import type { FilmArea, FilmSettings } from 'mirrorball/headless';
+import type { FilmArea, FilmJob, FilmSettings } from 'mirrorball/headless';
 import { type Scene, sceneAt } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
 import { AccumulatedFilm } from '../accumulated-film.ts';
+import { type AovFilms, traceAovs } from '../aov-films.ts';
+import { checkAovs, checkErrorKnown, type WithAovs } from '../aov-pictures.ts';
 import type { RenderOptions } from '../arguments.ts';
 import { type Backend, openBackend } from '../backends/open-backend.ts';
 import { CommandError, EXIT, usage } from '../exit-codes.ts';
@@ -38,10 +40,11 @@ export async function render(file: string, options: RenderOptions, terminal: Ter
   const area = areaOf(options);
   const frames = framesOf(options);
   await checkOutput(options, frames);
-  const scene = await requireSceneFile(file);
+  const scene = await requireSceneFile(file, terminal);
   const settings = settingsOf(scene, options);
   const { untilError, untilTime } = options;
   const goal = { wanted: wantedOf(options), untilError, untilTime };
+  checkErrorKnown(options.aov, goal.wanted);
   const interruption = listenForInterruption();
   let opened: Promise<Backend> | null = null;
   const backend = () => (opened ??= open(options, terminal));
@@ -61,9 +64,10 @@ async function open(options: RenderOptions, terminal: Terminal): Promise<Backend
   return backend;
 }
 
-async function checkOutput({ output, pixel, resume }: RenderOptions, frames: readonly Frame[]): Promise<void> {
+async function checkOutput({ output, pixel, resume, aov }: RenderOptions, frames: readonly Frame[]): Promise<void> {
   if (resume && output === undefined) throw usage('--resume needs -o: what was saved lies beside it.');
   if (output === undefined && !pixel) throw usage('Say where the picture goes: -o out.exr (or ask for one --pixel).');
+  checkAovs(aov, output, output !== undefined && isPart(output));
   if (output === undefined) return;
   checkOutputName(output);
   for (const { output: file } of frames.slice(0, 1)) await checkWritable(file!);
@@ -79,18 +83,27 @@ async function renderFrame(run: Run, frame: Frame): Promise<void> {
   }
   const part = await partFor(run, frame, partFile);
   const held = part.film.samples;
+  const job = jobOf(run, frame);
   let traced: Traced;
+  let aovs: WithAovs | null = null;
   try {
-    traced = await trace(run, frame, part);
+    traced = await trace(run, frame, part, job);
+    const films = traced.ending === 'interrupted' ? null : await aovsOf(run, frame, part, job);
+    if (films === 'interrupted') traced = { ...traced, ending: films };
+    else if (films) aovs = { names: options.aov!, films, job };
   } catch (error) {
     if (error instanceof CommandError) throw error;
     const saved = await save(part, held, partFile);
     throw new CommandError(EXIT.failed, `${frame.name} failed: ${(error as Error).message} ${saved}`);
   }
   if (traced.ending === 'interrupted') interruption.check(await save(part, held, partFile));
-  if (frame.output) await writeFilm(frame.output, part, options);
+  const files = frame.output ? await writeFilm(frame.output, part, options, aovs) : [];
   if (options.resume && partFile !== frame.output) await rm(partFile!, { force: true });
-  report(run, frame, part, traced);
+  report(run, frame, part, traced, files);
+}
+
+function jobOf({ scene, options, settings, area }: Run, frame: Frame): FilmJob {
+  return { scene: sceneAt(scene, frame.time), settings, ...options.size, area };
 }
 
 /** What is held already, when --resume finds it, or an empty film. */
@@ -127,16 +140,16 @@ interface Traced {
 }
 
 async function trace(
-  { scene, options, settings, area, goal, terminal, interruption, backend }: Run,
+  { goal, terminal, interruption, backend }: Run,
   frame: Frame,
   part: Part,
+  job: FilmJob,
 ): Promise<Traced> {
   const { film } = part;
   const held = film.samples;
   if (missingFrom(goal.wanted, film.ranges).length === 0) return { ending: 'all samples', seconds: 0, held };
   const { name, tracer } = await backend();
-  const { width, height } = options.size;
-  await tracer.begin({ scene: sceneAt(scene, frame.time), settings, width, height, area });
+  await tracer.begin(job);
   const missing = countOf(missingFrom(goal.wanted, film.ranges));
   const { untilError, untilTime } = goal;
   terminal.event('start', { picture: frame.name, backend: name, time: frame.time, held, wanted: held + missing });
@@ -156,6 +169,27 @@ async function trace(
   }
 }
 
+/** Null when none are wanted. */
+async function aovsOf(
+  { options, terminal, interruption, backend }: Run,
+  frame: Frame,
+  { film }: Part,
+  job: FilmJob,
+): Promise<AovFilms | 'interrupted' | null> {
+  if (!options.aov || !frame.output) return null;
+  const { tracer } = await backend();
+  const progress = startProgress(terminal, {
+    picture: `${frame.name}, AOVs`,
+    held: 0,
+    wanted: film.samples,
+  });
+  try {
+    return (await traceAovs(options.aov, tracer, job, film, interruption.signal, progress)) ?? 'interrupted';
+  } finally {
+    progress.stop();
+  }
+}
+
 /** Keeps what has been done; gives the sentence that says so. */
 async function save(part: Part, held: number, partFile?: string): Promise<string> {
   const { samples, ranges } = part.film;
@@ -165,7 +199,13 @@ async function save(part: Part, held: number, partFile?: string): Promise<string
   return `Samples ${formatRanges(ranges)} are in ${partFile}; --resume goes on.`;
 }
 
-function report({ options, terminal }: Run, frame: Frame, part: Part, { ending, seconds, held }: Traced): void {
+function report(
+  { options, terminal }: Run,
+  frame: Frame,
+  part: Part,
+  { ending, seconds, held }: Traced,
+  files: readonly string[],
+): void {
   const { film } = part;
   const { samples, ranges } = film;
   const error = film.error();
@@ -174,6 +214,7 @@ function report({ options, terminal }: Run, frame: Frame, part: Part, { ending, 
   terminal.event('done', {
     picture: frame.name,
     output: frame.output ?? null,
+    ...(options.aov && { files, aovs: options.aov }),
     time,
     samples,
     ranges,
@@ -184,6 +225,7 @@ function report({ options, terminal }: Run, frame: Frame, part: Part, { ending, 
   });
   if (pixel) terminal.result(pixel.value.map((value) => String(Math.fround(value))).join(' '));
   if (!frame.output) return;
+  if (files.length > 1) terminal.result(files.slice(1).join(' '));
   const rate = (part.film.pixels * (samples - held)) / Math.max(seconds, 1e-3) / 1e6;
   const told = ending === 'all samples' ? '' : ` (${ending})`;
   terminal.result(

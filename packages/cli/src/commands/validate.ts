@@ -11,6 +11,7 @@ export async function validate(files: readonly string[], terminal: Terminal): Pr
     else {
       terminal.event('valid', { file, name: source.scene.name });
       terminal.result(`${file}: good.`);
+      for (const note of source.notes) terminal.note(note);
     }
   }
   if (bad.length > 0) throw new BadSceneError(bad);

@@ -28,6 +28,8 @@ export interface PassSource {
   /** In the order of their binding numbers in group 0. */
   readonly bindings: readonly ({ readonly block: string } | { readonly texture: string })[];
   readonly target: 'film' | 'canvas';
+  /** Switches (`override … = true` in the WGSL) that are off in this program. */
+  readonly without?: readonly string[];
   /** Layers of the film that it draws into, each by an output of its own; 1 when left out. */
   readonly layers?: number;
 }

@@ -4,10 +4,14 @@
  * anywhere and put together later.
  */
 import type { FilmArea } from '../gpu/device.ts';
+import type { AovContent } from '../integrator/aov/aov.ts';
 import type { RendererSettings } from '../renderer-types.ts';
 import type { Integrator, Scene } from '../scene/scene.ts';
 
 export type { FilmArea } from '../gpu/device.ts';
+
+/** `light`: what the integrator finds, the picture. Else what the camera sees first: integrator/aov/aov.ts. */
+export type FilmContent = 'light' | AovContent;
 
 /** Settings that a film's values depend on. */
 export type FilmSettings = Pick<
@@ -28,13 +32,16 @@ export interface FilmJob {
   readonly height: number;
   /** The part of it that is traced; its values are those of the whole picture. */
   readonly area: FilmArea;
+  /** Default: `light`. */
+  readonly content?: FilmContent;
   /** `path` on a GPU: whether the sums of the samples' squares are wanted too. */
   readonly squares?: boolean;
 }
 
 /**
  * Sums of linear red, green, blue and the number of samples, float32, for each pixel of the area, row 0 on top; with
- * `squares` as many again follow: the sums of the samples' squares, and 0.
+ * `squares` as many again follow: the sums of the samples' squares, and 0. Of `features`, sums of albedo and samples, then of
+ * normal and hits; `data` are no sums, and have no number of samples: place and shape, then normal and closeness.
  */
 export type FilmSums = Float32Array<ArrayBuffer>;
 
@@ -52,8 +59,8 @@ export interface FilmTracer {
   begin(job: FilmJob): Promise<void>;
   /**
    * Adds the film samples `first` … `first + count − 1` in this order, in float32, to `onto` (to zero when null). Every pixel of
-   * the result has the same number of samples in its alpha. Traced in one call or several, on top of one another, the sums are
-   * the same bit for bit.
+   * the result (but of `data`) has the same number of samples in its alpha. Traced in one call or several, on top of one another,
+   * the sums are the same bit for bit.
    */
   trace(first: number, count: number, onto: FilmSums | null, options?: TraceOptions): Promise<FilmSums>;
   dispose(): void | Promise<void>;

@@ -5,6 +5,8 @@ import { Stages } from '../stages.ts';
 import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
 import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOptions } from './film-tracer.ts';
 
+/** Films of 16-bit floats sum up fewer samples than this; places and numbers of shapes would not survive in them. */
+const LEAST_FILM_SAMPLES = 1024;
 /** Samples that may wait on the device: it never idles, and an interruption is heard soon. */
 const MOST_IN_FLIGHT = 4;
 
@@ -19,7 +21,7 @@ export class GpuFilmTracer implements FilmTracer {
 
   /** Takes the device for good. Rejects with `DeviceError` when it cannot run the integrator. */
   static async create(device: Device): Promise<GpuFilmTracer> {
-    const stages = await Stages.open(device);
+    const stages = await Stages.open(device, true);
     return new GpuFilmTracer(device, stages);
   }
 
@@ -38,35 +40,33 @@ export class GpuFilmTracer implements FilmTracer {
   }
 
   async begin(job: FilmJob): Promise<void> {
-    const { scene, settings, width, height, area } = job;
-    const rays = raysPerPixel(scene, settings);
+    const { scene, settings, width, height, area, content: wanted = 'light' } = job;
+    if (wanted !== 'light' && this.#device.maxFilmSamples < LEAST_FILM_SAMPLES)
+      throw new DeviceError('This graphics device draws into 16-bit floats only, which cannot hold AOVs.');
+    const content = wanted === 'light' ? settings.integrator : wanted;
+    const rays = wanted === 'light' ? raysPerPixel(scene, settings) : 1;
     if (this.#rays > 0 && rays > this.#rays) this.#controller.workChanged(rays / this.#rays);
     this.#rays = rays;
     this.#job = job;
     const { film } = this.#stages;
-    await this.#orLost(this.#stages.ready(settings.integrator));
-    film.reserve(width, height, this.#stages.layersFor(settings.integrator));
-    const shot = {
-      scene,
-      camera: scene.camera,
-      settings: { ...DEFAULT_SETTINGS, ...settings },
-      raysPerPixel: rays,
-      area,
-    };
-    this.#stages.begin(shot, width, height);
+    const subject = { content, scene, camera: scene.camera, settings: { ...DEFAULT_SETTINGS, ...settings } };
+    await this.#orLost(this.#stages.ready(subject));
+    film.reserve(width, height, this.#stages.layersFor(subject));
+    this.#stages.begin({ ...subject, raysPerPixel: rays, area }, width, height);
   }
 
   async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {
-    const { area, squares } = this.#job!;
+    const { area, squares, content = 'light' } = this.#job!;
     const pixels = area.width * area.height;
     const { film } = this.#stages;
-    const held = onto ? samplesIn(onto, pixels) : 0;
+    const counted = content !== 'data';
+    const held = onto && counted ? samplesIn(onto, pixels) : 0;
     if (held + count > this.#device.maxFilmSamples)
       throw new RangeError(`This device sums up at most ${this.#device.maxFilmSamples} samples at once.`);
     film.resume(first, held, onto, area);
     await this.#orLost(this.#addSamples(count, held, options));
-    const sums = await this.#orLost(film.readSums(area, squares ? 2 : 1));
-    samplesIn(sums, pixels, film.samples);
+    const sums = await this.#orLost(film.readSums(area, squares || content !== 'light' ? 2 : 1));
+    if (counted) samplesIn(sums, pixels, film.samples);
     return sums;
   }
 

@@ -37,8 +37,8 @@ export const STRUCTS = {
     reflectivity: field('f32', 'weight of the mirror ray'),
     specular: field('f32', 'strength of the highlight'),
     exponent: field('f32', 'Blinn-Phong exponent, 2 / roughness^4 - 2'),
-    spare0: field('f32', 'unused'),
-    spare1: field('f32', 'unused'),
+    id: field('f32', 'number of the shape in the order of the scene file, from 1'),
+    spare: field('f32', 'unused'),
   },
   Light: {
     center: field('vec3f', 'eye-relative'),
@@ -57,7 +57,7 @@ export const STRUCTS = {
     ),
     code: field(
       'f32',
-      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp',
+      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none',
     ),
     emission: field('vec3f', 'radiance sent out'),
     reflectivity: field('f32', 'share of the perfect mirror layer over the base'),
@@ -66,7 +66,7 @@ export const STRUCTS = {
     k: field('vec3f', 'conductor: extinction coefficient per channel'),
     metallic: field('f32', 'metallicRoughness: share of metal'),
     absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
-    emitter: field('f32', 'index of the emitter that this shape is; -1: none'),
+    spare0: field('f32', 'unused'),
   },
   Emitter: {
     position: field(
@@ -104,9 +104,9 @@ export const STRUCTS = {
     height: field('f32', 'film pixels'),
     forward: field('vec3f', 'camera f'),
     lightCount: field('u32', 'lights in use'),
-    horizon: field('vec3f', 'sky colour at the horizon'),
+    horizon: field('vec3f', 'sky colour at the horizon; in paths the map of the sky is multiplied by it'),
     sampleIndex: field('u32', 'film sample, from 0'),
-    zenith: field('vec3f', 'sky colour overhead'),
+    zenith: field('vec3f', 'sky colour overhead; likewise'),
     seed: field('u32', 'of the random numbers'),
     jitter: field('vec2f', 'position inside the pixel, 0 to 1'),
     dividers: field('vec2f', 'film columns where the second and third panel begin'),
@@ -128,14 +128,20 @@ export const STRUCTS = {
       'u32',
       '1: rays of the camera start on both sides of a plane, so that planes have no side of the eye',
     ),
-    spare0: field('f32', 'unused'),
-    spare1: field('f32', 'unused'),
-    spare2: field('f32', 'unused'),
+    environmentTurn: field('f32', 'how far the map of the sky is turned about +Y, 0 to 1'),
+    environmentSize: field('vec2f', 'columns and rows of the map of the sky'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
     toneMapping: field('u32', 'position in TONE_MAPPINGS'),
     filmSize: field('vec2f', 'pixels'),
+  },
+  AovView: {
+    kind: field('u32', '0 colour, 1 normal, 2 depth, 3 place, 4 number'),
+    scale: field('f32', 'a typical distance, metres'),
+    filmSize: field('vec2f', 'pixels'),
+    forward: field('vec3f', 'camera f; zero: distances instead of depths'),
+    middle: field('vec3f', 'from the eye to what is looked at'),
   },
 } as const satisfies Record<string, Fields>;
 export type StructName = keyof typeof STRUCTS;

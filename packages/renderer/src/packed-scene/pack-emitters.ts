@@ -5,6 +5,7 @@
 import { radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
 import type { Color, DirectionalLight, Light, QuadLight, Shape, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
+import { packEnvironment } from './pack-environment.ts';
 import type { StructValues } from './write-struct.ts';
 
 /** What `frame.emitterCount` may be. */
@@ -114,9 +115,10 @@ function directionalEmitter(light: DirectionalLight): EmitterValues {
   };
 }
 
-/** The mean over all directions of what shading/sky.wesl gives. */
-function skyEmitter({ horizon, zenith }: Sky): EmitterValues {
-  const power = (Math.PI * (3 * mean(horizon) + mean(zenith))) / 4;
+/** π times the mean over all directions: of the map, or of what shading/sky.wesl gives. */
+function skyEmitter({ horizon, zenith, map, scale = 1 }: Sky): EmitterValues {
+  const radiance = map ? scale * packEnvironment(map).meanRadiance : (3 * mean(horizon) + mean(zenith)) / 4;
+  const power = Math.PI * radiance;
   return { ...NOTHING, kind: EMITTER_KIND.sky, power };
 }
 

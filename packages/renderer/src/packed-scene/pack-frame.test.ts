@@ -24,7 +24,7 @@ const scene = testScene({}, { a: testLight(), b: testLight() });
 
 function frame(part: Partial<FrameSettings> = {}, sampleIndex = 0, view = camera) {
   const block = createBlock(structSize('Frame'));
-  packFrame(block, film, view, sky, packScene(scene, view.eye), { ...settings, ...part }, sampleIndex);
+  packFrame(block, film, view, packScene({ ...scene, sky }, view.eye), { ...settings, ...part }, sampleIndex);
   const start = (field: Parameters<typeof fieldOffset<'Frame'>>[1]) => fieldOffset('Frame', field) / 4;
   const floats = (field: Parameters<typeof start>[0], n: number) =>
     Array.from(block.f32.subarray(start(field), start(field) + n));

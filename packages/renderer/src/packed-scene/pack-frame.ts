@@ -1,7 +1,7 @@
-/** Camera, sky and settings of one film sample → the Frame block. */
+/** Camera and settings of one film sample, and what the packed scene says of itself → the Frame block. */
 import type { Comparison, Framing, Panel } from '../renderer-types.ts';
 import { cameraAxes, focusOf, PROJECTIONS, wholeCamera } from '../scene/camera.ts';
-import type { Camera, Sky, Vec3 } from '../scene/scene.ts';
+import type { Camera, Vec3 } from '../scene/scene.ts';
 import { add, scale } from '../scene/vec3.ts';
 import { type PixelFilter, packFilter } from './pack-filter.ts';
 import type { PackedScene, ViewReach } from './pack-scene.ts';
@@ -68,7 +68,6 @@ export function packFrame(
   block: Block,
   film: { width: number; height: number },
   camera: Camera,
-  sky: Sky,
   packed: PackedScene,
   settings: FrameSettings,
   sampleIndex: number,
@@ -84,9 +83,9 @@ export function packFrame(
     height: film.height,
     forward,
     lightCount: packed.lightCount,
-    horizon: sky.horizon,
+    horizon: packed.horizon,
     sampleIndex,
-    zenith: sky.zenith,
+    zenith: packed.zenith,
     seed: settings.seed,
     jitter: filmJitter(sampleIndex),
     dividers: [dividers[0] * film.width, dividers[1] * film.width],
@@ -103,5 +102,7 @@ export function packFrame(
     aperture: whole.projection === 'equirectangular' ? 0 : whole.aperture,
     focusDistance: focusOf(camera),
     planesCutView: packed.planesCutView ? 1 : 0,
+    environmentTurn: packed.environmentTurn,
+    environmentSize: [packed.environment?.width ?? 0, packed.environment?.height ?? 0],
   });
 }

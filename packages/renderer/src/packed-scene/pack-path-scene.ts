@@ -1,9 +1,24 @@
 /** Scene → the scene table for the path integrator: visible lights are shapes, and what shines is an emitter. */
+
+import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
-import type { Scene, Vec3 } from '../scene/scene.ts';
+import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
+import { noEnvironment, packEnvironment } from './pack-environment.ts';
 import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
+
+/** A map is multiplied by the sky's colours: white where there is none, else by its scale. */
+function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
+  if (!map) {
+    if (lacksMap({ horizon, zenith, image })) throw new TypeError(`The sky's image "${image}" has not been loaded.`);
+    return { horizon, zenith, environment: noEnvironment(), environmentTurn: 0 };
+  }
+  const factor: Color = [scale, scale, scale];
+  const turns = rotation / 360;
+  const environmentTurn = Math.fround(turns - Math.floor(turns)) % 1;
+  return { horizon: factor, zenith: factor, environment: packEnvironment(map), environmentTurn };
+}
 
 export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   const lamps = lampsAsShapes(scene);
@@ -22,5 +37,5 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  return { ...packed, emitterCount: emitters.length };
+  return { ...packed, ...skyOf(scene.sky), emitterCount: emitters.length };
 }

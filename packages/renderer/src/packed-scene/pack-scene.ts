@@ -3,9 +3,10 @@
  * kind, except that planes which cast no shadow come last. Positions become relative to `eye` here, in double precision.
  */
 import { sphereLights } from '../scene/lights.ts';
-import type { Box, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
+import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
+import type { PackedEnvironment } from './pack-environment.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
 export interface PackedScene {
@@ -21,6 +22,13 @@ export interface PackedScene {
   readonly seenLightEnd: number;
   /** Rows that hold an emitter of the path integrator. */
   readonly emitterCount: number;
+  /** Sky colours. */
+  readonly horizon: Color;
+  readonly zenith: Color;
+  /** What the path integrator looks up and samples; null in scenes packed for the classic one. */
+  readonly environment: PackedEnvironment | null;
+  /** How far it is turned about +Y, 0 … 1. */
+  readonly environmentTurn: number;
   /** Whether rays of the camera start on both sides of some plane. */
   readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
@@ -66,11 +74,12 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
   const planes = sorted[3]!;
   sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
   const ordered = sorted.flat();
-  ordered.forEach(([, shape], row) => {
+  const ids = new Map(named.map(([name], index) => [name, index + 1]));
+  ordered.forEach(([name, shape], row) => {
     const { center, radius, ...extent } = shapeValues(shape, eye);
     put('Bounds', row, { center, radius });
     put('Extent', row, extent);
-    put('Material', row, materialValues(scene.materials[shape.material]!));
+    put('Material', row, { ...materialValues(scene.materials[shape.material]!), id: ids.get(name)! });
   });
   lights.forEach((light, row) => {
     put('Light', row, lightValues(light, eye));
@@ -87,6 +96,10 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
     emitterCount: 0,
+    horizon: scene.sky.horizon,
+    zenith: scene.sky.zenith,
+    environment: null,
+    environmentTurn: 0,
     shapeNames: ordered.map(([name]) => name),
   };
 }

@@ -6,6 +6,13 @@ const KINDS: readonly MaterialType[] = ['diffuse', 'metallicRoughness', 'conduct
 const THIN = 4;
 const COMPENSATED = 8;
 const ONE_SIDED = 16;
+const SMOOTH = 32;
+const EMITTER = 64;
+
+/** Narrower than this a highlight is a mirror's: 32-bit floats no longer hold a facet's slope well enough for a density. */
+const LEAST_ALPHA = 1e-3;
+/** An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats. */
+const LEAST_CONTRAST = 1e-3;
 
 /** What a shape is as a lamp: the emitter that light sampling knows it by. */
 export interface Lamp {
@@ -15,10 +22,15 @@ export interface Lamp {
 
 /** `lamp`: null for a shape that does not shine. */
 export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Surface'> {
-  const flags = (m.thin ? THIN : 0) + (m.energyCompensation ? COMPENSATED : 0) + (lamp?.oneSided ? ONE_SIDED : 0);
+  const flags =
+    (m.thin ? THIN : 0) +
+    (m.energyCompensation ? COMPENSATED : 0) +
+    (lamp?.oneSided ? ONE_SIDED : 0) +
+    (isSmooth(m) ? SMOOTH : 0);
+  const emitter = lamp ? EMITTER * (lamp.emitter + 1) : 0;
   return {
     baseColor: m.baseColor,
-    code: KINDS.indexOf(m.type) + flags,
+    code: KINDS.indexOf(m.type) + flags + emitter,
     emission: m.emission,
     reflectivity: m.reflectivity,
     eta: m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta,
@@ -26,8 +38,13 @@ export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Sur
     k: m.conductor.k,
     metallic: m.metallic,
     absorption: absorption(m),
-    emitter: lamp?.emitter ?? -1,
+    spare0: 0,
   };
+}
+
+/** Whether its facets reflect and refract like a mirror. A thin pane's do: its two faces undo each other's bend. */
+function isSmooth({ type, roughness, thin, ior }: Material): boolean {
+  return roughness ** 2 < LEAST_ALPHA || (type === 'dielectric' && (thin || Math.abs(ior - 1) < LEAST_CONTRAST));
 }
 
 /** Beer–Lambert's coefficient, 1 / metre: `attenuationColor` is what is left after `attenuationDistance`. */

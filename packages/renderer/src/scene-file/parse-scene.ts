@@ -1,4 +1,5 @@
 import * as v from 'valibot';
+import type { EnvironmentMap } from '../scene/environment.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { Scene, Track } from '../scene/scene.ts';
 import { checkScene } from './check-scene.ts';
@@ -37,6 +38,13 @@ export function parseScene(input: unknown): ParsedScene {
 const parsedScenes = new WeakSet<object>();
 export const isParsedScene = (value: unknown): value is Scene =>
   typeof value === 'object' && value !== null && parsedScenes.has(value);
+
+/** The scene with the content of its sky's image: as good as the scene is, or, when the caller has looked at it, good. */
+export function withMap(scene: Scene, map: EnvironmentMap, checked = isParsedScene(scene)): Scene {
+  const whole: Scene = Object.freeze({ ...scene, sky: Object.freeze({ ...scene.sky, map }) });
+  if (checked) parsedScenes.add(whole);
+  return whole;
+}
 
 function reportFailure(error: unknown, problems: ProblemList): void {
   if (error instanceof TooManyValues) {

@@ -2,7 +2,7 @@ import * as v from 'valibot';
 import { CAMERA_DEFAULTS, PROJECTIONS } from '../scene/camera.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import { METALS } from '../scene/metals.ts';
-import type { Color, MaterialType } from '../scene/scene.ts';
+import type { Color, MaterialType, Sky } from '../scene/scene.ts';
 import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
 import { choice, color, direction, integer, kind, number, object, point, share, text, triple } from './values.ts';
 
@@ -42,22 +42,66 @@ const camera = object('the camera: an object with "eye" and "target"', {
   ),
 });
 
-const skyRule = 'the sky: one colour [red, green, blue], or an object with "horizon" and "zenith"';
+export const imageRule =
+  'the name of a file with a picture of all around, .hdr, .exr, .npy or .pfm, from the folder of the scene on, with "/" between folders';
+const image = v.pipe(
+  v.string(imageRule),
+  v.maxLength(1000, imageRule),
+  // No address, no path from the root, no control character. (JSON Schema has no flag for letters of either size.)
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: it is what is refused
+  v.regex(/^(?!\/)[^\\:\u0000-\u001f]+\.(?:[hH][dD][rR]|[eE][xX][rR]|[nN][pP][yY]|[pP][fF][mM])$/, imageRule),
+  v.description(imageRule),
+);
+
+const skyRule = 'the sky: one colour [red, green, blue], or an object with "horizon" and "zenith", or with "image"';
+const skyFields = {
+  horizon: color('the colour of the sky at and below the horizon', BRIGHTEST),
+  zenith: color('the colour of the sky overhead', BRIGHTEST),
+  image,
+  scale: number('the factor on the image', 0, BRIGHTEST),
+  rotation: number('the turn of the image about Y, degrees', -1e6, 1e6),
+};
+const skyObject = object(skyRule, {
+  horizon: v.optional(skyFields.horizon),
+  zenith: v.optional(skyFields.zenith),
+  image: v.optional(skyFields.image),
+  scale: v.optional(skyFields.scale),
+  rotation: v.optional(skyFields.rotation),
+});
+type SkyObject = v.InferOutput<typeof skyObject>;
+
+/** Colours are wanted where there is no image, and what belongs to one only where there is. */
+const skyWithWhatItNeeds = v.pipe(
+  skyObject,
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const value = dataset.value;
+    const report = (key: keyof SkyObject, message: string) =>
+      addIssue({
+        message,
+        input: value[key],
+        path: [{ type: 'object', origin: 'value', input: value, key, value: value[key] }],
+      });
+    if (value.image !== undefined) return;
+    for (const key of ['horizon', 'zenith'] as const) if (value[key] === undefined) report(key, ruleOf(skyFields[key]));
+    for (const key of ['scale', 'rotation'] as const)
+      if (value[key] !== undefined) report(key, 'nothing, as it belongs to an "image" and the sky has none');
+  }),
+);
+const ruleOf = (schema: object): string => (schema as { readonly message: string }).message;
+
 const sky = v.pipe(
-  v.union(
-    [
-      color('the colour of the sky', BRIGHTEST),
-      object(skyRule, {
-        horizon: color('the colour of the sky at and below the horizon', BRIGHTEST),
-        zenith: color('the colour of the sky overhead', BRIGHTEST),
-      }),
-    ],
-    skyRule,
-  ),
+  v.union([color('the colour of the sky', BRIGHTEST), skyWithWhatItNeeds], skyRule),
   v.description(skyRule),
-  v.transform((value) => (isColor(value) ? { horizon: value, zenith: value } : value)),
+  v.transform((value): Sky => (isColor(value) ? { horizon: value, zenith: value } : completeSky(value))),
 );
 const isColor = (value: unknown): value is Color => Array.isArray(value);
+const BLACK: Color = [0, 0, 0];
+
+function completeSky({ horizon, zenith, image: file, scale, rotation }: SkyObject): Sky {
+  const colours = { horizon: horizon ?? zenith ?? BLACK, zenith: zenith ?? horizon ?? BLACK };
+  return file === undefined ? colours : { ...colours, image: file, scale: scale ?? 1, rotation: rotation ?? 0 };
+}
 
 const eta = color('the index of refraction', 100);
 const metals = Object.keys(METALS) as (keyof typeof METALS)[];

@@ -1,4 +1,4 @@
-import type { Scene } from '../scene/scene.ts';
+import type { Scene, Sky } from '../scene/scene.ts';
 import { naturalRoughness, sceneSchema } from './schema.ts';
 import { entryOf, optionOfType, type SchemaTree, treeOf, unwrap } from './schema-tree.ts';
 
@@ -7,8 +7,7 @@ import { entryOf, optionOfType, type SchemaTree, treeOf, unwrap } from './schema
  * read it. `parseScene` reads it back to an equal scene. `schema` is the address of the JSON Schema, for editors.
  */
 export function writeScene(scene: Scene, schema?: string): string {
-  const { horizon, zenith } = scene.sky;
-  const sky = equal(horizon, zenith) ? horizon : scene.sky;
+  const sky = writtenSky(scene.sky);
   const materials = Object.entries(scene.materials).map(([name, { roughness, ...rest }]) => {
     const natural = roughness === naturalRoughness(rest.type);
     return [name, natural ? rest : { ...rest, roughness }] as const;
@@ -20,6 +19,16 @@ export function writeScene(scene: Scene, schema?: string): string {
     materials: Object.fromEntries(materials),
   };
   return `${format(withoutDefaults(treeOf(sceneSchema), file), '', 0)}\n`;
+}
+
+/** Throws a TypeError when what it shows is in no file. */
+function writtenSky({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky): object {
+  if (map && image === undefined)
+    throw new TypeError('The sky has a map without a file: give sky.image the name that the file will have.');
+  const same = equal(horizon, zenith);
+  if (image === undefined) return same ? horizon : { horizon, zenith };
+  const colours = same && Math.max(...horizon) === 0 ? {} : { horizon, zenith };
+  return { ...colours, image, ...(scale === 1 ? {} : { scale }), ...(rotation === 0 ? {} : { rotation }) };
 }
 
 function withoutDefaults(schema: SchemaTree, value: unknown): unknown {

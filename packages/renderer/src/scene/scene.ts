@@ -5,6 +5,7 @@
  * Everything that can be pointed at has a name: `shapes`, `materials` and `lights` are maps from name to thing,
  * in the order of the file; those that `parseScene` gives inherit nothing. The file format (`scene-file/`) is this structure with its defaults left out.
  */
+import type { EnvironmentMap } from './environment.ts';
 
 export type Vec3 = readonly [x: number, y: number, z: number];
 /** Linear Rec.709 red, green, blue. Not limited to 1. */
@@ -28,10 +29,21 @@ export interface Camera {
 /** `equirectangular`: the whole sphere, 360° across and 180° up and down, the line of sight in the middle. */
 export type Projection = 'perspective' | 'orthographic' | 'equirectangular';
 
-/** What a ray sees that hits nothing: `horizon` blends to `zenith` with the ray's height; below the horizon it is `horizon`. */
+/**
+ * What a ray sees that hits nothing: `horizon` blends to `zenith` with the ray's height; below the horizon it is `horizon`. A sky
+ * with an image has that instead in the path integrator; the classic one sees the two colours all the same.
+ */
 export interface Sky {
   readonly horizon: Color;
   readonly zenith: Color;
+  /** Name of the file that holds `map`; a scene that has been read from a text names it before it is loaded (`loadImages`). */
+  readonly image?: string;
+  /** The image's content. A scene made by a program may have it without a file. */
+  readonly map?: EnvironmentMap;
+  /** Factor on the image's radiance. Default: 1. */
+  readonly scale?: number;
+  /** Turns the image about +Y, degrees, as `Box.rotation` does. Default: 0. */
+  readonly rotation?: number;
 }
 
 /**
@@ -103,6 +115,7 @@ export interface Quad extends ShapeBase {
   readonly v: Vec3;
 }
 export type Shape = Sphere | Box | Plane | Quad;
+export type ShapeType = Shape['type'];
 
 /**
  * A spherical light; the one kind that the classic integrator knows. A sample point at distance d lights a surface with

@@ -4,6 +4,7 @@ import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { structSize, TABLE_WIDTH, tableColumn } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { isSmooth } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import { type BsdfSurface, grey, mapColor } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
@@ -59,13 +60,12 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
   surfaces.forEach((s, row) => {
     writeStruct(block, 'Surface', row * rowBytes + tableColumn('Surface') * 16, {
       baseColor: s.baseColor,
-      code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0),
+      code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0) + (isSmooth(s) ? 32 : 0),
       reflectivity: s.reflectivity,
       eta: s.type === 'dielectric' ? grey(s.ior) : s.eta,
       alpha: s.alpha,
       k: s.k,
       metallic: s.metallic,
-      emitter: -1,
     });
   });
   return block;

@@ -2,14 +2,15 @@
 import type { Device, Pass, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
-import { structSize, TABLE_WIDTH, tableColumn } from '../../../../packages/renderer/src/packed-scene/layout.ts';
-import { emittersOf } from '../../../../packages/renderer/src/packed-scene/pack-emitters.ts';
-import { packScene } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
-import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
-import { lampsAsShapes } from '../../../../packages/renderer/src/scene/lamps.ts';
+import { structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import type { PackedEnvironment } from '../../../../packages/renderer/src/packed-scene/pack-environment.ts';
+import { packFrame } from '../../../../packages/renderer/src/packed-scene/pack-frame.ts';
+import { packPathScene } from '../../../../packages/renderer/src/packed-scene/pack-path-scene.ts';
+import { createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import type { Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
+import { DEFAULT_SETTINGS } from '../../../../packages/renderer/src/view.ts';
 import probeWgsl from '../generated/emitter_probe.wgsl?raw';
 import probeGlsl from '../generated/emitterProbe.glsl?raw';
 
@@ -44,7 +45,13 @@ const PROBE: PassSource = {
   wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
   entries: { vertex: 'fullScreen', fragment: 'emitterProbe' },
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
-  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'questions' }],
+  bindings: [
+    { block: 'Frame' },
+    { texture: 'sceneTable' },
+    { texture: 'questions' },
+    { texture: 'unused' },
+    { texture: 'environment' },
+  ],
   target: 'film',
 };
 
@@ -52,25 +59,15 @@ interface PackedLights {
   readonly table: Float32Array<ArrayBuffer>;
   readonly rows: number;
   readonly frame: ArrayBuffer;
+  readonly environment: PackedEnvironment;
 }
 
-/** The scene with its lamps, and the rows of the emitters. */
 function packLights(scene: Scene): PackedLights {
-  const { eye } = scene.camera;
-  const lamps = lampsAsShapes(scene);
-  const packed = packScene(lamps.scene, eye);
-  const { emitters } = emittersOf(lamps, eye, (shape) => packed.shapeNames.indexOf(shape));
-  const rows = Math.max(packed.rows, emitters.length);
-  const table = createBlock(rows * TABLE_WIDTH * 16);
-  table.f32.set(packed.table.f32.subarray(0, packed.rows * TABLE_WIDTH * 4));
-  emitters.forEach((values, row) => {
-    writeStruct(table, 'Emitter', (row * TABLE_WIDTH + tableColumn('Emitter')) * 16, values);
-  });
+  const packed = packPathScene(scene, scene.camera.eye);
   const block = createBlock(structSize('Frame'));
-  const { horizon, zenith } = scene.sky;
-  const { shapeEnds, occluderEnd } = packed;
-  writeStruct(block, 'Frame', 0, { shapeEnds, occluderEnd, horizon, zenith, emitterCount: emitters.length });
-  return { table: table.f32, rows, frame: block.bytes };
+  const settings = { ...DEFAULT_SETTINGS, seed: 0 };
+  packFrame(block, { width: SIDE, height: SIDE }, scene.camera, packed, settings, 0);
+  return { table: packed.table.f32, rows: packed.rows, frame: block.bytes, environment: packed.environment! };
 }
 
 function questionTexels(questions: readonly Question[]): Float32Array<ArrayBuffer> {
@@ -107,12 +104,20 @@ export class EmitterProbe {
     frame.write(packed.frame);
     const table = device.createTable(TABLE_WIDTH, packed.rows);
     table.write(packed.table, packed.rows);
+    const { environment } = packed;
+    const map = device.createTable(environment.width, environment.rows);
+    map.write(environment.texels, environment.rows);
     const asked = device.createTable(3 * SIDE, SIDE);
     asked.write(questionTexels(questions), SIDE);
     const film = device.createFilm(SIDE, SIDE);
-    device.draw(this.#pass, film, [frame, table, asked], { width: SIDE, height: SIDE, firstRow: 0, rowCount: SIDE });
+    device.draw(this.#pass, film, [frame, table, asked, asked, map], {
+      width: SIDE,
+      height: SIDE,
+      firstRow: 0,
+      rowCount: SIDE,
+    });
     const values = await device.read(film.layers[0]!, SIDE, SIDE);
-    for (const resource of [frame, table, asked, film]) resource.destroy();
+    for (const resource of [frame, table, asked, map, film]) resource.destroy();
     return questions.map((_, k) => Array.from(values.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
   }
 }

@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct CameraRay {
     vec3 origin;
     vec3 direction;
@@ -32,13 +41,25 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
+const bool hasLens = true;
+
 layout(std140) uniform FrameBlock { Frame frame; };
 
+const bool hasOtherProjections = true;
+
 layout(location = 0) out vec4 _fs2p_location0;
+
+vec2 concentricDisc(vec2 u) {
+    vec2 p = ((2.0 * u) - vec2(1.0));
+    bool wide = (abs(p.x) > abs(p.y));
+    float radius = pick(wide, p.x, p.y);
+    float ratio = (pick(wide, p.y, p.x) / pick((radius == 0.0), 1.0, radius));
+    float angle = pick(wide, (0.7853982 * ratio), (1.5707964 - (0.7853982 * ratio)));
+    return (radius * vec2(cos(angle), sin(angle)));
+}
 
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
@@ -49,44 +70,43 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
     vec3 across = ((x * _e22) + (y * _e26));
-    uint _e31 = frame.projection;
-    bool orthographic = (_e31 == 1u);
-    vec3 _e36 = frame.forward;
-    vec3 _e40 = frame.forward;
-    vec3 ahead = (orthographic ? _e40 : (_e36 + across));
-    float _e44 = frame.aperture;
-    vec3 _e48 = frame.right;
-    vec3 _e54 = frame.up;
-    vec3 lens_1 = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
-    float _e63 = frame.focusDistance;
-    ray = CameraRay((orthographic ? (across + lens_1) : lens_1), normalize((ahead - (lens_1 / vec3(_e63)))));
-    uint _e72 = frame.projection;
-    if ((_e72 == 2u)) {
+    const bool _e30 = hasOtherProjections;
+    uint _e33 = frame.projection;
+    bool orthographic = pick(_e30, (_e33 == 1u), false);
+    vec3 _e39 = frame.forward;
+    vec3 _e43 = frame.forward;
+    vec3 ahead = pick(orthographic, _e43, (_e39 + across));
+    float _e47 = frame.aperture;
+    vec3 _e51 = frame.right;
+    vec3 _e57 = frame.up;
+    vec3 lens_1 = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
+    float _e66 = frame.focusDistance;
+    ray = CameraRay(pick(orthographic, (across + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
+    const bool _e74 = hasOtherProjections;
+    uint _e77 = frame.projection;
+    if (pick(_e74, (_e77 == 2u), false)) {
         float longitude = (3.1415927 * x);
         float latitude = (1.5707964 * y);
-        vec3 _e82 = frame.right;
-        vec3 _e87 = frame.forward;
-        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
-        vec3 _e97 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e97))));
+        vec3 _e88 = frame.right;
+        vec3 _e93 = frame.forward;
+        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
+        vec3 _e103 = frame.up;
+        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
     }
-    CameraRay _e102 = ray;
-    return _e102;
-}
-
-vec2 concentricDisc(vec2 u) {
-    vec2 p = ((2.0 * u) - vec2(1.0));
-    bool wide = (abs(p.x) > abs(p.y));
-    float radius = (wide ? p.x : p.y);
-    float ratio = ((wide ? p.y : p.x) / ((radius == 0.0) ? 1.0 : radius));
-    float angle = (wide ? (0.7853982 * ratio) : (1.5707964 - (0.7853982 * ratio)));
-    return (radius * vec2(cos(angle), sin(angle)));
+    CameraRay _e108 = ray;
+    return _e108;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
-    vec2 _e2 = concentricDisc(lens);
-    CameraRay _e3 = rayThroughLens(filmPosition_1, _e2);
-    return _e3;
+    vec2 lensPoint_1 = vec2(0.0);
+    const bool _e6 = hasLens;
+    if (_e6) {
+        vec2 _e7 = concentricDisc(lens);
+        lensPoint_1 = _e7;
+    }
+    vec2 _e8 = lensPoint_1;
+    CameraRay _e9 = rayThroughLens(filmPosition_1, _e8);
+    return _e9;
 }
 
 void main() {
@@ -94,7 +114,7 @@ void main() {
     vec2 block = floor((fragment.xy / vec2(16.0)));
     CameraRay _e16 = cameraRay(((block + vec2(0.5)) * 16.0), ((fragment.xy / vec2(16.0)) - block));
     uint _e21 = frame.sampleIndex;
-    _fs2p_location0 = vec4(((_e21 == 0u) ? _e16.origin : _e16.direction), 0.0);
+    _fs2p_location0 = vec4(pick((_e21 == 0u), _e16.origin, _e16.direction), 0.0);
     return;
 }
 

@@ -7,10 +7,17 @@
 
 // `lens`: two random numbers in 0 … 1.
 fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
-  return rayThroughLens(filmPosition, concentricDisc(lens));
+  var lensPoint = vec2f(0.0);
+  if (hasLens) {
+    lensPoint = concentricDisc(lens);
+  }
+  return rayThroughLens(filmPosition, lensPoint);
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
+
+// Cameras other than pinholes, filters other than the box.
+override hasLens = true;
 
 // The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
 // middle of the lens it is the pinhole's to the last digit.
@@ -18,12 +25,12 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let x = 2.0 * filmPosition.x / frame.width - 1.0;
   let y = 1.0 - 2.0 * filmPosition.y / frame.height;
   let across = x * frame.right + y * frame.up;
-  let orthographic = frame.projection == 1u;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
   let ahead = select(frame.forward + across, frame.forward, orthographic);
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (frame.projection == 2u) {
+  if (hasOtherProjections & (frame.projection == 2u)) {
     let longitude = pi * x;
     let latitude = 0.5 * pi * y;
     let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
@@ -45,13 +52,15 @@ fn concentricDisc(u: vec2f) -> vec2f {
   return radius * vec2f(cos(angle), sin(angle));
 }
 
+const pi = 3.14159265358979;
+
+override hasOtherProjections = true;
+
 struct CameraRay {
   origin: vec3f,
   direction: vec3f,
 }
 
-
-const pi = 3.14159265358979;
 
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
@@ -66,11 +75,11 @@ struct Frame {
   forward: vec3f,
   // lights in use
   lightCount: u32,
-  // sky colour at the horizon
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
   horizon: vec3f,
   // film sample, from 0
   sampleIndex: u32,
-  // sky colour overhead
+  // sky colour overhead; likewise
   zenith: vec3f,
   // of the random numbers
   seed: u32,
@@ -102,10 +111,8 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
 }

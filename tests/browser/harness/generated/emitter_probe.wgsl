@@ -45,82 +45,105 @@ const choice = 4u;
       return vec4f(0.0, miss, s.pdf, f32(s.delta));
     }
   }
-  return vec4f(emitterPdf(e, a.xyz, direction, t, normal), t, length(radianceFromInfinity(e, direction)), f32(s.delta));
+  let far = farLight(e, direction);
+  return vec4f(shapePdf(e, a.xyz, direction, t, normal) + far.pdf, t, length(far.radiance), f32(s.delta));
 }
 
 // A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
 // lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  var s = sampleKind(e, point, u);
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    s = sampleSphere(e, point, u);
+  }
+  if (hasQuadLights & (e.kind == quadKind)) {
+    s = sampleQuad(e, point, u);
+  }
+  if (hasBoxLights & (e.kind == boxKind)) {
+    s = sampleBox(e, point, u);
+  }
+  if (hasPointLights & (e.kind == pointKind)) {
+    s = samplePoint(e, point);
+  }
+  if (hasPointLights & (e.kind == spotKind)) {
+    s = sampleSpot(e, point);
+  }
+  if (hasSuns & (e.kind == directionalKind)) {
+    s = sampleDirectional(e, u);
+  }
+  if (hasSky & (e.kind == skyKind)) {
+    s = sampleSky(u);
+  }
   s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
   return s;
 }
 
 const miss = 1e30;
 
-// The density with which sampleEmitter gives that direction. The ray met the emitter's shape `distance` away, with that outward
-// normal; for light from infinity neither counts.
-fn emitterPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  if (e.kind == sphereKind) {
-    return spherePdf(e, point, direction);
+fn farLight(e: Emitter, direction: vec3f) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
   }
-  if (e.kind == quadKind) {
-    return quadPdf(e, point, distance);
+  if (hasSky & (e.kind == skyKind)) {
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
   }
-  if (e.kind == boxKind) {
-    return boxPdf(e, point, direction, distance, normal);
-  }
-  if (e.kind == directionalKind) {
-    return directionalPdf(e, direction);
-  }
-  if (e.kind == skyKind) {
-    return skyPdf(direction);
-  }
-  return 0.0;
+  return far;
 }
 
-// What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
-fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
-  if (e.kind == skyKind) {
-    return sky(direction);
+// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
+// outward normal.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  var pdf = 0.0;
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    pdf = spherePdf(e, point, direction);
   }
-  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
-  return select(vec3f(0.0), e.radiance, disc);
+  if (hasQuadLights & (e.kind == quadKind)) {
+    pdf = quadPdf(e, point, distance);
+  }
+  if (hasBoxLights & (e.kind == boxKind)) {
+    pdf = boxPdf(e, point, direction, distance, normal);
+  }
+  return pdf;
 }
 
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  if (frame.emitterCount <= 1u) {
-    return EmitterChoice(0u, f32(frame.emitterCount), 1.0);
-  }
-  var total = 0.0;
-  var chosen = 0u;
-  var chosenWeight = 0.0;
-  var rest = u;
-  var i = 0u;
-  loop {
-    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-    total += weight;
-    let share = weight / max(total, 1e-37);
-    let take = rest < share;
-    chosen = select(chosen, i, take);
-    chosenWeight = select(chosenWeight, weight, take);
-    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-    i++;
-    if (i >= frame.emitterCount) {
-      break;
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    var total = 0.0;
+    var chosen = 0u;
+    var chosenWeight = 0.0;
+    var rest = u;
+    var i = 0u;
+    loop {
+      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+      total += weight;
+      let share = weight / max(total, 1e-37);
+      let take = rest < share;
+      chosen = select(chosen, i, take);
+      chosenWeight = select(chosenWeight, weight, take);
+      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+      i++;
+      if (i >= frame.emitterCount) {
+        break;
+      }
     }
+    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
   }
-  return EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+  return choice;
 }
 
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
-  if (frame.emitterCount <= 1u) {
-    return f32(frame.emitterCount);
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
   }
-  return estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  return probability;
 }
 
 fn fetchEmitter(i: u32) -> Emitter {
@@ -132,8 +155,6 @@ fn fetchEmitter(i: u32) -> Emitter {
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
-
 struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
@@ -143,14 +164,15 @@ struct EmitterChoice {
 }
 
 
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+override hasManyLights = true;
+
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
 fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  if (e.kind == skyKind) {
-    return e.power;
-  }
-  let isQuad = e.kind == quadKind;
-  let isFar = e.kind == directionalKind;
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
   let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
   let toLight = select(middle - point, -e.u, isFar);
   let distance2 = dot(toLight, toLight);
@@ -158,30 +180,37 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let grown = max(distance + e.reach, 1e-15);
   let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
   let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
 }
 
-const skyKind = 6.0;
+override hasQuadLights = true;
 
 const quadKind = 1.0;
 
+override hasSuns = true;
+
 const directionalKind = 5.0;
 
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
 const pi = 3.14159265359;
+
+override hasPointLights = true;
+
+override hasSky = true;
 
 struct Emitter {
   // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
@@ -211,6 +240,16 @@ struct Emitter {
 }
 
 
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const skyKind = 6.0;
+
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
@@ -224,11 +263,11 @@ struct Frame {
   forward: vec3f,
   // lights in use
   lightCount: u32,
-  // sky colour at the horizon
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
   horizon: vec3f,
   // film sample, from 0
   sampleIndex: u32,
-  // sky colour overhead
+  // sky colour overhead; likewise
   zenith: vec3f,
   // of the random numbers
   seed: u32,
@@ -260,12 +299,10 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
 }
 
 
@@ -499,52 +536,41 @@ fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, starts
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
-  if (crossed.x == t) {
-    return vec3f(side.x, 0.0, 0.0);
-  }
-  if (crossed.y == t) {
-    return vec3f(0.0, side.y, 0.0);
-  }
-  return vec3f(0.0, 0.0, side.z);
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
 }
 
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
 
-fn sampleKind(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  if (e.kind == sphereKind) {
-    return sampleSphere(e, point, u);
-  }
-  if (e.kind == quadKind) {
-    return sampleQuad(e, point, u);
-  }
-  if (e.kind == boxKind) {
-    return sampleBox(e, point, u);
-  }
-  if (e.kind == pointKind) {
-    return samplePoint(e, point);
-  }
-  if (e.kind == spotKind) {
-    return sampleSpot(e, point);
-  }
-  if (e.kind == directionalKind) {
-    return sampleDirectional(e, u);
-  }
-  return sampleSky(u);
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
 }
+
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
 
 // packed-scene/pack-emitters.ts has the same numbers.
 const sphereKind = 0.0;
 
+override hasBoxLights = true;
+
 const boxKind = 2.0;
 
 const pointKind = 3.0;
-
-fn sampleSky(u: vec2f) -> LightSample {
-  let direction = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
-  return LightSample(direction, miss, sky(direction), skyPdf(direction), false);
-}
 
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
@@ -581,21 +607,6 @@ fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
   return ConeDirection(direction, cosine, sine2);
 }
-
-// What sampling a light gives: one direction, and how likely it was.
-struct LightSample {
-  // Unit, from the point to the light.
-  direction: vec3f,
-  // To where the light is met; `miss` for light from infinity.
-  distance: f32,
-  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
-  radiance: vec3f,
-  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
-  pdf: f32,
-  // A light without size: no ray can meet it.
-  delta: bool,
-}
-
 
 fn conePdf(width: f32) -> f32 {
   return 1.0 / (2.0 * pi * max(width, 1e-31));
@@ -805,12 +816,195 @@ fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
   return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
 }
 
+fn sampleSky(u: vec2f) -> LightSample {
+  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white);
+  if (hasEnvironment) {
+    s = sampleEnvironment(u);
+  }
+  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
+}
+
+struct EnvironmentSample {
+  direction: vec3f,
+  light: EnvironmentLight,
+}
+
+
+// Without a map: white, uniform in all directions.
+const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+
+// A sky with a map.
+override hasEnvironment = true;
+
 fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
 
-fn skyPdf(direction: vec3f) -> f32 {
-  return 1.0 / (4.0 * pi);
+fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
+  let size = frame.environmentSize;
+  let chosen = chooseCell(u);
+  let k = environmentCorners(chosen.cell);
+  let cell = vec2f(chosen.cell);
+  let atPole = vec2<bool>(cell.y == 0.0, cell.y == size.y);
+  let y = linearSample(chosen.rest.y, max(k.a.a + k.b.a, 0.0), max(k.c.a + k.d.a, 0.0));
+  let t = y * select(1.0, 0.5, any(atPole)) + select(0.0, 0.5, atPole.x);
+  let s = linearSample(chosen.rest.x, mix(k.a.a, k.c.a, t), mix(k.b.a, k.d.a, t));
+  let isLower = 2.0 * cell.y > size.y;
+  let fromPole = select(cell.y + (t - 0.5), size.y - cell.y + (0.5 - t), isLower);
+  let theta = cosineAndSine(fromPole * (pi / size.y));
+  let halfTurns = 2.0 * ((cell.x + (s - 0.5)) / size.x - frame.environmentTurn);
+  let nearest = floor(halfTurns + 0.5);
+  let back = fract(0.5 * nearest) > 0.0;
+  let phi = cosineAndSine((halfTurns - nearest) * pi) * select(1.0, -1.0, back);
+  let sine = max(theta.y, 1e-9);
+  let direction = vec3f(sine * phi.y, select(theta.x, -theta.x, isLower), -sine * phi.x);
+  return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
+}
+
+fn chooseCell(u: vec2f) -> ChosenCell {
+  let size = vec2u(frame.environmentSize);
+  let place = splitProduct(u, size + vec2u(0u, 1u));
+  // The digits that the choice of a column has used up are replaced by hashed ones: probabilities in the table may be small.
+  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
+  let fine = f32(hash) * 5.9604644775390625e-8 * frame.environmentSize.x;
+  let x = min((place.rest.x + fine) * 5.9604644775390625e-8, 0.99999994);
+  // Two rows of cells share a row of texels.
+  let rows = (size.y + 2u) / 2u;
+  let second = place.whole.y >= rows;
+  let entries = textureLoad(environment, vec2u(place.whole.x, place.whole.y + size.y - select(0u, rows, second)), 0);
+  let entry = select(entries.xy, entries.zw, second);
+  let own = x < entry.x;
+  let other = u32(entry.y);
+  let otherRow = other / size.x;
+  let cell = select(vec2u(other - otherRow * size.x, otherRow), place.whole, own);
+  let rest = select((x - entry.x) / max(1.0 - entry.x, 1e-7), x / max(entry.x, 1e-37), own);
+  return ChosenCell(cell, vec2f(min(rest, 1.0), place.rest.y * 5.9604644775390625e-8));
+}
+
+fn environmentCorners(cell: vec2u) -> Corners {
+  let size = vec2u(frame.environmentSize);
+  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
+  let right = select(cell.x, 0u, cell.x == size.x);
+  let upper = max(cell.y, 1u) - 1u;
+  let lower = min(cell.y, size.y - 1u);
+  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
+  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
+  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+}
+
+// Where in [0, 1] a number of a density that goes from a to b in a line lies.
+fn linearSample(u: f32, a: f32, b: f32) -> f32 {
+  let ends = vec2f(a, b) / max(a + b, 1e-37);
+  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
+}
+
+fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
+  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
+}
+
+fn splitProduct(u: vec2f, n: vec2u) -> Parts {
+  let digits = vec2u(u * 16777216.0);
+  let low = (digits & vec2u(4095u)) * n;
+  let high = (digits >> vec2u(12u)) * n + (low >> vec2u(12u));
+  return Parts(high >> vec2u(12u), vec2f(((high & vec2u(4095u)) << vec2u(12u)) | (low & vec2u(4095u))));
+}
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
+}
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+// The cell, and what is left of u, in [0, 1).
+struct ChosenCell {
+  cell: vec2u,
+  rest: vec2f,
+}
+
+
+// u n for whole n up to 4096, without rounding: the whole part, and what is left of it in units of 2^-24.
+struct Parts {
+  whole: vec2u,
+  rest: vec2f,
+}
+
+
+// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
+// the upper pole, j = rows that at the lower.
+struct Corners {
+  a: vec4f,
+  b: vec4f,
+  c: vec4f,
+  d: vec4f,
+}
+
+
+struct EnvironmentLight {
+  radiance: vec3f,
+  // Per solid angle.
+  pdf: f32,
+}
+
+
+// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
+// before the sky and add to it.
+struct FarLight {
+  radiance: vec3f,
+  pdf: f32,
+}
+
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
+
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
+}
+
+// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
+fn skyLight(direction: vec3f) -> EnvironmentLight {
+  var light = white;
+  if (hasEnvironment) {
+    light = lookUpEnvironment(direction);
+  }
+  return EnvironmentLight(light.radiance * sky(direction), light.pdf);
+}
+
+fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
+  let size = frame.environmentSize;
+  let sine = max(length(direction.xz), 1e-9);
+  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
+  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
+  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
+  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
+  let fromPole = angles.y * (size.y / pi) + 0.5;
+  let row = floor(fromPole);
+  let isLower = direction.y < 0.0;
+  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
+  let within = fromPole - row;
+  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
+  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
+}
+
+// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
+fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
+  let low = min(x, y);
+  let high = max(x, y);
+  let middle = low > 0.4142135624 * high;
+  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
+  return select(angle, 1.570796327 - angle, y > x);
 }
 
 // A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
@@ -827,14 +1021,4 @@ fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
 fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   let b = viewBox(e, point);
   return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
-}
-
-fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
-  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
-}
-
-// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
-fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
-  let chord = direction + e.u;
-  return pi * dot(chord, chord) < e.area;
 }

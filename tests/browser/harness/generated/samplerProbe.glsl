@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct Frame {
     vec3 right;
     float width;
@@ -28,9 +37,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Sampler {
     uint key;
@@ -45,6 +53,8 @@ struct Group {
     uint seedB;
 };
 layout(std140) uniform FrameBlock { Frame frame; };
+
+const bool hasFilter = true;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -95,12 +105,12 @@ uint mixBits(uint x_3) {
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e5 = frame.independent;
     bool independent = (_e5 != 0u);
-    uint _e15 = pixelHash((independent ? pixel_1 : (pixel_1 >> uvec2(4u))), (independent ? sampleIndex_1 : (sampleIndex_1 >> 16u)), seed_1);
+    uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
     uint place = (_e19 | (_e23 << 1u));
     uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
-    uint used = (independent ? 0u : _e32);
+    uint used = pick(independent, 0u, _e32);
     uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
 }
@@ -111,14 +121,21 @@ float filterAxis(float u) {
     float piece = min(floor(x_10), 15.0);
     float t = (x_10 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset = (c.x + (t * (c.y + (t * (c.z + (t * c.w))))));
-    return ((across < 0.0) ? -(offset) : offset);
+    float offset_1 = (c.x + (t * (c.y + (t * (c.z + (t * c.w))))));
+    return pick((across < 0.0), -(offset_1), offset_1);
 }
 
 vec2 filterOffset(vec2 u_1) {
-    float _e2 = filterAxis(u_1.x);
-    float _e4 = filterAxis(u_1.y);
-    return vec2(_e2, _e4);
+    vec2 offset = vec2(0.0);
+    offset = (u_1 - vec2(0.5));
+    const bool _e6 = hasFilter;
+    if (_e6) {
+        float _e8 = filterAxis(u_1.x);
+        float _e10 = filterAxis(u_1.y);
+        offset = vec2(_e8, _e10);
+    }
+    vec2 _e12 = offset;
+    return _e12;
 }
 
 uint scramble(uint x_4, uint seed_2) {

@@ -35,12 +35,18 @@ fn next3d(s: ptr<function, Sampler>) -> vec3f {
 
 // From the centre of the pixel, in pixels.
 fn filterOffset(u: vec2f) -> vec2f {
-  return vec2f(filterAxis(u.x), filterAxis(u.y));
+  var offset = u - 0.5;
+  if (hasFilter) {
+    offset = vec2f(filterAxis(u.x), filterAxis(u.y));
+  }
+  return offset;
 }
 
 fn next2d(s: ptr<function, Sampler>) -> vec2f {
   return points2d(nextGroup(s));
 }
+
+override hasFilter = true;
 
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
 // ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
@@ -173,11 +179,11 @@ struct Frame {
   forward: vec3f,
   // lights in use
   lightCount: u32,
-  // sky colour at the horizon
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
   horizon: vec3f,
   // film sample, from 0
   sampleIndex: u32,
-  // sky colour overhead
+  // sky colour overhead; likewise
   zenith: vec3f,
   // of the random numbers
   seed: u32,
@@ -209,12 +215,10 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
 }
 
 

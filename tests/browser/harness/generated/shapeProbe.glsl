@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct Start {
     vec3 point;
     uint leaves;
@@ -42,9 +51,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Extent {
     vec4 a;
@@ -70,7 +78,7 @@ uniform highp sampler2D sceneTable;
 layout(location = 0) out vec4 _fs2p_location0;
 
 Start onSurface(vec3 point, uint shape, bool seenFromInside) {
-    return Start(point, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point)));
+    return Start(point, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point)));
 }
 
 Start startOf(uint rule, vec3 point_1, uint shape_1) {
@@ -102,19 +110,19 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    float t_1 = ((near > tMin) ? near : far);
-    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_1 > tMin)) ? t_1 : 1e30));
+    float t_1 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_1 > tMin), false), t_1, 1e30));
 }
 
 float hitSphere(uint i_1, Bounds bounds, Ray ray) {
     float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_1 == ray.start.inside));
-    return ((i_1 == ray.start.leaves) ? 1e30 : _e13);
+    return pick((i_1 == ray.start.leaves), 1e30, _e13);
 }
 
 bool isBox(uint i_2) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return ((i_2 >= _e4) && (i_2 < _e9));
+    return pick((i_2 >= _e4), (i_2 < _e9), false);
 }
 
 Extent fetchExtent(uint i_3) {
@@ -148,8 +156,8 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
 
 float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
-    float t_3 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_3 > tMin_1)) ? t_3 : 1e30));
+    float t_3 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_3 > tMin_1), false), t_3, 1e30));
 }
 
 float hitBox(uint i_4, Bounds bounds_1, Ray ray_1) {
@@ -170,7 +178,7 @@ float hitBox(uint i_4, Bounds bounds_1, Ray ray_1) {
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_3;
     float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_4 == ray_1.start.inside));
-    return ((i_4 == ray_1.start.leaves) ? 1e30 : _e28);
+    return pick((i_4 == ray_1.start.leaves), 1e30, _e28);
 }
 
 bool isQuad(uint i_5) {
@@ -182,30 +190,30 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_1 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_1);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_4 = (dot(toCenter_1, normal_1) / ((speed == 0.0) ? 1e-30 : speed));
+    float t_4 = (dot(toCenter_1, normal_1) / pick((speed == 0.0), 1e-30, speed));
     vec3 p = ((t_4 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= 0.500001);
-    return ((((t_4 > tMin_2) && (t_4 < 1e30)) && within) ? t_4 : 1e30);
+    return pick(pick(pick((t_4 > tMin_2), (t_4 < 1e30), false), within, false), t_4, 1e30);
 }
 
 float hitQuad(uint i_6, Bounds bounds_2, Ray ray_2) {
     Extent _e3 = fetchExtent(i_6);
     float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
-    return ((i_6 == ray_2.start.leaves) ? 1e30 : _e14);
+    return pick((i_6 == ray_2.start.leaves), 1e30, _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_5 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
-    bool eitherWay = ((t_5 > tMin_3) && (abs(speed_1) > 1e-12));
+    float t_5 = ((offset - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_5 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_5, 0.0) : 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_5, 0.0), 1e30);
 }
 
 float hitPlane(uint i_7, Bounds bounds_3, Ray ray_3) {
     float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
-    return ((i_7 == ray_3.start.leaves) ? 1e30 : _e10);
+    return pick((i_7 == ray_3.start.leaves), 1e30, _e10);
 }
 
 float hitShape(uint i_8, Bounds bounds_4, Ray ray_4) {
@@ -245,17 +253,13 @@ bool isFlat(uint i_11) {
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_6, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
     Slabs _e5 = boxSlabs(origin_7, direction_6, halfSize_2);
-    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
-    vec3 crossed = (entering ? _e5.enter : _e5.leave);
-    float t_6 = (entering ? _e5.near : _e5.far);
-    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));
-    if ((crossed.x == t_6)) {
-        return vec3(side.x, 0.0, 0.0);
-    }
-    if ((crossed.y == t_6)) {
-        return vec3(0.0, side.y, 0.0);
-    }
-    return vec3(0.0, 0.0, side.z);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_6 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));
+    bool onX = (crossed.x == t_6);
+    bool onY = pick(!(onX), (crossed.y == t_6), false);
+    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 rotateBack(vec4 q_2, vec3 v_1) {

@@ -254,11 +254,11 @@ struct Frame {
   forward: vec3f,
   // lights in use
   lightCount: u32,
-  // sky colour at the horizon
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
   horizon: vec3f,
   // film sample, from 0
   sampleIndex: u32,
-  // sky colour overhead
+  // sky colour overhead; likewise
   zenith: vec3f,
   // of the random numbers
   seed: u32,
@@ -290,12 +290,10 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
 }
 
 
@@ -326,13 +324,9 @@ fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, starts
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
-  if (crossed.x == t) {
-    return vec3f(side.x, 0.0, 0.0);
-  }
-  if (crossed.y == t) {
-    return vec3f(0.0, side.y, 0.0);
-  }
-  return vec3f(0.0, 0.0, side.z);
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
 }
 
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {

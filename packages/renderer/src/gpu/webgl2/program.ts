@@ -6,7 +6,7 @@ export async function compileProgram(gl: WebGL2RenderingContext, source: PassSou
   const program = gl.createProgram();
   const shaders = [
     shader(gl, gl.VERTEX_SHADER, source.glsl.vertex),
-    shader(gl, gl.FRAGMENT_SHADER, source.glsl.fragment),
+    shader(gl, gl.FRAGMENT_SHADER, withoutSwitches(source.glsl.fragment, source.without ?? [])),
   ];
   for (const s of shaders) gl.attachShader(program, s);
   gl.linkProgram(program);
@@ -31,4 +31,11 @@ function shader(gl: WebGL2RenderingContext, type: number, text: string): WebGLSh
   gl.shaderSource(s, text);
   gl.compileShader(s);
   return s;
+}
+
+/** scripts/shaders.ts writes a switch as a constant. */
+function withoutSwitches(glsl: string, names: readonly string[]): string {
+  let text = glsl;
+  for (const name of names) text = text.replace(`const bool ${name} = true;`, `const bool ${name} = false;`);
+  return text;
 }

@@ -107,6 +107,7 @@ class WebGpuDevice implements Device {
       fragment: {
         module: this.#module(source.wgsl.fragment),
         entryPoint: source.entries.fragment,
+        constants: Object.fromEntries((source.without ?? []).map((name) => [name, 0])),
         targets: Array.from({ length: source.layers ?? 1 }, () => ({
           format: source.target === 'film' ? FILM_FORMAT : this.#format,
         })),

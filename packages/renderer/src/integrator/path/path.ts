@@ -13,6 +13,7 @@ import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
 import pathWgsl from '../../shading/generated/path.wgsl?raw';
+import { PATH_FEATURES, type PathFeature } from './path-features.ts';
 
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
@@ -27,6 +28,7 @@ const PATH: PassSource = {
     { texture: 'sceneTable' },
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
+    { texture: 'environment' },
   ],
   target: 'film',
   layers: PATH_LAYERS,
@@ -37,10 +39,14 @@ export interface PathInputs {
   readonly sceneTable: TableTexture;
   /** The layers of the film so far. */
   readonly previous: readonly FloatTexture[];
+  readonly environment: TableTexture;
 }
 
-export const createPathPass = (device: Device): Promise<Pass> => device.createPass(PATH);
+/** A program for films that ask for no more than these features. */
+export function createPathPass(device: Device, features: ReadonlySet<PathFeature>): Promise<Pass> {
+  return device.createPass({ ...PATH, without: PATH_FEATURES.filter((feature) => !features.has(feature)) });
+}
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment], region);
 }

@@ -12,7 +12,7 @@ import { type BsdfSample, type BsdfSurface, DARK, type Evaluation, grey, mapColo
 
 const UP: Vec3 = [0, 0, 1];
 
-function isSmooth(s: BsdfSurface): boolean {
+export function isSmooth(s: Pick<BsdfSurface, 'type' | 'alpha' | 'thin' | 'ior'>): boolean {
   if (s.alpha < SMOOTH_ALPHA) return true;
   return s.type === 'dielectric' && (s.thin || Math.abs(s.ior - 1) < LEAST_CONTRAST);
 }

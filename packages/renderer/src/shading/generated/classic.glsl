@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct Start {
     vec3 point;
     uint leaves;
@@ -42,9 +51,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Bounds {
     vec3 center;
@@ -79,8 +87,8 @@ struct Material {
     float reflectivity;
     float specular;
     float exponent;
-    float spare0_;
-    float spare1_;
+    float id;
+    float spare;
 };
 struct SurfacePoint {
     Start start;
@@ -126,12 +134,14 @@ layout(std140) uniform FrameBlock { Frame frame; };
 
 uniform highp sampler2D sceneTable;
 
+const bool hasOtherProjections = true;
+
 uniform highp sampler2D previousFilm;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
 Hit nearer(Hit hit, float t, uint shape) {
-    return Hit(min(t, hit.t), ((t < hit.t) ? shape : hit.shape));
+    return Hit(min(t, hit.t), pick((t < hit.t), shape, hit.shape));
 }
 
 float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
@@ -142,13 +152,13 @@ float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, fl
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    float t_5 = ((near > tMin) ? near : far);
-    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_5 > tMin)) ? t_5 : 1e30));
+    float t_5 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
 }
 
 float hitSphere(uint i, Bounds bounds, Ray ray) {
     float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i == ray.start.inside));
-    return ((i == ray.start.leaves) ? 1e30 : _e13);
+    return pick((i == ray.start.leaves), 1e30, _e13);
 }
 
 Bounds fetchBounds(uint i_1) {
@@ -187,8 +197,8 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
 
 float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
-    float t_7 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_7 > tMin_1)) ? t_7 : 1e30));
+    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
 }
 
 float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
@@ -209,37 +219,37 @@ float hitBox(uint i_3, Bounds bounds_1, Ray ray_1) {
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_3;
     float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_3 == ray_1.start.inside));
-    return ((i_3 == ray_1.start.leaves) ? 1e30 : _e28);
+    return pick((i_3 == ray_1.start.leaves), 1e30, _e28);
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_8 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
+    float t_8 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
     vec3 p_3 = ((t_8 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_3, reciprocalU)), abs(dot(p_3, reciprocalV))) <= 0.500001);
-    return ((((t_8 > tMin_2) && (t_8 < 1e30)) && within) ? t_8 : 1e30);
+    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
 float hitQuad(uint i_4, Bounds bounds_2, Ray ray_2) {
     Extent _e3 = fetchExtent(i_4);
     float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
-    return ((i_4 == ray_2.start.leaves) ? 1e30 : _e14);
+    return pick((i_4 == ray_2.start.leaves), 1e30, _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset - dot(origin_6, normal)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
-    bool eitherWay = ((t_9 > tMin_3) && (abs(speed_1) > 1e-12));
+    float t_9 = ((offset - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_9, 0.0) : 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
 }
 
 float hitPlane(uint i_5, Bounds bounds_3, Ray ray_3) {
     float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
-    return ((i_5 == ray_3.start.leaves) ? 1e30 : _e10);
+    return pick((i_5 == ray_3.start.leaves), 1e30, _e10);
 }
 
 Hit closestHit(Ray ray_4) {
@@ -348,7 +358,7 @@ SeenLight closestBall(Ray ray_5, float t_1) {
         Light _e15 = fetchLight(_e14);
         float _e24 = intersectSphere(ray_5.start.point, ray_5.direction, _e15.center, _e15.radius, ray_5.start.tMin, false);
         float _e29 = seen.t;
-        if (((_e15.visible >= 0.0) && (_e24 < _e29))) {
+        if (pick((_e15.visible >= 0.0), (_e24 < _e29), false)) {
             seen = SeenLight(_e24, (_e15.visible * _e15.diffuse));
         }
         uint _e37 = i_8;
@@ -415,17 +425,13 @@ bool isFlat(uint i_12) {
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
     Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
-    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
-    vec3 crossed = (entering ? _e5.enter : _e5.leave);
-    float t_10 = (entering ? _e5.near : _e5.far);
-    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
-    if ((crossed.x == t_10)) {
-        return vec3(side.x, 0.0, 0.0);
-    }
-    if ((crossed.y == t_10)) {
-        return vec3(0.0, side.y, 0.0);
-    }
-    return vec3(0.0, 0.0, side.z);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_10 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 rotateBack(vec4 q_2, vec3 v_1) {
@@ -458,7 +464,7 @@ vec3 outwardNormal(uint i_13, Ray ray_7, float t_3) {
 }
 
 Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
-    return Start(point, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point)));
+    return Start(point, pick(seenFromInside, noShape, shape_1), pick(seenFromInside, shape_1, noShape), (1e-5 * length(point)));
 }
 
 Material fetchMaterial(uint i_14) {
@@ -480,7 +486,7 @@ float sampleReach(uint count) {
     if ((count == 1u)) {
         return 0.0;
     }
-    return ((count == 9u) ? 0.70710677 : 1.0);
+    return pick((count == 9u), 0.70710677, 1.0);
 }
 
 ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_1) {
@@ -490,7 +496,7 @@ ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_1) {
     float reach_1 = (radius_1 * _e8);
     float sine = min((reach_1 / distance_), 1.0);
     float cosine = sqrt((1.0 - (sine * sine)));
-    return ShadowCone(apex, (toLight_2 / vec3(distance_)), (distance_ - reach_1), (distance_ + reach_1), sine, cosine, ((cosine < 0.001) ? 1e30 : (sine / cosine)));
+    return ShadowCone(apex, (toLight_2 / vec3(distance_)), (distance_ - reach_1), (distance_ + reach_1), sine, cosine, pick((cosine < 0.001), 1e30, (sine / cosine)));
 }
 
 bool coneMeetsPlane(ShadowCone cone, vec3 normal_1, float offset_1) {
@@ -502,7 +508,7 @@ bool coneMeetsPlane(ShadowCone cone, vec3 normal_1, float offset_1) {
 bool coneMissesBall(ShadowCone cone_1, BallPlace ball, float radius_2) {
     float beside = ((ball.across * cone_1.cosine) - (ball.along * cone_1.sine));
     float outside = max(max(beside, -(ball.along)), (ball.along - cone_1.end));
-    return (outside > ((cone_1.tangent == 1e30) ? 1e30 : radius_2));
+    return (outside > pick((cone_1.tangent == 1e30), 1e30, radius_2));
 }
 
 BallPlace placeBall(ShadowCone cone_2, vec3 center_3) {
@@ -528,7 +534,7 @@ uint candidates(SampleGroup group_1, ShadowCone cone_3, uint base) {
         uint _e25 = i_15;
         bool _e26 = isPlane(_e25);
         uint _e29 = i_15;
-        found = (_e22 | (((_e26 ? _e16 : meetsBall) ? 1u : 0u) << (_e29 - base)));
+        found = (_e22 | (pick(pick(_e26, _e16, meetsBall), 1u, 0u) << (_e29 - base)));
         uint _e34 = i_15;
         i_15 = (_e34 + 1u);
         uint _e36 = i_15;
@@ -539,9 +545,9 @@ uint candidates(SampleGroup group_1, ShadowCone cone_3, uint base) {
     uint inside_1 = (group_1.start.inside - base);
     uint leaves = (group_1.start.leaves - base);
     uint _e44 = found;
-    found = (_e44 | ((inside_1 < 32u) ? (1u << (inside_1 & 31u)) : 0u));
+    found = (_e44 | pick((inside_1 < 32u), (1u << (inside_1 & 31u)), 0u));
     uint _e54 = found;
-    return (_e54 & ~(((leaves < 32u) ? (1u << (leaves & 31u)) : 0u)));
+    return (_e54 & ~(pick((leaves < 32u), (1u << (leaves & 31u)), 0u)));
 }
 
 uint lowestBit(uint bits) {
@@ -559,7 +565,7 @@ vec3 samplePoint(LightSampler s_1, uint k_1, vec2 turn) {
     vec3 fixed9_ = vec3(((0.5 * (i_20 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
     float z = (1.0 - ((2.0 * (i_20 + s_1.shift.x)) / float(s_1.count)));
     vec3 lattice = vec3((sqrt(max((1.0 - (z * z)), 0.0)) * turn), z);
-    return ((s_1.count == 1u) ? vec3(0.0) : ((s_1.count == 9u) ? fixed9_ : lattice));
+    return pick((s_1.count == 1u), vec3(0.0), pick((s_1.count == 9u), fixed9_, lattice));
 }
 
 vec3 toSample(SampleGroup group_2, uint k_2, vec2 turn_1) {
@@ -578,7 +584,7 @@ uint behindSphere(SampleGroup group_3, uint i_16, ShadowCone cone_5) {
     Bounds _e3 = fetchBounds(i_16);
     BallPlace _e5 = placeBall(cone_5, _e3.center);
     bool _e7 = ballHidesLight(cone_5, _e5, _e3.radius);
-    bool hides = (_e7 && (i_16 != group_3.start.inside));
+    bool hides = pick(_e7, (i_16 != group_3.start.inside), false);
     if (hides) {
         uint _e12 = everySample(group_3);
         return _e12;
@@ -595,7 +601,7 @@ uint behindSphere(SampleGroup group_3, uint i_16, ShadowCone cone_5) {
         uint _e26 = bits_1;
         float _e32 = hitSphere(i_16, _e3, Ray(group_3.start, (_e21 * inverse_)));
         uint _e37 = k_3;
-        bits_1 = (_e26 | ((((_e32 * inverse_) < 1.0) ? 1u : 0u) << _e37));
+        bits_1 = (_e26 | (pick(((_e32 * inverse_) < 1.0), 1u, 0u) << _e37));
         uint _e41 = k_3;
         k_3 = (_e41 + 1u);
         uint _e43 = k_3;
@@ -635,7 +641,7 @@ uint behindFlat(SampleGroup group_4, uint i_17) {
         uint _e24 = bits_2;
         uint _e27 = k_4;
         float _e29 = t_4;
-        bits_2 = (_e24 | (((_e29 * inverse_1) < 1.0) ? (1u << _e27) : 0u));
+        bits_2 = (_e24 | pick(((_e29 * inverse_1) < 1.0), (1u << _e27), 0u));
         uint _e36 = k_4;
         k_4 = (_e36 + 1u);
         uint _e38 = k_4;
@@ -672,8 +678,8 @@ uint placeBox(ShadowCone cone_6, vec3 apex_1, vec3 axis, vec3 halfSize_3, float 
     float _e44 = max3_((abs(apex_1) - halfSize_3));
     bool apexOutside = (_e44 > 0.0);
     float _e48 = min3_(halfSize_3);
-    bool hides_1 = ((through && apexOutside) && (_e48 > radius_4));
-    return ((met || (cone_6.tangent == 1e30)) ? (hides_1 ? boxHidesLight : boxMet) : boxMissed);
+    bool hides_1 = pick(pick(through, apexOutside, false), (_e48 > radius_4), false);
+    return pick(pick(met, true, (cone_6.tangent == 1e30)), pick(hides_1, boxHidesLight, boxMet), boxMissed);
 }
 
 uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
@@ -703,10 +709,10 @@ uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
     vec3 _e28 = origin_8;
     vec3 _e29 = axis_1;
     uint _e32 = placeBox(cone_7, _e28, _e29, _e4.b.xyz, end_2);
-    uint meets = (startsInside_3 ? boxMet : _e32);
+    uint meets = pick(startsInside_3, boxMet, _e32);
     if ((meets != boxMet)) {
         uint _e38 = everySample(group_5);
-        return ((meets == boxHidesLight) ? _e38 : 0u);
+        return pick((meets == boxHidesLight), _e38, 0u);
     }
     turn_5 = group_5.turn;
     while(true) {
@@ -728,7 +734,7 @@ uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
         float _e66 = intersectBox(_e60, _e61, _e4.b.xyz, group_5.start.tMin, startsInside_3);
         uint _e67 = bits_3;
         uint _e74 = k_5;
-        bits_3 = (_e67 | ((((_e66 * inverse_2) < 1.0) ? 1u : 0u) << _e74));
+        bits_3 = (_e67 | (pick(((_e66 * inverse_2) < 1.0), 1u, 0u) << _e74));
         uint _e78 = k_5;
         k_5 = (_e78 + 1u);
         uint _e80 = k_5;
@@ -784,7 +790,7 @@ uint hiddenSamples(SampleGroup group_6) {
                 rest = (_e40 & (_e41 - 1u));
                 uint _e45 = rest;
                 uint _e48 = hidden;
-                if (((_e45 == 0u) || (_e48 == _e9))) {
+                if (pick((_e45 == 0u), true, (_e48 == _e9))) {
                     break;
                 }
             }
@@ -794,7 +800,7 @@ uint hiddenSamples(SampleGroup group_6) {
         uint _e54 = base_1;
         uint _e57 = frame.occluderEnd;
         uint _e59 = hidden;
-        if (((_e54 >= _e57) || (_e59 == _e9))) {
+        if (pick((_e54 >= _e57), true, (_e59 == _e9))) {
             break;
         }
     }
@@ -952,7 +958,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
         vec3 _e53 = outwardNormal(_e13.shape, _e51, _e13.t);
         vec3 _e55 = ray_8.direction;
         bool seenFromBack = (dot(_e53, _e55) > 0.0);
-        vec3 normal_3 = (seenFromBack ? -(_e53) : _e53);
+        vec3 normal_3 = pick(seenFromBack, -(_e53), _e53);
         if (seenFromBack) {
             bool _e65 = isFlat(_e13.shape);
             local = !(_e65);
@@ -977,7 +983,7 @@ vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {
         reflection_2 = (_e94 + 1u);
         uint _e96 = reflection_2;
         float _e98 = weight;
-        if (((_e96 > maxReflections) || (_e98 < 0.00024414063))) {
+        if (pick((_e96 > maxReflections), true, (_e98 < 0.00024414063))) {
             break;
         }
     }
@@ -994,29 +1000,31 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
     vec3 across_2 = ((x_1 * _e22) + (y * _e26));
-    uint _e31 = frame.projection;
-    bool orthographic = (_e31 == 1u);
-    vec3 _e36 = frame.forward;
-    vec3 _e40 = frame.forward;
-    vec3 ahead = (orthographic ? _e40 : (_e36 + across_2));
-    float _e44 = frame.aperture;
-    vec3 _e48 = frame.right;
-    vec3 _e54 = frame.up;
-    vec3 lens = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
-    float _e63 = frame.focusDistance;
-    ray_9 = CameraRay((orthographic ? (across_2 + lens) : lens), normalize((ahead - (lens / vec3(_e63)))));
-    uint _e72 = frame.projection;
-    if ((_e72 == 2u)) {
+    const bool _e30 = hasOtherProjections;
+    uint _e33 = frame.projection;
+    bool orthographic = pick(_e30, (_e33 == 1u), false);
+    vec3 _e39 = frame.forward;
+    vec3 _e43 = frame.forward;
+    vec3 ahead = pick(orthographic, _e43, (_e39 + across_2));
+    float _e47 = frame.aperture;
+    vec3 _e51 = frame.right;
+    vec3 _e57 = frame.up;
+    vec3 lens = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
+    float _e66 = frame.focusDistance;
+    ray_9 = CameraRay(pick(orthographic, (across_2 + lens), lens), normalize((ahead - (lens / vec3(_e66)))));
+    const bool _e74 = hasOtherProjections;
+    uint _e77 = frame.projection;
+    if (pick(_e74, (_e77 == 2u), false)) {
         float longitude = (3.1415927 * x_1);
         float latitude = (1.5707964 * y);
-        vec3 _e82 = frame.right;
-        vec3 _e87 = frame.forward;
-        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
-        vec3 _e97 = frame.up;
-        ray_9 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e97))));
+        vec3 _e88 = frame.right;
+        vec3 _e93 = frame.forward;
+        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
+        vec3 _e103 = frame.up;
+        ray_9 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
     }
-    CameraRay _e102 = ray_9;
-    return _e102;
+    CameraRay _e108 = ray_9;
+    return _e108;
 }
 
 CameraRay centralRay(vec2 filmPosition_1) {

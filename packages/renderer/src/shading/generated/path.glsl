@@ -3,54 +3,47 @@
 precision highp float;
 precision highp int;
 
-struct Basis {
-    vec3 tangent;
-    vec3 bitangent;
-    vec3 normal;
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
+struct Film {
+    vec4 sums;
+    vec4 squares;
 };
-struct Surface {
-    vec3 baseColor;
-    float code;
-    vec3 emission;
-    float reflectivity;
-    vec3 eta;
-    float alpha;
-    vec3 k;
-    float metallic;
-    vec3 absorption;
-    float emitter;
-};
-struct Vertex {
+struct RayPair {
     vec3 point;
     uint shape;
-    vec3 outward;
-    Basis basis;
-    vec3 wo;
-    Surface surface;
-};
-struct Origin {
-    vec3 point;
-    vec3 normal;
-    float pdf;
-    float total;
-};
-struct Start {
-    vec3 point;
-    uint leaves;
-    uint inside;
     float tMin;
-};
-struct Ray {
-    Start start;
     vec3 direction;
+    bool inwards;
+    vec3 lightDirection;
+    bool lightInwards;
+    float lightDistance;
+    uint lightShape;
 };
-struct Hit {
-    float t;
-    uint shape;
+struct Sampler {
+    uint key;
+    uint salt;
+    uint sample_;
+    uint place;
 };
-struct Bounds {
-    vec3 center;
-    float radius;
+struct Path {
+    RayPair rays;
+    vec3 light;
+    bool alive;
+    vec3 throughput;
+    uint depth;
+    vec3 radiance;
+    float pdf;
+    vec3 litSide;
+    float total;
+    Sampler sampler_;
 };
 struct Frame {
     vec3 right;
@@ -77,9 +70,27 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
+};
+struct Group {
+    uint index;
+    uint shift;
+    uint seedA;
+    uint seedB;
+};
+struct CameraRay {
+    vec3 origin;
+    vec3 direction;
+};
+struct PairHit {
+    float t;
+    uint shape;
+    bool blocked;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
 };
 struct Extent {
     vec4 a;
@@ -90,6 +101,23 @@ struct Slabs {
     vec3 leave;
     float near;
     float far;
+};
+struct Surface {
+    vec3 baseColor;
+    float code;
+    vec3 emission;
+    float reflectivity;
+    vec3 eta;
+    float alpha;
+    vec3 k;
+    float metallic;
+    vec3 absorption;
+    float spare0_;
+};
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
 };
 struct Emitter {
     vec3 position;
@@ -104,6 +132,20 @@ struct Emitter {
     float oneSided;
     float power;
     float reach;
+};
+struct FarLight {
+    vec3 radiance;
+    float pdf;
+};
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf;
+};
+struct Corners {
+    vec4 a;
+    vec4 b;
+    vec4 c;
+    vec4 d;
 };
 struct SphereView {
     vec3 toCenter;
@@ -149,22 +191,29 @@ struct ConeDirection {
     float cosine;
     float sine2_;
 };
+struct EnvironmentSample {
+    vec3 direction;
+    EnvironmentLight light;
+};
+struct ChosenCell {
+    uvec2 cell;
+    vec2 rest;
+};
+struct Parts {
+    uvec2 whole;
+    vec2 rest;
+};
+struct Outgoing {
+    vec3 wo;
+    float share;
+    float ratio;
+    float bound;
+    float stretched;
+};
 struct FacetLobe {
     vec3 value;
     float pdf;
     float cosine;
-};
-struct Sampler {
-    uint key;
-    uint salt;
-    uint sample_;
-    uint place;
-};
-struct Group {
-    uint index;
-    uint shift;
-    uint seedA;
-    uint seedB;
 };
 struct BsdfSample {
     vec3 direction;
@@ -172,24 +221,61 @@ struct BsdfSample {
     vec3 weight;
     bool delta;
 };
-struct Film {
-    vec4 sums;
-    vec4 squares;
-};
-struct CameraRay {
-    vec3 origin;
-    vec3 direction;
-};
-const uint rouletteDepth = 4u;
-const uint dielectric = 3u;
 const uint noShape = 4294967295u;
-const uint diffuse = 0u;
-const uint metallicRoughness = 1u;
+const uint dielectric = 3u;
+const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
+const uint metallicRoughness = 1u;
+const uint diffuse0_ = 0u;
+const uint rouletteDepth = 4u;
+
+layout(std140) uniform FrameBlock { Frame frame; };
+
+const bool hasFilter = true;
+
+const bool hasLens = true;
+
+const bool hasOtherProjections = true;
+
+const bool hasSpheres = true;
 
 uniform highp sampler2D sceneTable;
 
-layout(std140) uniform FrameBlock { Frame frame; };
+const bool hasBoxes = true;
+
+const bool hasTurnedBoxes = true;
+
+const bool hasQuads = true;
+
+const bool hasPlanes = true;
+
+const bool hasGlass = true;
+
+const bool hasSuns = true;
+
+const bool hasSky = true;
+
+const bool hasEnvironment = true;
+
+uniform highp sampler2D environment;
+
+const bool hasSphereLights = true;
+
+const bool hasQuadLights = true;
+
+const bool hasBoxLights = true;
+
+const bool hasManyLights = true;
+
+const bool hasPointLights = true;
+
+const bool hasConductors = true;
+
+const bool hasMetallicRoughness = true;
+
+const bool hasCompensation = true;
+
+const bool hasMirrorLayers = true;
 
 uniform highp sampler2D previousFilm;
 
@@ -198,1053 +284,37 @@ uniform highp sampler2D previousSquares;
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
-uint kindOf(Surface s_1) {
-    return (uint(s_1.code) & 3u);
-}
-
-bool isDielectric(Surface s_2) {
-    uint _e1 = kindOf(s_2);
-    return (_e1 == dielectric);
-}
-
-Surface fetchSurface(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(9u, i)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(10u, i)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i)), 0);
-    return Surface(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
-}
-
-Bounds fetchBounds(uint i_1) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    return Bounds(t0_1.xyz, t0_1.w);
-}
-
-bool isSphere(uint i_2) {
-    uint _e4 = frame.shapeEnds.x;
-    return (i_2 < _e4);
-}
-
-bool isPlane(uint i_3) {
-    uint _e4 = frame.shapeEnds.z;
-    return (i_3 >= _e4);
-}
-
-Extent fetchExtent(uint i_4) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(1u, i_4)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_4)), 0);
-    return Extent(t0_2.xyzw, t1_1.xyzw);
-}
-
-bool isFlat(uint i_5) {
-    uint _e4 = frame.shapeEnds.y;
-    return (i_5 >= _e4);
-}
-
-vec3 safeReciprocal(vec3 d, vec3 origin) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin, vec3(0.0)));
-    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
-}
-
-Slabs boxSlabs(vec3 origin_1, vec3 direction, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction, origin_1);
-    vec3 middle = (-(origin_1) * _e3);
-    vec3 reach = (halfSize * abs(_e3));
-    vec3 enter = (middle - reach);
-    vec3 leave = (middle + reach);
-    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
-}
-
-vec3 boxNormal(vec3 origin_2, vec3 direction_1, vec3 halfSize_1, float tMin, bool startsInside) {
-    Slabs _e5 = boxSlabs(origin_2, direction_1, halfSize_1);
-    bool entering = ((_e5.near > tMin) && !(startsInside));
-    vec3 crossed = (entering ? _e5.enter : _e5.leave);
-    float t_2 = (entering ? _e5.near : _e5.far);
-    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_1, vec3(0.0))));
-    if ((crossed.x == t_2)) {
-        return vec3(side.x, 0.0, 0.0);
-    }
-    if ((crossed.y == t_2)) {
-        return vec3(0.0, side.y, 0.0);
-    }
-    return vec3(0.0, 0.0, side.z);
-}
-
-vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_3 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_3)) + cross(q.xyz, t_3));
-}
-
-vec3 rotateBack(vec4 q_1, vec3 v_1) {
-    vec3 _e6 = rotate(vec4(-(q_1.xyz), q_1.w), v_1);
-    return _e6;
-}
-
-vec3 outwardNormal(uint i_6, Ray ray, float t) {
-    Bounds _e3 = fetchBounds(i_6);
-    vec3 origin_10 = (ray.start.point - _e3.center);
-    bool _e8 = isSphere(i_6);
-    if (_e8) {
-        return normalize((origin_10 + (t * ray.direction)));
-    }
-    bool _e13 = isPlane(i_6);
-    if (_e13) {
-        return _e3.center;
-    }
-    Extent _e15 = fetchExtent(i_6);
-    bool _e16 = isFlat(i_6);
-    if (_e16) {
-        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
-    }
-    bool inside = (i_6 == ray.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_10);
-    vec3 _e30 = rotate(_e15.a, ray.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray.start.tMin, inside);
-    vec3 _e37 = rotateBack(_e15.a, _e35);
-    return _e37;
-}
-
-Basis basisAbout(vec3 n) {
-    float side_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (side_1 + n.z));
-    float b_3 = ((n.x * n.y) * a);
-    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a)), (side_1 * b_3), (-(side_1) * n.x)), vec3(b_3, (side_1 + ((n.y * n.y) * a)), -(n.y)), n);
-}
-
-vec3 toLocal(Basis b, vec3 v_2) {
-    return vec3(dot(v_2, b.tangent), dot(v_2, b.bitangent), dot(v_2, b.normal));
-}
-
-Vertex vertexAt(Ray ray_1, Hit hit) {
-    Surface _e3 = fetchSurface(hit.shape);
-    vec3 _e6 = outwardNormal(hit.shape, ray_1, hit.t);
-    bool _e11 = isDielectric(_e3);
-    bool turned = ((dot(_e6, ray_1.direction) > 0.0) && !(_e11));
-    Basis _e16 = basisAbout((turned ? -(_e6) : _e6));
-    vec3 _e26 = toLocal(_e16, -(ray_1.direction));
-    return Vertex((ray_1.start.point + (hit.t * ray_1.direction)), hit.shape, _e6, _e16, _e26, _e3);
-}
-
-Start onSurface(vec3 point, uint shape, bool seenFromInside) {
-    return Start(point, (seenFromInside ? noShape : shape), (seenFromInside ? shape : noShape), (1e-5 * length(point)));
-}
-
-Ray rayFrom(Vertex v_3, vec3 direction_2) {
-    bool inwards = (dot(direction_2, v_3.outward) < 0.0);
-    bool _e9 = isFlat(v_3.shape);
-    Start _e12 = onSurface(v_3.point, v_3.shape, (inwards && !(_e9)));
-    return Ray(_e12, direction_2);
-}
-
-vec3 litSide(Vertex v_4) {
-    bool _e6 = isDielectric(v_4.surface);
-    return (_e6 ? vec3(0.0) : v_4.basis.normal);
-}
-
-float misWeight(float own, float other) {
-    float ratio_4 = (other / own);
-    return (1.0 / (1.0 + (ratio_4 * ratio_4)));
-}
-
-Emitter fetchEmitter(uint i_7) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_7)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_7)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_7)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_7)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_7)), 0);
-    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
-}
-
-vec3 sky(vec3 direction_3) {
-    vec3 _e3 = frame.horizon;
-    vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_3.y, 0.0));
-}
-
-bool isOnDisc(Emitter e, vec3 direction_4) {
-    vec3 chord = (direction_4 + e.u);
-    return ((3.1415927 * dot(chord, chord)) < e.area);
-}
-
-vec3 radianceFromInfinity(Emitter e_1, vec3 direction_5) {
-    if ((e_1.kind == 6.0)) {
-        vec3 _e5 = sky(direction_5);
-        return _e5;
-    }
-    bool _e9 = isOnDisc(e_1, direction_5);
-    bool disc = ((e_1.kind == 5.0) && _e9);
-    return (disc ? e_1.radiance : vec3(0.0));
-}
-
-SphereView viewSphere(Emitter e_2, vec3 point_1) {
-    vec3 toCenter = (e_2.position - point_1);
-    float d_1 = length(toCenter);
-    float power = abs(((d_1 - e_2.radius) * (d_1 + e_2.radius)));
-    bool inside_1 = (d_1 <= e_2.radius);
-    float sine = min((e_2.radius / max(d_1, 1e-30)), 1.0);
-    float cosine_11 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter, d_1, power, inside_1, (inside_1 ? 2.0 : ((sine * sine) / (1.0 + cosine_11))));
-}
-
-float conePdf(float width) {
-    return (1.0 / (6.2831855 * max(width, 1e-31)));
-}
-
-float spherePdf(Emitter e_3, vec3 point_2, vec3 direction_6) {
-    SphereView _e3 = viewSphere(e_3, point_2);
-    bool reached = (_e3.inside || (dot(direction_6, _e3.toCenter) > 0.0));
-    float _e11 = conePdf(_e3.width);
-    return (reached ? _e11 : 0.0);
-}
-
-float areaPdf(float area, float height, float distance_) {
-    float pdf = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
-    return min(pdf, 1e30);
-}
-
-float pdfOfView(QuadView q_2, float area_1, float distance_1) {
-    float _e4 = areaPdf(area_1, q_2.height, distance_1);
-    float pdf_1 = (q_2.bySolidAngle ? (1.0 / max(q_2.solidAngle, 0.01)) : _e4);
-    return (q_2.lit ? pdf_1 : 0.0);
-}
-
-float arctangent(float x) {
-    float a_1 = abs(x);
-    bool steep = (a_1 > 2.4142137);
-    bool middle_1 = ((a_1 > 0.41421357) && !(steep));
-    float r = (steep ? (-1.0 / max(a_1, 1.0)) : (middle_1 ? ((a_1 - 1.0) / (a_1 + 1.0)) : a_1));
-    float base = (steep ? 1.5707964 : (middle_1 ? 0.7853982 : 0.0));
-    float z_1 = (r * r);
-    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
-    return (sign(x) * (base + (((series * z_1) * r) + r)));
-}
-
-float stretch(float x_1, vec2 y, float h) {
-    vec2 r_1 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
-    float _e16 = arctangent(((x_1 * y.y) / (h * r_1.y)));
-    float _e22 = arctangent(((x_1 * y.x) / (h * r_1.x)));
-    return (_e16 - _e22);
-}
-
-QuadView viewQuad(Emitter e_4, vec3 point_3) {
-    vec3 corner = (e_4.position - point_3);
-    vec2 lengths = vec2(length(e_4.u), length(e_4.v));
-    vec3 axisX = (e_4.u / vec3(lengths.x));
-    vec3 axisY = (e_4.v / vec3(lengths.y));
-    vec3 normal_6 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_6);
-    float least = (1e-7 * (lengths.x + lengths.y));
-    float height_1 = max(abs(signedHeight), least);
-    bool lit = ((abs(signedHeight) > least) && ((e_4.oneSided == 0.0) || (signedHeight < 0.0)));
-    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high = (low + lengths);
-    vec2 y_7 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_7, height_1);
-    float _e46 = stretch(high.x, y_7, height_1);
-    float solidAngle = (_e46 - _e44);
-    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_6 * ((signedHeight > 0.0) ? 1.0 : -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low, high, height_1, _e44, solidAngle, lit, (rectangle && (solidAngle > 0.01)));
-}
-
-float quadPdf(Emitter e_5, vec3 point_4, float distance_2) {
-    QuadView _e3 = viewQuad(e_5, point_4);
-    float _e5 = pdfOfView(_e3, e_5.area, distance_2);
-    return _e5;
-}
-
-BoxView viewBox(Emitter e_6, vec3 point_5) {
-    Extent _e4 = fetchExtent(uint(e_6.shape));
-    vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_5 - e_6.position));
-    bvec3 seen = greaterThan(abs(_e8), e_6.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_6.u.yzx) * e_6.u.zxy), seen);
-    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
-}
-
-float boxPdf(Emitter e_7, vec3 point_6, vec3 direction_7, float distance_3, vec3 normal) {
-    BoxView _e5 = viewBox(e_7, point_6);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_7, normal))), distance_3);
-    float _e12 = conePdf(2.0);
-    return (_e5.inside ? _e12 : _e10);
-}
-
-float directionalPdf(Emitter e_8, vec3 direction_8) {
-    bool _e7 = isOnDisc(e_8, direction_8);
-    return (_e7 ? (1.0 / max(e_8.area, 1e-31)) : 0.0);
-}
-
-float skyPdf(vec3 direction_9) {
-    return 0.07957747;
-}
-
-float emitterPdf(Emitter e_9, vec3 point_7, vec3 direction_10, float distance_4, vec3 normal_1) {
-    if ((e_9.kind == 0.0)) {
-        float _e8 = spherePdf(e_9, point_7, direction_10);
-        return _e8;
-    }
-    if ((e_9.kind == 1.0)) {
-        float _e12 = quadPdf(e_9, point_7, distance_4);
-        return _e12;
-    }
-    if ((e_9.kind == 2.0)) {
-        float _e16 = boxPdf(e_9, point_7, direction_10, distance_4, normal_1);
-        return _e16;
-    }
-    if ((e_9.kind == 5.0)) {
-        float _e20 = directionalPdf(e_9, direction_10);
-        return _e20;
-    }
-    if ((e_9.kind == 6.0)) {
-        float _e24 = skyPdf(direction_10);
-        return _e24;
-    }
-    return 0.0;
-}
-
-float spotFalloff(Emitter e_10, vec3 toLight) {
-    float share = clamp(((-(dot(toLight, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
-    return (share * share);
-}
-
-float estimatedIrradiance(Emitter e_11, vec3 point_8, vec3 normal_2) {
-    if ((e_11.kind == 6.0)) {
-        return e_11.power;
-    }
-    bool isQuad = (e_11.kind == 1.0);
-    bool isFar = (e_11.kind == 5.0);
-    vec3 middle_2 = (e_11.position + (isQuad ? (0.5 * (e_11.u + e_11.v)) : vec3(0.0)));
-    vec3 toLight_1 = (isFar ? -(e_11.u) : (middle_2 - point_8));
-    float distance2_ = dot(toLight_1, toLight_1);
-    float distance_6 = sqrt(distance2_);
-    float grown = max((distance_6 + e_11.reach), 1e-15);
-    float above = clamp(((dot(normal_2, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
-    float cosine_12 = ((dot(normal_2, normal_2) == 0.0) ? 1.0 : above);
-    float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_1)) / max(e_11.area, 1e-30));
-    float side_2 = ((e_11.oneSided == 1.0) ? max(height_2, 0.0) : abs(height_2));
-    float lampCosine = ((side_2 > 0.0) ? ((side_2 + e_11.reach) / grown) : 0.0);
-    float _e74 = spotFalloff(e_11, (toLight_1 / vec3(max(distance_6, 1e-15))));
-    float share_1 = ((e_11.kind == 4.0) ? _e74 : (isQuad ? lampCosine : 1.0));
-    float square = (isQuad ? (distance2_ + (e_11.area / 3.1415927)) : max(distance2_, (e_11.area / 12.566371)));
-    return (((e_11.power * cosine_12) * share_1) / (isFar ? 1.0 : max(square, 1e-15)));
-}
-
-float probabilityOf(Emitter e_12, vec3 point_9, vec3 normal_3, float total) {
-    uint _e6 = frame.emitterCount;
-    if ((_e6 <= 1u)) {
-        uint _e11 = frame.emitterCount;
-        return float(_e11);
-    }
-    float _e13 = estimatedIrradiance(e_12, point_9, normal_3);
-    return (_e13 / max(total, 1e-37));
-}
-
-vec3 foundLight(Vertex v_5, Origin origin_3, Ray ray_2, Hit hit_1) {
-    vec3 sum = vec3(0.0);
-    uint i_8 = 0u;
-    bool escaped = (hit_1.shape == noShape);
-    bool hidden = (((uint(v_5.surface.code) & 16u) != 0u) && (dot(v_5.outward, ray_2.direction) > 0.0));
-    vec3 emission = (hidden ? vec3(0.0) : v_5.surface.emission);
-    if (((v_5.surface.emitter < 0.0) && !(escaped))) {
-        return emission;
-    }
-    uint _e36 = frame.emitterCount;
-    if ((_e36 == 0u)) {
-        vec3 _e39 = sum;
-        return _e39;
-    }
-    i_8 = (escaped ? 0u : uint(max(v_5.surface.emitter, 0.0)));
-    uint _e48 = i_8;
-    uint _e53 = frame.emitterCount;
-    uint end = (escaped ? _e53 : (_e48 + 1u));
-    while(true) {
-        uint _e55 = i_8;
-        Emitter _e56 = fetchEmitter(_e55);
-        vec3 _e58 = radianceFromInfinity(_e56, ray_2.direction);
-        vec3 radiance_1 = (escaped ? _e58 : emission);
-        float _e64 = emitterPdf(_e56, origin_3.point, ray_2.direction, hit_1.t, v_5.outward);
-        float _e68 = probabilityOf(_e56, origin_3.point, origin_3.normal, origin_3.total);
-        float pdf_2 = (_e64 * _e68);
-        vec3 _e70 = sum;
-        float _e72 = misWeight(origin_3.pdf, pdf_2);
-        sum = (_e70 + (radiance_1 * ((origin_3.pdf <= 0.0) ? 1.0 : _e72)));
-        uint _e81 = i_8;
-        i_8 = (_e81 + 1u);
-        uint _e83 = i_8;
-        if ((_e83 >= end)) {
-            break;
-        }
-    }
-    vec3 _e85 = sum;
-    return _e85;
-}
-
-vec3 turnTo(vec3 axis, vec3 v_6) {
-    float s_25 = ((axis.z >= 0.0) ? 1.0 : -1.0);
-    float a_2 = (-1.0 / (s_25 + axis.z));
-    float b_4 = ((axis.x * axis.y) * a_2);
-    vec3 x_13 = vec3((1.0 + (((s_25 * axis.x) * axis.x) * a_2)), (s_25 * b_4), (-(s_25) * axis.x));
-    vec3 y_8 = vec3(b_4, (s_25 + ((axis.y * axis.y) * a_2)), -(axis.y));
-    return (((v_6.x * x_13) + (v_6.y * y_8)) + (v_6.z * axis));
-}
-
-ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u) {
-    float oneMinusCosine = (u.x * width_1);
-    float cosine_13 = (1.0 - oneMinusCosine);
-    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_1 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u.y);
-    vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_1 / length(turn)) * turn), cosine_13));
-    return ConeDirection(_e23, cosine_13, sine2_);
-}
-
-LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_1) {
-    SphereView _e3 = viewSphere(e_13, point_10);
-    vec3 axis_2 = ((_e3.distance_ < 1e-30) ? vec3(0.0, 0.0, 1.0) : (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_1);
-    float along = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along) + halfChord);
-    bool takeLarger = (_e3.inside && (along > 0.0));
-    float distance_7 = (takeLarger ? larger : (_e3.power / max(larger, 1e-30)));
-    float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_13.radiance, _e49, false);
-}
-
-vec2 cosineAndSine(float x_2) {
-    float h_3 = (0.5 * x_2);
-    float z_2 = (h_3 * h_3);
-    float sine_2 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_3) + h_3);
-    return vec2((1.0 - ((2.0 * sine_2) * sine_2)), ((2.0 * sine_2) * sqrt((1.0 - (sine_2 * sine_2)))));
-}
-
-vec3 sphericalRectangle(QuadView q_3, vec2 u_2) {
-    float h_4 = q_3.height;
-    vec2 y_9 = vec2(q_3.low.y, q_3.high.y);
-    vec2 s_26 = (y_9 / sqrt(((y_9 * y_9) + vec2((h_4 * h_4)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_3.start + (u_2.x * q_3.solidAngle))));
-    vec2 across = (vec2((s_26.y - s_26.x), (s_26.y + s_26.x)) * _e21);
-    float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across), 1e-15));
-    float x_14 = clamp(((h_4 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q_3.low.x, q_3.high.x);
-    float d2_ = ((x_14 * x_14) + (h_4 * h_4));
-    vec2 ends = (y_9 * inversesqrt((vec2(d2_) + (y_9 * y_9))));
-    float v_10 = mix(ends.x, ends.y, u_2.y);
-    float atY = clamp(((v_10 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_10 * v_10)), 1e-12))), y_9.x, y_9.y);
-    return (((x_14 * q_3.axisX) + (atY * q_3.axisY)) + (h_4 * q_3.axisZ));
-}
-
-LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_3) {
-    QuadView _e3 = viewQuad(e_14, point_11);
-    vec3 onArea = ((_e3.corner + (u_3.x * e_14.u)) + (u_3.y * e_14.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_3);
-    vec3 toLight_2 = (_e3.bySolidAngle ? _e13 : onArea);
-    float distance_8 = max(length(toLight_2), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_8);
-    return LightSample((toLight_2 / vec3(distance_8)), distance_8, e_14.radiance, _e23, false);
-}
-
-vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_4) {
-    float both = (b_1.faces.x + b_1.faces.y);
-    float at = (u_4.x * b_1.area);
-    bool onX = (at < b_1.faces.x);
-    bool onY = (!(onX) && (at < both));
-    float face = (onX ? b_1.faces.x : (onY ? b_1.faces.y : b_1.faces.z));
-    float within = clamp(((at - (onX ? 0.0 : (onY ? b_1.faces.x : both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_3 = vec3((onX ? 1.0 : 0.0), (onY ? 1.0 : 0.0), ((onX || onY) ? 0.0 : 1.0));
-    vec3 p = vec3(((dot(axis_3, b_1.point) >= 0.0) ? 1.0 : -1.0), ((2.0 * within) - 1.0), ((2.0 * u_4.y) - 1.0));
-    vec3 toLight_3 = (((onX ? p.xyz : (onY ? p.zxy : p.yzx)) * e_15.u) - b_1.point);
-    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
-}
-
-LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_5) {
-    BoxView _e3 = viewBox(e_16, point_12);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_5);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_5);
-    vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
-    float distance_9 = (_e3.inside ? max(_e16.far, 0.0) : length(_e4.xyz));
-    vec3 direction_17 = (_e3.inside ? outwards : (_e4.xyz / vec3(max(distance_9, 1e-30))));
-    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
-    float _e33 = conePdf(2.0);
-    float pdf_3 = (_e3.inside ? _e33 : _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
-    return LightSample(_e37, distance_9, e_16.radiance, pdf_3, false);
-}
-
-LightSample samplePoint(Emitter e_17, vec3 point_13) {
-    vec3 toLight_4 = (e_17.position - point_13);
-    float distance_10 = length(toLight_4);
-    float safe = max(distance_10, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_10, (e_17.radiance / vec3((safe * safe))), ((distance_10 > 1e-15) ? 1.0 : 0.0), true);
-}
-
-LightSample sampleSpot(Emitter e_18, vec3 point_14) {
-    LightSample s_3 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_18, point_14);
-    s_3 = _e2;
-    vec3 _e5 = s_3.direction;
-    float _e6 = spotFalloff(e_18, _e5);
-    vec3 _e8 = s_3.radiance;
-    s_3.radiance = (_e8 * _e6);
-    float _e12 = s_3.pdf;
-    s_3.pdf = ((_e6 > 0.0) ? _e12 : 0.0);
-    LightSample _e17 = s_3;
-    return _e17;
-}
-
-LightSample sampleDirectional(Emitter e_19, vec2 u_6) {
-    bool delta = (e_19.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_6);
-    return LightSample(_e10.direction, 1e30, e_19.radiance, (delta ? 1.0 : (1.0 / max(e_19.area, 1e-31))), delta);
-}
-
-LightSample sampleSky(vec2 u_7) {
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
-    vec3 direction_18 = _e6.direction;
-    vec3 _e8 = sky(direction_18);
-    float _e9 = skyPdf(direction_18);
-    return LightSample(direction_18, 1e30, _e8, _e9, false);
-}
-
-LightSample sampleKind(Emitter e_20, vec3 point_15, vec2 u_8) {
-    if ((e_20.kind == 0.0)) {
-        LightSample _e6 = sampleSphere(e_20, point_15, u_8);
-        return _e6;
-    }
-    if ((e_20.kind == 1.0)) {
-        LightSample _e10 = sampleQuad(e_20, point_15, u_8);
-        return _e10;
-    }
-    if ((e_20.kind == 2.0)) {
-        LightSample _e14 = sampleBox(e_20, point_15, u_8);
-        return _e14;
-    }
-    if ((e_20.kind == 3.0)) {
-        LightSample _e18 = samplePoint(e_20, point_15);
-        return _e18;
-    }
-    if ((e_20.kind == 4.0)) {
-        LightSample _e22 = sampleSpot(e_20, point_15);
-        return _e22;
-    }
-    if ((e_20.kind == 5.0)) {
-        LightSample _e26 = sampleDirectional(e_20, u_8);
-        return _e26;
-    }
-    LightSample _e27 = sampleSky(u_8);
-    return _e27;
-}
-
-LightSample sampleEmitter(Emitter e_21, vec3 point_16, vec2 u_9) {
-    LightSample s_4 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e3 = sampleKind(e_21, point_16, u_9);
-    s_4 = _e3;
-    float _e7 = s_4.pdf;
-    float _e9 = s_4.distance_;
-    s_4.pdf = ((_e9 <= (1e-5 * length(point_16))) ? 0.0 : _e7);
-    LightSample _e16 = s_4;
-    return _e16;
-}
-
-bool isThin(Surface s_5) {
-    return ((uint(s_5.code) & 7u) == 7u);
-}
-
-bool hasSmoothLobe(Surface s_6) {
-    bool _e8 = isThin(s_6);
-    bool clear = ((abs((s_6.eta.x - 1.0)) < 0.001) || _e8);
-    uint _e13 = kindOf(s_6);
-    return ((s_6.alpha < 0.001) || ((_e13 == dielectric) && clear));
-}
-
-vec3 schlick(vec3 f0_, float cosine) {
-    float m = max((1.0 - cosine), 0.0);
-    float m2_ = (m * m);
-    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
-}
-
-vec3 metallicRoughnessF0_(Surface s_7) {
-    return mix(vec3(0.04), s_7.baseColor, s_7.metallic);
-}
-
-vec3 metallicRoughnessDiffuse(Surface s_8, float cosine_1) {
-    vec3 _e7 = schlick(vec3(0.04), cosine_1);
-    return (((1.0 - s_8.metallic) * (1.0 - _e7.x)) * s_8.baseColor);
-}
-
-float specularShare(Surface s_9, float cosine_2) {
-    vec3 _e2 = metallicRoughnessF0_(s_9);
-    vec3 _e3 = schlick(_e2, cosine_2);
-    float specular = dot(_e3, vec3(1.0));
-    vec3 _e8 = metallicRoughnessDiffuse(s_9, 1.0);
-    float diffuse_1 = dot(_e8, vec3(1.0));
-    return (specular / max((specular + diffuse_1), 1e-20));
-}
-
-float facetShare(Surface s_10, float cosine_3) {
-    uint _e2 = kindOf(s_10);
-    float _e8 = specularShare(s_10, cosine_3);
-    return ((_e2 == metallicRoughness) ? _e8 : ((_e2 == diffuse) ? 0.0 : 1.0));
-}
-
-float indexRatio(Surface s_11, float z) {
-    return ((z < 0.0) ? (1.0 / s_11.eta.x) : s_11.eta.x);
-}
-
-float stretched(vec3 w, float alpha) {
-    return sqrt(((w.z * w.z) + ((alpha * alpha) * dot(w.xy, w.xy))));
-}
-
-float reflectionBound(vec3 wo, float alpha_1) {
-    float s_27 = (1.0 + length(wo.xy));
-    float s2_ = (s_27 * s_27);
-    float a2_ = (alpha_1 * alpha_1);
-    return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
-}
-
-float facetDensity(vec3 h_1, float alpha_2) {
-    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_2 * alpha_2)) + (h_1.z * h_1.z)), 1.0);
-    return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
-}
-
-float dielectricFresnel(float cosine_4, float ratio) {
-    float inside2_ = (((ratio - 1.0) * (ratio + 1.0)) + (cosine_4 * cosine_4));
-    float inside_2 = sqrt(max(inside2_, 0.0));
-    float across_1 = ((cosine_4 - inside_2) / (cosine_4 + inside_2));
-    float along_1 = ((((ratio * ratio) * cosine_4) - inside_2) / (((ratio * ratio) * cosine_4) + inside_2));
-    return ((inside2_ > 0.0) ? (0.5 * ((across_1 * across_1) + (along_1 * along_1))) : 1.0);
-}
-
-float glassReflectance(float cosine_5, float ratio_1, bool thin) {
-    float _e3 = dielectricFresnel(cosine_5, ratio_1);
-    return (thin ? ((2.0 * _e3) / (1.0 + _e3)) : _e3);
-}
-
-vec3 conductorFresnel(float cosine_6, vec3 eta, vec3 k) {
-    float cosine2_ = (cosine_6 * cosine_6);
-    float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
-    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 a_3 = mix(((eta * k) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
-    vec3 across_2 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_6) * a_3)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_6) * a_3)) + vec3(1e-20)));
-    vec3 sum_1 = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
-    vec3 part = (((2.0 * cosine_6) * sine2_1) * a_3);
-    return ((0.5 * across_2) * (vec3(1.0) + (((sum_1 - part) + vec3(1e-20)) / ((sum_1 + part) + vec3(1e-20)))));
-}
-
-vec3 conductorReflectance(Surface s_12, float cosine_7) {
-    float constants = dot((s_12.eta + s_12.k), vec3(1.0));
-    vec3 _e11 = conductorFresnel(cosine_7, s_12.eta, s_12.k);
-    return ((constants > 0.0) ? _e11 : s_12.baseColor);
-}
-
-vec3 facetReflectance(Surface s_13, float cosine_8, float ratio_2) {
-    uint _e3 = kindOf(s_13);
-    if ((_e3 == dielectric)) {
-        bool _e6 = isThin(s_13);
-        float _e7 = glassReflectance(cosine_8, ratio_2, _e6);
-        return vec3(_e7);
-    }
-    if ((_e3 == conductor)) {
-        vec3 _e11 = conductorReflectance(s_13, cosine_8);
-        return _e11;
-    }
-    vec3 _e12 = metallicRoughnessF0_(s_13);
-    vec3 _e13 = schlick(_e12, cosine_8);
-    return _e13;
-}
-
-float singleScatteringAlbedo(float cosine_9, float alpha_3) {
-    float x_15 = (cosine_9 / (cosine_9 + alpha_3));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_15 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_15 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_15 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_15 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
-    float a2_1 = (alpha_3 * alpha_3);
-    return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
-}
-
-vec3 compensation(Surface s_14, float cosine_10) {
-    uint _e2 = kindOf(s_14);
-    bool asked = (((uint(s_14.code) & 8u) != 0u) && ((_e2 == conductor) || (_e2 == metallicRoughness)));
-    if (!(asked)) {
-        return vec3(1.0);
-    }
-    float _e19 = singleScatteringAlbedo(cosine_10, s_14.alpha);
-    vec3 _e22 = facetReflectance(s_14, 1.0, 1.0);
-    return (vec3(1.0) + (_e22 * ((1.0 - _e19) / _e19)));
-}
-
-FacetLobe evaluateFacets(Surface s_15, vec3 wo_1, vec3 wi) {
-    bool crossing_1 = ((wo_1.z < 0.0) != (wi.z < 0.0));
-    float _e11 = indexRatio(s_15, wo_1.z);
-    vec3 m_1 = (wo_1 + (wi * (crossing_1 ? _e11 : 1.0)));
-    float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_5 = (m_1 * inversesqrt(m2_1));
-    float oh = dot(wo_1, h_5);
-    float ih = dot(wi, h_5);
-    float zo = abs(wo_1.z);
-    float zi = abs(wi.z);
-    float _e28 = stretched(wo_1, s_15.alpha);
-    float _e30 = stretched(wi, s_15.alpha);
-    uint _e31 = kindOf(s_15);
-    bool isGlass = (_e31 == dielectric);
-    float _e35 = reflectionBound(wo_1, s_15.alpha);
-    float bound_1 = (isGlass ? 1.0 : _e35);
-    bool faces_1 = ((((oh * h_5.z) * wo_1.z) >= 0.0) && (((ih * h_5.z) * wi.z) >= 0.0));
-    float _e57 = facetDensity(h_5, s_15.alpha);
-    float spread = ((crossing_1 ? (abs((oh * ih)) / m2_1) : 0.25) * (faces_1 ? (2.0 * _e57) : 0.0));
-    vec3 _e64 = facetReflectance(s_15, abs(oh), _e11);
-    vec3 passes = (crossing_1 ? (vec3(1.0) - _e64) : _e64);
-    float masked = (zi / max(((zi * _e28) + (zo * _e30)), 1e-20));
-    float chosen_1 = ((isGlass ? passes.x : 1.0) * (crossing_1 ? (_e11 * _e11) : 1.0));
-    vec3 _e82 = compensation(s_15, zo);
-    return FacetLobe((((passes * _e82) * spread) * masked), ((spread * chosen_1) / ((bound_1 * zo) + _e28)), abs(oh));
-}
-
-vec4 evaluateBsdf(Surface s_16, vec3 wo_2, vec3 wi_1) {
-    vec4 value = vec4(0.0);
-    vec3 albedo = vec3(0.0);
-    uint _e3 = kindOf(s_16);
-    bool opaque = (_e3 != dielectric);
-    bool dark = (opaque && ((wo_2.z < 0.0) || (wi_1.z <= 0.0)));
-    bool _e14 = hasSmoothLobe(s_16);
-    if ((dark || (!(opaque) && _e14))) {
-        return vec4(0.0);
-    }
-    float _e21 = facetShare(s_16, wo_2.z);
-    albedo = s_16.baseColor;
-    if ((_e3 != diffuse)) {
-        FacetLobe _e29 = evaluateFacets(s_16, wo_2, wi_1);
-        value = (_e14 ? vec4(0.0) : vec4(_e29.value, (_e21 * _e29.pdf)));
-        vec3 _e40 = metallicRoughnessDiffuse(s_16, _e29.cosine);
-        albedo = ((_e3 == metallicRoughness) ? _e40 : vec3(0.0));
-    }
-    vec4 _e44 = value;
-    vec3 _e45 = albedo;
-    value = (_e44 + (vec4(_e45, (1.0 - _e21)) * (0.31830987 * max(wi_1.z, 0.0))));
-    vec4 _e59 = value;
-    return ((1.0 - s_16.reflectivity) * _e59);
-}
-
-float intersectSphere(vec3 origin_4, vec3 direction_11, vec3 center, float radius, float tMin_1, bool startsInside_1) {
-    vec3 toCenter_1 = (center - origin_4);
-    float along_2 = dot(toCenter_1, direction_11);
-    vec3 across_3 = (toCenter_1 - (along_2 * direction_11));
-    float discriminant = ((radius * radius) - dot(across_3, across_3));
-    float half_ = sqrt(max(discriminant, 0.0));
-    float near = (along_2 - half_);
-    float far = (along_2 + half_);
-    float t_4 = ((near > tMin_1) ? near : far);
-    return (startsInside_1 ? max(far, 0.0) : (((discriminant >= 0.0) && (t_4 > tMin_1)) ? t_4 : 1e30));
-}
-
-float hitSphere(uint i_9, Bounds bounds, Ray ray_3) {
-    float _e13 = intersectSphere(ray_3.start.point, ray_3.direction, bounds.center, bounds.radius, ray_3.start.tMin, (i_9 == ray_3.start.inside));
-    return ((i_9 == ray_3.start.leaves) ? 1e30 : _e13);
-}
-
-bool isTurned(vec4 q_4) {
-    return any(notEqual(q_4.xyz, vec3(0.0)));
-}
-
-float intersectBox(vec3 origin_5, vec3 direction_12, vec3 halfSize_2, float tMin_2, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_5, direction_12, halfSize_2);
-    float t_5 = ((_e5.near > tMin_2) ? _e5.near : _e5.far);
-    return (startsInside_2 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_5 > tMin_2)) ? t_5 : 1e30));
-}
-
-float hitBox(uint i_10, Bounds bounds_1, Ray ray_4) {
-    vec3 origin_6 = vec3(0.0);
-    vec3 direction_13 = vec3(0.0);
-    Extent _e3 = fetchExtent(i_10);
-    origin_6 = (ray_4.start.point - bounds_1.center);
-    direction_13 = ray_4.direction;
-    bool _e12 = isTurned(_e3.a);
-    if (_e12) {
-        vec3 _e14 = origin_6;
-        vec3 _e15 = rotate(_e3.a, _e14);
-        origin_6 = _e15;
-        vec3 _e17 = direction_13;
-        vec3 _e18 = rotate(_e3.a, _e17);
-        direction_13 = _e18;
-    }
-    vec3 _e19 = origin_6;
-    vec3 _e20 = direction_13;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_4.start.tMin, (i_10 == ray_4.start.inside));
-    return ((i_10 == ray_4.start.leaves) ? 1e30 : _e28);
-}
-
-float intersectQuad(vec3 origin_7, vec3 direction_14, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_3) {
-    vec3 normal_7 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_14, normal_7);
-    vec3 toCenter_2 = (center_1 - origin_7);
-    float t_6 = (dot(toCenter_2, normal_7) / ((speed == 0.0) ? 1e-30 : speed));
-    vec3 p_1 = ((t_6 * direction_14) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
-    return ((((t_6 > tMin_3) && (t_6 < 1e30)) && within_1) ? t_6 : 1e30);
-}
-
-float hitQuad(uint i_11, Bounds bounds_2, Ray ray_5) {
-    Extent _e3 = fetchExtent(i_11);
-    float _e14 = intersectQuad(ray_5.start.point, ray_5.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_5.start.tMin);
-    return ((i_11 == ray_5.start.leaves) ? 1e30 : _e14);
-}
-
-float intersectPlane(vec3 origin_8, vec3 direction_15, vec3 normal_4, float offset, float tMin_4) {
-    float speed_1 = dot(direction_15, normal_4);
-    float t_7 = ((offset - dot(origin_8, normal_4)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
-    bool eitherWay = ((t_7 > tMin_4) && (abs(speed_1) > 1e-12));
-    uint _e30 = frame.planesCutView;
-    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_7, 0.0) : 1e30);
-}
-
-float hitPlane(uint i_12, Bounds bounds_3, Ray ray_6) {
-    float _e10 = intersectPlane(ray_6.start.point, ray_6.direction, bounds_3.center, bounds_3.radius, ray_6.start.tMin);
-    return ((i_12 == ray_6.start.leaves) ? 1e30 : _e10);
-}
-
-bool occluded(Ray ray_7, float distance_5, uint except) {
-    bool blocked = false;
-    uint i_13 = 0u;
-    uvec4 ends_1 = frame.shapeEnds;
-    uint _e10 = i_13;
-    if ((_e10 < ends_1.x)) {
-        while(true) {
-            bool _e13 = blocked;
-            uint _e14 = i_13;
-            uint _e15 = i_13;
-            Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_7);
-            uint _e19 = i_13;
-            blocked = (_e13 || ((_e17 < distance_5) && (_e19 != except)));
-            uint _e24 = i_13;
-            i_13 = (_e24 + 1u);
-            uint _e26 = i_13;
-            if ((_e26 >= ends_1.x)) {
-                break;
-            }
-        }
-    }
-    uint _e29 = i_13;
-    if ((_e29 < ends_1.y)) {
-        while(true) {
-            bool _e32 = blocked;
-            uint _e33 = i_13;
-            uint _e34 = i_13;
-            Bounds _e35 = fetchBounds(_e34);
-            float _e36 = hitBox(_e33, _e35, ray_7);
-            uint _e38 = i_13;
-            blocked = (_e32 || ((_e36 < distance_5) && (_e38 != except)));
-            uint _e43 = i_13;
-            i_13 = (_e43 + 1u);
-            uint _e45 = i_13;
-            if ((_e45 >= ends_1.y)) {
-                break;
-            }
-        }
-    }
-    uint _e48 = i_13;
-    if ((_e48 < ends_1.z)) {
-        while(true) {
-            bool _e51 = blocked;
-            uint _e52 = i_13;
-            uint _e53 = i_13;
-            Bounds _e54 = fetchBounds(_e53);
-            float _e55 = hitQuad(_e52, _e54, ray_7);
-            uint _e57 = i_13;
-            blocked = (_e51 || ((_e55 < distance_5) && (_e57 != except)));
-            uint _e62 = i_13;
-            i_13 = (_e62 + 1u);
-            uint _e64 = i_13;
-            if ((_e64 >= ends_1.z)) {
-                break;
-            }
-        }
-    }
-    uint _e67 = i_13;
-    if ((_e67 < ends_1.w)) {
-        while(true) {
-            bool _e70 = blocked;
-            uint _e71 = i_13;
-            uint _e72 = i_13;
-            Bounds _e73 = fetchBounds(_e72);
-            float _e74 = hitPlane(_e71, _e73, ray_7);
-            blocked = (_e70 || (_e74 < distance_5));
-            uint _e78 = i_13;
-            i_13 = (_e78 + 1u);
-            uint _e80 = i_13;
-            if ((_e80 >= ends_1.w)) {
-                break;
-            }
-        }
-    }
-    bool _e83 = blocked;
-    return _e83;
-}
-
-vec3 sampledLight(Vertex v_7, EmitterChoice choice, vec2 u_10) {
-    if ((choice.probability <= 0.0)) {
-        return vec3(0.0);
-    }
-    Emitter _e9 = fetchEmitter(choice.index);
-    LightSample _e11 = sampleEmitter(_e9, v_7.point, u_10);
-    if ((_e11.pdf <= 0.0)) {
-        return vec3(0.0);
-    }
-    vec3 _e21 = toLocal(v_7.basis, _e11.direction);
-    vec4 _e22 = evaluateBsdf(v_7.surface, v_7.wo, _e21);
-    if (!(any(greaterThan((_e22.xyz * _e11.radiance), vec3(0.0))))) {
-        return vec3(0.0);
-    }
-    uint shape_2 = ((_e9.shape >= 0.0) ? uint(max(_e9.shape, 0.0)) : noShape);
-    Ray _e43 = rayFrom(v_7, _e11.direction);
-    bool _e45 = occluded(_e43, _e11.distance_, shape_2);
-    if (_e45) {
-        return vec3(0.0);
-    }
-    float pdf_4 = (_e11.pdf * choice.probability);
-    bool alone = (_e11.delta || ((_e9.shape < 0.0) && (_e11.distance_ < 1e30)));
-    float _e64 = misWeight(pdf_4, _e22.w);
-    return ((_e22.xyz * _e11.radiance) * ((alone ? 1.0 : _e64) / pdf_4));
-}
-
-float max3_(vec3 v_8) {
-    return max(max(v_8.x, v_8.y), v_8.z);
-}
-
-Hit nearer(Hit hit_2, float t_1, uint shape_1) {
-    return Hit(min(t_1, hit_2.t), ((t_1 < hit_2.t) ? shape_1 : hit_2.shape));
-}
-
-Hit closestHit(Ray ray_8) {
-    Hit hit_3 = Hit(1e30, 4294967295u);
-    uint i_14 = 0u;
-    uvec4 ends_2 = frame.shapeEnds;
-    uint _e10 = i_14;
-    if ((_e10 < ends_2.x)) {
-        while(true) {
-            Hit _e13 = hit_3;
-            uint _e14 = i_14;
-            uint _e15 = i_14;
-            Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_8);
-            uint _e18 = i_14;
-            Hit _e19 = nearer(_e13, _e17, _e18);
-            hit_3 = _e19;
-            uint _e21 = i_14;
-            i_14 = (_e21 + 1u);
-            uint _e23 = i_14;
-            if ((_e23 >= ends_2.x)) {
-                break;
-            }
-        }
-    }
-    uint _e26 = i_14;
-    if ((_e26 < ends_2.y)) {
-        while(true) {
-            Hit _e29 = hit_3;
-            uint _e30 = i_14;
-            uint _e31 = i_14;
-            Bounds _e32 = fetchBounds(_e31);
-            float _e33 = hitBox(_e30, _e32, ray_8);
-            uint _e34 = i_14;
-            Hit _e35 = nearer(_e29, _e33, _e34);
-            hit_3 = _e35;
-            uint _e37 = i_14;
-            i_14 = (_e37 + 1u);
-            uint _e39 = i_14;
-            if ((_e39 >= ends_2.y)) {
-                break;
-            }
-        }
-    }
-    uint _e42 = i_14;
-    if ((_e42 < ends_2.z)) {
-        while(true) {
-            Hit _e45 = hit_3;
-            uint _e46 = i_14;
-            uint _e47 = i_14;
-            Bounds _e48 = fetchBounds(_e47);
-            float _e49 = hitQuad(_e46, _e48, ray_8);
-            uint _e50 = i_14;
-            Hit _e51 = nearer(_e45, _e49, _e50);
-            hit_3 = _e51;
-            uint _e53 = i_14;
-            i_14 = (_e53 + 1u);
-            uint _e55 = i_14;
-            if ((_e55 >= ends_2.z)) {
-                break;
-            }
-        }
-    }
-    uint _e58 = i_14;
-    if ((_e58 < ends_2.w)) {
-        while(true) {
-            Hit _e61 = hit_3;
-            uint _e62 = i_14;
-            uint _e63 = i_14;
-            Bounds _e64 = fetchBounds(_e63);
-            float _e65 = hitPlane(_e62, _e64, ray_8);
-            uint _e66 = i_14;
-            Hit _e67 = nearer(_e61, _e65, _e66);
-            hit_3 = _e67;
-            uint _e69 = i_14;
-            i_14 = (_e69 + 1u);
-            uint _e71 = i_14;
-            if ((_e71 >= ends_2.w)) {
-                break;
-            }
-        }
-    }
-    Hit _e74 = hit_3;
-    return _e74;
-}
-
-EmitterChoice chooseEmitter(vec3 point_17, vec3 normal_5, float u_11) {
-    float total_1 = 0.0;
-    uint chosen = 0u;
-    float chosenWeight = 0.0;
-    float rest = 0.0;
-    uint i_15 = 0u;
-    uint _e5 = frame.emitterCount;
-    if ((_e5 <= 1u)) {
-        uint _e11 = frame.emitterCount;
-        return EmitterChoice(0u, float(_e11), 1.0);
-    }
-    rest = u_11;
-    while(true) {
-        uint _e24 = i_15;
-        Emitter _e25 = fetchEmitter(_e24);
-        float _e26 = estimatedIrradiance(_e25, point_17, normal_5);
-        float _e27 = total_1;
-        total_1 = (_e27 + _e26);
-        float _e29 = total_1;
-        float share_2 = (_e26 / max(_e29, 1e-37));
-        float _e33 = rest;
-        bool take = (_e33 < share_2);
-        uint _e35 = chosen;
-        uint _e36 = i_15;
-        chosen = (take ? _e36 : _e35);
-        float _e38 = chosenWeight;
-        chosenWeight = (take ? _e26 : _e38);
-        float _e40 = rest;
-        float _e47 = rest;
-        rest = (take ? (_e47 / max(share_2, 1e-37)) : ((_e40 - share_2) / max((1.0 - share_2), 1e-7)));
-        uint _e53 = i_15;
-        i_15 = (_e53 + 1u);
-        uint _e55 = i_15;
-        uint _e58 = frame.emitterCount;
-        if ((_e55 >= _e58)) {
-            break;
-        }
-    }
-    uint _e60 = chosen;
-    float _e61 = chosenWeight;
-    float _e62 = total_1;
-    float _e66 = total_1;
-    return EmitterChoice(_e60, (_e61 / max(_e62, 1e-37)), _e66);
+uint pcg(uint x) {
+    uint s_15 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_15 >> ((s_15 >> 28u) + 4u)) ^ s_15) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
+}
+
+uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
+    uint _e5 = pcg(seed);
+    uint _e7 = pcg((sampleIndex + _e5));
+    uint _e9 = pcg((pixel.y + _e7));
+    uint _e11 = pcg((pixel.x + _e9));
+    return _e11;
+}
+
+uint spread0_(uint x_1) {
+    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_8 | (y_8 << 1u)) & 85u);
+}
+
+uint reverseHalves(uint x_2) {
+    uint y = 0u;
+    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
+    uint _e11 = y;
+    uint _e16 = y;
+    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y;
+    uint _e27 = y;
+    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y;
+    uint _e38 = y;
+    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
 }
 
 uint mixBits(uint x_3) {
@@ -1258,11 +328,47 @@ uint mixBits(uint x_3) {
     return (_e14 ^ (_e15 >> 15u));
 }
 
-uint scramble(uint x_4, uint seed) {
+Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
+    uint _e5 = frame.independent;
+    bool independent = (_e5 != 0u);
+    uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
+    uint _e19 = spread0_((pixel_1.x & 15u));
+    uint _e23 = spread0_((pixel_1.y & 15u));
+    uint place = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
+    uint used = pick(independent, 0u, _e32);
+    uint _e37 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+}
+
+float filterAxis(float u) {
+    float across = ((2.0 * u) - 1.0);
+    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_14), 15.0);
+    float t_2 = (x_14 - piece);
+    vec4 c = frame.filterPieces[uint(piece)];
+    float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
+    return pick((across < 0.0), -(offset_2), offset_2);
+}
+
+vec2 filterOffset(vec2 u_1) {
+    vec2 offset = vec2(0.0);
+    offset = (u_1 - vec2(0.5));
+    const bool _e6 = hasFilter;
+    if (_e6) {
+        float _e8 = filterAxis(u_1.x);
+        float _e10 = filterAxis(u_1.y);
+        offset = vec2(_e8, _e10);
+    }
+    vec2 _e12 = offset;
+    return _e12;
+}
+
+uint scramble(uint x_4, uint seed_2) {
     uint y_2 = 0u;
     y_2 = (x_4 ^ (x_4 * 1025551850u));
     uint _e6 = y_2;
-    y_2 = ((_e6 + seed) * ((seed >> 16u) | 1u));
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
     uint _e14 = y_2;
     y_2 = (_e13 ^ (_e14 * 89287766u));
@@ -1271,22 +377,37 @@ uint scramble(uint x_4, uint seed) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint reverseHalves(uint x_5) {
+uint pascal(uint x_5) {
     uint y_3 = 0u;
-    y_3 = (((x_5 >> 1u) & 1431655765u) | ((x_5 & 1431655765u) << 1u));
-    uint _e11 = y_3;
-    uint _e16 = y_3;
-    y_3 = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    uint _e7 = y_3;
+    uint _e8 = y_3;
+    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_3;
+    uint _e15 = y_3;
+    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_3;
     uint _e22 = y_3;
-    uint _e27 = y_3;
-    y_3 = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y_3;
-    uint _e38 = y_3;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
 uint timesW(uint x_6) {
     return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
+}
+
+float toUnit(uint reversed, uint scrambled) {
+    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+}
+
+vec2 points2d(Group g) {
+    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
+    uint _e8 = timesW(g.shift);
+    uint _e10 = pascal((g.index ^ _e8));
+    uint _e12 = scramble(_e10, g.seedB);
+    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
+    float _e21 = toUnit((_e18 & 65535u), _e5);
+    float _e24 = toUnit((_e18 >> 16u), _e12);
+    return vec2(_e21, _e24);
 }
 
 uint timesW2_(uint x_7) {
@@ -1307,181 +428,745 @@ uint shiftOfPlace(uint x_8) {
     return (_e17 | (_e18 << 8u));
 }
 
-Group nextGroup(inout Sampler s_17) {
-    uint _e3 = s_17.key;
-    s_17.key = (_e3 + 1u);
-    uint _e7 = s_17.key;
+Group nextGroup(inout Sampler s) {
+    uint _e3 = s.key;
+    s.key = (_e3 + 1u);
+    uint _e7 = s.key;
     uint _e8 = mixBits(_e7);
-    uint _e10 = s_17.salt;
-    uint half_1 = ((_e8 ^ _e10) * 2654435761u);
-    uint b_5 = (half_1 ^ (half_1 >> 16u));
-    uint _e18 = s_17.place;
-    uint _e19 = scramble(_e18, b_5);
-    uint _e21 = s_17.sample_;
+    uint _e10 = s.salt;
+    uint half_ = ((_e8 ^ _e10) * 2654435761u);
+    uint b_4 = (half_ ^ (half_ >> 16u));
+    uint _e18 = s.place;
+    uint _e19 = scramble(_e18, b_4);
+    uint _e21 = s.sample_;
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
-    uint _e28 = s_17.sample_;
+    uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_5 >> 16u) | (b_5 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_4 >> 16u) | (b_4 << 16u)));
 }
 
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
-}
-
-float next1d(inout Sampler s_18) {
-    Group _e1 = nextGroup(s_18);
-    uint _e6 = scramble((_e1.index ^ _e1.shift), _e1.seedA);
-    uint _e9 = reverseHalves((_e6 & 65535u));
-    float _e10 = toUnit(_e9, _e6);
-    return _e10;
-}
-
-uint pascal(uint x_9) {
-    uint y_5 = 0u;
-    y_5 = (x_9 ^ ((x_9 >> 1u) & 21845u));
-    uint _e7 = y_5;
-    uint _e8 = y_5;
-    y_5 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_5;
-    uint _e15 = y_5;
-    y_5 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_5;
-    uint _e22 = y_5;
-    return (_e21 ^ ((_e22 >> 8u) & 255u));
-}
-
-vec2 points2d(Group g) {
-    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
-}
-
-vec2 next2d(inout Sampler s_19) {
-    Group _e1 = nextGroup(s_19);
+vec2 next2d(inout Sampler s_1) {
+    Group _e1 = nextGroup(s_1);
     vec2 _e2 = points2d(_e1);
     return _e2;
 }
 
-bool isDelta(Surface s_20) {
-    uint _e1 = kindOf(s_20);
-    bool noDiffuse = ((_e1 >= conductor) || ((_e1 == metallicRoughness) && (s_20.metallic >= 1.0)));
-    bool _e14 = hasSmoothLobe(s_20);
-    return ((s_20.reflectivity >= 1.0) || (noDiffuse && _e14));
+vec2 concentricDisc(vec2 u_2) {
+    vec2 p_12 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_12.x) > abs(p_12.y));
+    float radius_1 = pick(wide, p_12.x, p_12.y);
+    float ratio_4 = (pick(wide, p_12.y, p_12.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
+    return (radius_1 * vec2(cos(angle), sin(angle)));
 }
 
-BsdfSample deltaSample(vec3 direction_16, float probability, vec3 weight) {
-    return BsdfSample(direction_16, probability, weight, true);
-}
-
-vec3 mirrored(vec3 wo_3) {
-    return vec3(-(wo_3.xy), wo_3.z);
-}
-
-vec3 sampleCosine(vec2 u_12) {
-    float radius_1 = sqrt(u_12.x);
-    float phi_1 = ((6.2831855 * u_12.y) - 3.1415927);
-    return normalize(vec3((radius_1 * cos(phi_1)), (radius_1 * sin(phi_1)), sqrt((1.0 - u_12.x))));
-}
-
-vec3 sampleVisibleNormal(vec3 wo_4, float alpha_4, float bound, vec2 u_13) {
-    float _e8 = stretched(wo_4, alpha_4);
-    vec3 w_2 = (vec3((alpha_4 * wo_4.xy), wo_4.z) / vec3(_e8));
-    float phi_2 = ((6.2831855 * u_13.x) - 3.1415927);
-    float drop = (u_13.y * (1.0 + (bound * w_2.z)));
-    float sine_3 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_6 = (w_2 + vec3((sine_3 * cos(phi_2)), (sine_3 * sin(phi_2)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_6.xy), max(h_6.z, 1e-7)));
-}
-
-vec3 sampleFacet(Surface s_21, vec3 wo_5, vec2 u_14) {
-    float side_3 = ((wo_5.z < 0.0) ? -1.0 : 1.0);
-    vec3 up = (wo_5 * side_3);
-    float _e11 = reflectionBound(up, s_21.alpha);
-    uint _e12 = kindOf(s_21);
-    float bound_2 = ((_e12 == dielectric) ? 1.0 : _e11);
-    vec3 _e20 = sampleVisibleNormal(up, max(s_21.alpha, 0.001), bound_2, u_14);
-    bool _e25 = hasSmoothLobe(s_21);
-    return ((_e25 ? vec3(0.0, 0.0, 1.0) : _e20) * side_3);
-}
-
-vec3 refracted(vec3 wo_6, vec3 h_2, float ratio_3) {
-    float cosine_14 = dot(wo_6, h_2);
-    float inside_3 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_14 * cosine_14)), 0.0));
-    return ((((cosine_14 - inside_3) * h_2) - wo_6) / vec3(ratio_3));
-}
-
-BsdfSample sampleBsdf(Surface s_22, vec3 wo_7, vec3 u_15) {
-    vec3 wi_2 = vec3(0.0);
-    bool crossing = false;
-    if ((u_15.z < s_22.reflectivity)) {
-        vec3 _e6 = mirrored(wo_7);
-        BsdfSample _e10 = deltaSample(_e6, s_22.reflectivity, vec3(1.0));
-        return _e10;
+CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
+    CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
+    float _e7 = frame.width;
+    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float _e16 = frame.height;
+    float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    vec3 _e22 = frame.right;
+    vec3 _e26 = frame.up;
+    vec3 across_1 = ((x_15 * _e22) + (y_9 * _e26));
+    const bool _e30 = hasOtherProjections;
+    uint _e33 = frame.projection;
+    bool orthographic = pick(_e30, (_e33 == 1u), false);
+    vec3 _e39 = frame.forward;
+    vec3 _e43 = frame.forward;
+    vec3 ahead = pick(orthographic, _e43, (_e39 + across_1));
+    float _e47 = frame.aperture;
+    vec3 _e51 = frame.right;
+    vec3 _e57 = frame.up;
+    vec3 lens_1 = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
+    float _e66 = frame.focusDistance;
+    ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
+    const bool _e74 = hasOtherProjections;
+    uint _e77 = frame.projection;
+    if (pick(_e74, (_e77 == 2u), false)) {
+        float longitude = (3.1415927 * x_15);
+        float latitude = (1.5707964 * y_9);
+        vec3 _e88 = frame.right;
+        vec3 _e93 = frame.forward;
+        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
+        vec3 _e103 = frame.up;
+        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
     }
-    float base_1 = (1.0 - s_22.reflectivity);
-    float choice_1 = ((u_15.z - s_22.reflectivity) / base_1);
-    float _e19 = facetShare(s_22, wo_7.z);
-    uint _e20 = kindOf(s_22);
-    bool isGlass_1 = (_e20 == dielectric);
-    bool specular_1 = (choice_1 < _e19);
-    vec3 _e25 = sampleCosine(u_15.xy);
-    wi_2 = _e25;
-    if (specular_1) {
-        vec3 _e30 = sampleFacet(s_22, wo_7, u_15.xy);
-        float oh_1 = max(dot(wo_7, _e30), 0.0);
-        float _e35 = indexRatio(s_22, wo_7.z);
-        vec3 _e36 = facetReflectance(s_22, oh_1, _e35);
-        crossing = (isGlass_1 && (choice_1 >= _e36.x));
-        vec3 _e40 = refracted(wo_7, _e30, _e35);
-        bool _e42 = isThin(s_22);
-        vec3 through = (_e42 ? -(wo_7) : _e40);
-        bool _e48 = crossing;
-        wi_2 = (_e48 ? through : (((2.0 * oh_1) * _e30) - wo_7));
-        bool _e50 = hasSmoothLobe(s_22);
-        if (_e50) {
-            bool _e54 = crossing;
-            bool _e55 = isThin(s_22);
-            float bent = ((_e54 && !(_e55)) ? (1.0 / (_e35 * _e35)) : 1.0);
-            bool _e64 = crossing;
-            float probability_1 = (base_1 * (isGlass_1 ? (_e64 ? (1.0 - _e36.x) : _e36.x) : _e19));
-            vec3 _e68 = wi_2;
-            BsdfSample _e73 = deltaSample(_e68, probability_1, (isGlass_1 ? vec3(bent) : (_e36 / vec3(_e19))));
-            return _e73;
+    CameraRay _e108 = ray;
+    return _e108;
+}
+
+CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
+    vec2 lensPoint_1 = vec2(0.0);
+    const bool _e6 = hasLens;
+    if (_e6) {
+        vec2 _e7 = concentricDisc(lens);
+        lensPoint_1 = _e7;
+    }
+    vec2 _e8 = lensPoint_1;
+    CameraRay _e9 = rayThroughLens(filmPosition_1, _e8);
+    return _e9;
+}
+
+Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
+    Sampler s_2 = Sampler(0u, 0u, 0u, 0u);
+    uint _e4 = frame.seed;
+    Sampler _e5 = startSampler(pixel_2, sampleIndex_2, _e4);
+    s_2 = _e5;
+    vec2 _e11 = next2d(s_2);
+    vec2 _e12 = filterOffset(_e11);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
+    vec2 _e14 = next2d(s_2);
+    CameraRay _e15 = cameraRay(filmPosition_2, _e14);
+    RayPair rays = RayPair(_e15.origin, noShape, 0.0, _e15.direction, false, _e15.direction, false, -1.0, noShape);
+    Sampler _e36 = s_2;
+    return Path(rays, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e36);
+}
+
+Bounds fetchBounds(uint i) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
+    return Bounds(t0_.xyz, t0_.w);
+}
+
+float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin);
+    float along = dot(toCenter, direction);
+    vec3 across_2 = (toCenter - (along * direction));
+    float discriminant = ((radius * radius) - dot(across_2, across_2));
+    float half_1 = sqrt(max(discriminant, 0.0));
+    float near = (along - half_1);
+    float far_1 = (along + half_1);
+    float t_3 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
+}
+
+PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
+    bool own_2 = (i_1 == p_1.shape);
+    float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+    bool nearer = (pathT < found.t);
+    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)));
+}
+
+PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
+    Bounds _e3 = fetchBounds(i_2);
+    bool own_3 = (i_2 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
+    return _e23;
+}
+
+Extent fetchExtent(uint i_3) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_1.xyzw, t1_.xyzw);
+}
+
+vec3 rotate(vec4 q, vec3 v) {
+    vec3 t_4 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_4)) + cross(q.xyz, t_4));
+}
+
+vec3 turned(vec4 q_1, vec3 v_1) {
+    vec3 w = vec3(0.0);
+    w = v_1;
+    const bool _e4 = hasTurnedBoxes;
+    if (_e4) {
+        vec3 _e5 = rotate(q_1, v_1);
+        w = _e5;
+    }
+    vec3 _e6 = w;
+    return _e6;
+}
+
+vec3 safeReciprocal(vec3 d, vec3 origin_1) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_1, origin_2);
+    vec3 middle = (-(origin_2) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
+    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
+}
+
+PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
+    Bounds _e3 = fetchBounds(i_4);
+    Extent _e4 = fetchExtent(i_4);
+    bool own_4 = (i_4 == p_3.shape);
+    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_3.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
+    return _e31;
+}
+
+float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_7 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_3, normal_7);
+    vec3 toCenter_1 = (center_1 - origin_4);
+    float t_6 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_13 = ((t_6 * direction_3) - toCenter_1);
+    bool within = (max(abs(dot(p_13, reciprocalU)), abs(dot(p_13, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
+}
+
+PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
+    Bounds _e3 = fetchBounds(i_5);
+    Extent _e4 = fetchExtent(i_5);
+    float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    PairHit _e24 = meet(found_3, p_4, i_5, vec2(_e13, _e22));
+    return _e24;
+}
+
+float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_4, normal);
+    float t_7 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
+    uint _e30 = frame.planesCutView;
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
+}
+
+PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
+    Bounds _e3 = fetchBounds(i_6);
+    float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
+    float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
+    PairHit _e17 = meet(found_4, p_5, i_6, vec2(_e9, _e15));
+    return _e17;
+}
+
+PairHit tracePair(RayPair p_6) {
+    PairHit found_5 = PairHit(1e30, 4294967295u, false);
+    uint i_7 = 0u;
+    uvec4 ends = frame.shapeEnds;
+    const bool _e12 = hasSpheres;
+    uint _e13 = i_7;
+    if (pick(_e12, (_e13 < ends.x), false)) {
+        while(true) {
+            PairHit _e17 = found_5;
+            uint _e18 = i_7;
+            PairHit _e19 = meetSphere(_e17, p_6, _e18);
+            found_5 = _e19;
+            uint _e21 = i_7;
+            i_7 = (_e21 + 1u);
+            uint _e23 = i_7;
+            if ((_e23 >= ends.x)) {
+                break;
+            }
         }
     }
-    vec3 _e74 = wi_2;
-    vec4 _e75 = evaluateBsdf(s_22, wo_7, _e74);
-    float _e80 = wi_2.z;
-    bool crosses = ((wo_7.z < 0.0) != (_e80 < 0.0));
-    bool _e85 = crossing;
-    float pdf_5 = ((_e85 != crosses) ? 0.0 : _e75.w);
-    vec3 _e89 = wi_2;
-    return BsdfSample(_e89, pdf_5, ((pdf_5 > 0.0) ? (_e75.xyz / vec3(max(pdf_5, 1e-30))) : vec3(0.0)), false);
+    const bool _e27 = hasBoxes;
+    uint _e28 = i_7;
+    if (pick(_e27, (_e28 < ends.y), false)) {
+        while(true) {
+            PairHit _e32 = found_5;
+            uint _e33 = i_7;
+            PairHit _e34 = meetBox(_e32, p_6, _e33);
+            found_5 = _e34;
+            uint _e36 = i_7;
+            i_7 = (_e36 + 1u);
+            uint _e38 = i_7;
+            if ((_e38 >= ends.y)) {
+                break;
+            }
+        }
+    }
+    const bool _e42 = hasQuads;
+    uint _e43 = i_7;
+    if (pick(_e42, (_e43 < ends.z), false)) {
+        while(true) {
+            PairHit _e47 = found_5;
+            uint _e48 = i_7;
+            PairHit _e49 = meetQuad(_e47, p_6, _e48);
+            found_5 = _e49;
+            uint _e51 = i_7;
+            i_7 = (_e51 + 1u);
+            uint _e53 = i_7;
+            if ((_e53 >= ends.z)) {
+                break;
+            }
+        }
+    }
+    const bool _e57 = hasPlanes;
+    uint _e58 = i_7;
+    if (pick(_e57, (_e58 < ends.w), false)) {
+        while(true) {
+            PairHit _e62 = found_5;
+            uint _e63 = i_7;
+            PairHit _e64 = meetPlane(_e62, p_6, _e63);
+            found_5 = _e64;
+            uint _e66 = i_7;
+            i_7 = (_e66 + 1u);
+            uint _e68 = i_7;
+            if ((_e68 >= ends.w)) {
+                break;
+            }
+        }
+    }
+    PairHit _e71 = found_5;
+    return _e71;
 }
 
-uint pascalW2_(uint x_10) {
-    uint y_6 = 0u;
-    uint _e5 = timesW2_(((x_10 >> 2u) & 13107u));
-    y_6 = (x_10 ^ _e5);
-    uint _e8 = y_6;
-    uint _e9 = y_6;
+Surface fetchSurface(uint i_8) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_8)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_8)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_8)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_8)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_8)), 0);
+    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+}
+
+uint kindOf(uint code) {
+    return (code & 3u);
+}
+
+bool isDielectric(uint code_1) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_1);
+    return pick(_e2, (_e3 == dielectric), false);
+}
+
+bool isPlane(uint i_9) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_9 >= _e4);
+}
+
+vec3 boxNormal(vec3 origin_6, vec3 direction_5, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_6, direction_5, halfSize_2);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_8 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_5, vec3(0.0))));
+    bool onX = (crossed.x == t_8);
+    bool onY = pick(!(onX), (crossed.y == t_8), false);
+    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+}
+
+vec3 turnedBack(vec4 q_2, vec3 v_2) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_2);
+    return _e6;
+}
+
+bool isBox(uint i_10) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return pick((i_10 >= _e4), (i_10 < _e9), false);
+}
+
+bool isSphere(uint i_11) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_11 < _e4);
+}
+
+vec3 normalAt(RayPair p_7, float t_1, uint i_12) {
+    vec3 normal_1 = vec3(0.0);
+    Bounds _e3 = fetchBounds(i_12);
+    vec3 origin_7 = (p_7.point - _e3.center);
+    normal_1 = _e3.center;
+    const bool _e10 = hasQuads;
+    if (_e10) {
+        Extent _e11 = fetchExtent(i_12);
+        vec3 _e17 = normal_1;
+        bool _e18 = isPlane(i_12);
+        normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
+    }
+    const bool _e21 = hasBoxes;
+    if (_e21) {
+        Extent _e22 = fetchExtent(i_12);
+        bool inside = pick((i_12 == p_7.shape), p_7.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_7);
+        vec3 _e31 = turned(_e22.a, p_7.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
+        vec3 _e36 = normal_1;
+        vec3 _e38 = turnedBack(_e22.a, _e35);
+        bool _e39 = isBox(i_12);
+        normal_1 = pick(_e39, _e38, _e36);
+    }
+    const bool _e42 = hasSpheres;
+    if (_e42) {
+        vec3 _e43 = normal_1;
+        bool _e47 = isSphere(i_12);
+        normal_1 = pick(_e47, (origin_7 + (t_1 * p_7.direction)), _e43);
+    }
+    vec3 _e49 = normal_1;
+    return normalize(_e49);
+}
+
+Basis basisAbout(vec3 n) {
+    float side_1 = pick((n.z >= 0.0), 1.0, -1.0);
+    float a_1 = (-1.0 / (side_1 + n.z));
+    float b_5 = ((n.x * n.y) * a_1);
+    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a_1)), (side_1 * b_5), (-(side_1) * n.x)), vec3(b_5, (side_1 + ((n.y * n.y) * a_1)), -(n.y)), n);
+}
+
+vec3 toLocal(Basis b, vec3 v_3) {
+    return vec3(dot(v_3, b.tangent), dot(v_3, b.bitangent), dot(v_3, b.normal));
+}
+
+bool isThin(uint code_2) {
+    const bool _e2 = hasGlass;
+    return pick(_e2, ((code_2 & 7u) == 7u), false);
+}
+
+int emitterOf(float code_3) {
+    return ((int(code_3) >> 6u) - 1);
+}
+
+Emitter fetchEmitter(uint i_13) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
+    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
+}
+
+bool isOnDisc(Emitter e, vec3 direction_6) {
+    vec3 chord = (direction_6 + e.u);
+    return ((3.1415927 * dot(chord, chord)) < e.area);
+}
+
+float directionalPdf(Emitter e_1, vec3 direction_7) {
+    bool _e7 = isOnDisc(e_1, direction_7);
+    return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
+}
+
+vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
+    vec2 low = min(x_9, y_5);
+    vec2 high = max(x_9, y_5);
+    bvec2 middle_1 = greaterThan(low, (0.41421357 * high));
+    vec2 r = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
+    vec2 z_1 = (r * r);
+    vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_9));
+}
+
+EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
+    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
+}
+
+Corners environmentCorners(uvec2 cell) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size = uvec2(_e3);
+    uint left = (pick((cell.x == 0u), size.x, cell.x) - 1u);
+    uint right = pick((cell.x == size.x), 0u, cell.x);
+    uint upper = (max(cell.y, 1u) - 1u);
+    uint lower = min(cell.y, (size.y - 1u));
+    vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
+    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
+    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
+    return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_8) {
+    vec2 size_1 = frame.environmentSize;
+    float sine_1 = max(length(direction_8.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_8.z, direction_8.y)), vec2(abs(direction_8.x), sine_1));
+    float turn = (pick((direction_8.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_8.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
+    float row = floor(fromPole);
+    bool isLower = (direction_8.y < 0.0);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
+    float within_1 = (fromPole - row);
+    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    Corners _e66 = environmentCorners(uvec2(cell_1));
+    EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
+    return _e67;
+}
+
+vec3 sky(vec3 direction_9) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_9.y, 0.0));
+}
+
+EnvironmentLight skyLight(vec3 direction_10) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_10);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_10);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight farLight(Emitter e_2, vec3 direction_11) {
+    FarLight far = FarLight(vec3(0.0), 0.0);
+    const bool _e8 = hasSuns;
+    if (_e8) {
+        bool _e12 = isOnDisc(e_2, direction_11);
+        bool seen = pick((e_2.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_2, direction_11);
+        far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
+    }
+    const bool _e23 = hasSky;
+    if (pick(_e23, (e_2.kind == 6.0), false)) {
+        EnvironmentLight _e28 = skyLight(direction_11);
+        far = FarLight(_e28.radiance, _e28.pdf);
+    }
+    FarLight _e32 = far;
+    return _e32;
+}
+
+SphereView viewSphere(Emitter e_3, vec3 point) {
+    vec3 toCenter_2 = (e_3.position - point);
+    float d_1 = length(toCenter_2);
+    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
+    bool inside_1 = (d_1 <= e_3.radius);
+    float sine_2 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
+    float cosine_10 = (sqrt(power) / max(d_1, 1e-30));
+    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
+}
+
+float conePdf(float width) {
+    return (1.0 / (6.2831855 * max(width, 1e-31)));
+}
+
+float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_12) {
+    SphereView _e3 = viewSphere(e_4, point_1);
+    bool reached = pick(_e3.inside, true, (dot(direction_12, _e3.toCenter) > 0.0));
+    float _e11 = conePdf(_e3.width);
+    return pick(reached, _e11, 0.0);
+}
+
+float areaPdf(float area, float height, float distance_) {
+    float pdf_1 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf_1, 1e30);
+}
+
+float pdfOfView(QuadView q_3, float area_1, float distance_1) {
+    float _e4 = areaPdf(area_1, q_3.height, distance_1);
+    float pdf_2 = pick(q_3.bySolidAngle, (1.0 / max(q_3.solidAngle, 0.01)), _e4);
+    return pick(q_3.lit, pdf_2, 0.0);
+}
+
+float arctangent(float x_10) {
+    float a_2 = abs(x_10);
+    bool steep = (a_2 > 2.4142137);
+    bool middle_2 = pick((a_2 > 0.41421357), !(steep), false);
+    float r_1 = pick(steep, (-1.0 / max(a_2, 1.0)), pick(middle_2, ((a_2 - 1.0) / (a_2 + 1.0)), a_2));
+    float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
+    float z_2 = (r_1 * r_1);
+    float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
+    return (sign(x_10) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
+}
+
+float stretch(float x_11, vec2 y_6, float h) {
+    vec2 r_2 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
+    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_2.x)));
+    return (_e16 - _e22);
+}
+
+QuadView viewQuad(Emitter e_5, vec3 point_2) {
+    vec3 corner = (e_5.position - point_2);
+    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
+    vec3 axisX = (e_5.u / vec3(lengths.x));
+    vec3 axisY = (e_5.v / vec3(lengths.y));
+    vec3 normal_8 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_8);
+    float least = (1e-7 * (lengths.x + lengths.y));
+    float height_1 = max(abs(signedHeight), least);
+    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_1 + lengths);
+    vec2 y_10 = vec2(low_1.y, high_1.y);
+    float _e44 = stretch(low_1.x, y_10, height_1);
+    float _e46 = stretch(high_1.x, y_10, height_1);
+    float solidAngle = (_e46 - _e44);
+    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
+    vec3 axisZ = (normal_8 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+}
+
+float quadPdf(Emitter e_6, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_6, point_3);
+    float _e5 = pdfOfView(_e3, e_6.area, distance_2);
+    return _e5;
+}
+
+BoxView viewBox(Emitter e_7, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_7.shape));
+    vec4 rotation = _e4.a;
+    vec3 _e8 = rotate(rotation, (point_4 - e_7.position));
+    bvec3 seen_1 = greaterThan(abs(_e8), e_7.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen_1);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
+}
+
+float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_13, float distance_3, vec3 normal_2) {
+    BoxView _e5 = viewBox(e_8, point_5);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_13, normal_2))), distance_3);
+    float _e12 = conePdf(2.0);
+    return pick(_e5.inside, _e12, _e10);
+}
+
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_14, float distance_4, vec3 normal_3) {
+    float pdf = 0.0;
+    const bool _e8 = hasSphereLights;
+    if (pick(_e8, (e_9.kind == 0.0), false)) {
+        float _e13 = spherePdf(e_9, point_6, direction_14);
+        pdf = _e13;
+    }
+    const bool _e15 = hasQuadLights;
+    if (pick(_e15, (e_9.kind == 1.0), false)) {
+        float _e20 = quadPdf(e_9, point_6, distance_4);
+        pdf = _e20;
+    }
+    const bool _e22 = hasBoxLights;
+    if (pick(_e22, (e_9.kind == 2.0), false)) {
+        float _e27 = boxPdf(e_9, point_6, direction_14, distance_4, normal_3);
+        pdf = _e27;
+    }
+    float _e28 = pdf;
+    return _e28;
+}
+
+float spotFalloff(Emitter e_10, vec3 toLight) {
+    float share = clamp(((-(dot(toLight, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+    return (share * share);
+}
+
+float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
+    float estimate = 0.0;
+    const bool _e4 = hasQuadLights;
+    bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
+    const bool _e10 = hasSuns;
+    bool isFar = pick(_e10, (e_11.kind == 5.0), false);
+    vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
+    vec3 toLight_1 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    float distance2_ = dot(toLight_1, toLight_1);
+    float distance_5 = sqrt(distance2_);
+    float grown = max((distance_5 + e_11.reach), 1e-15);
+    float above_1 = clamp(((dot(normal_4, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
+    float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
+    float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
+    estimate = ((e_11.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e65 = hasQuadLights;
+    if (_e65) {
+        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_1)) / max(e_11.area, 1e-30));
+        float side_2 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_11.reach) / grown), 0.0);
+        float _e89 = estimate;
+        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    }
+    const bool _e94 = hasPointLights;
+    if (_e94) {
+        float _e95 = estimate;
+        float _e100 = spotFalloff(e_11, (toLight_1 / vec3(max(distance_5, 1e-15))));
+        estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
+    }
+    const bool _e108 = hasSky;
+    if (_e108) {
+        float _e109 = estimate;
+        estimate = pick((e_11.kind == 6.0), e_11.power, _e109);
+    }
+    float _e115 = estimate;
+    return _e115;
+}
+
+float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
+    float probability = 0.0;
+    uint _e6 = frame.emitterCount;
+    probability = float(min(_e6, 1u));
+    const bool _e12 = hasManyLights;
+    uint _e15 = frame.emitterCount;
+    if (pick(_e12, (_e15 > 1u), false)) {
+        float _e19 = estimatedIrradiance(e_12, point_8, normal_5);
+        probability = (_e19 / max(total, 1e-37));
+    }
+    float _e23 = probability;
+    return _e23;
+}
+
+float misWeight(float own, float other) {
+    float ratio_5 = (other / own);
+    return (1.0 / (1.0 + (ratio_5 * ratio_5)));
+}
+
+vec3 foundLight(Path p_8, PairHit hit, Surface s_3, vec3 outward) {
+    vec3 found_6 = vec3(0.0);
+    uint i_14 = 0u;
+    bool escaped = (hit.shape == noShape);
+    vec3 direction_15 = p_8.rays.direction;
+    bool hidden = pick(((uint(s_3.code) & 16u) != 0u), (dot(outward, direction_15) > 0.0), false);
+    int _e20 = emitterOf(s_3.code);
+    found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_3.emission);
+    bool weighed = pick(escaped, true, (_e20 >= 0));
+    uint _e32 = frame.emitterCount;
+    if (pick(weighed, (_e32 > 0u), false)) {
+        vec3 emission = found_6;
+        found_6 = vec3(0.0);
+        i_14 = pick(escaped, 0u, uint(max(_e20, 0)));
+        while(true) {
+            uint _e45 = i_14;
+            Emitter _e46 = fetchEmitter(_e45);
+            FarLight _e47 = farLight(_e46, direction_15);
+            float _e51 = shapePdf(_e46, p_8.rays.point, direction_15, hit.t, outward);
+            float density = pick(escaped, _e47.pdf, _e51);
+            float _e58 = probabilityOf(_e46, p_8.rays.point, p_8.litSide, p_8.total);
+            float pdf_3 = (density * _e58);
+            vec3 radiance = pick(escaped, _e47.radiance, emission);
+            vec3 _e62 = found_6;
+            float _e64 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e62 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e64)));
+            uint _e73 = i_14;
+            i_14 = (_e73 + 1u);
+            const bool _e76 = hasSky;
+            const bool _e78 = hasSuns;
+            uint _e83 = i_14;
+            uint _e86 = frame.emitterCount;
+            if (pick(pick(!(pick(_e76, true, _e78)), true, !(escaped)), true, (_e83 >= _e86))) {
+                break;
+            }
+        }
+    }
+    vec3 _e89 = found_6;
+    return _e89;
+}
+
+uint pascalW2_(uint x_12) {
+    uint y_7 = 0u;
+    uint _e5 = timesW2_(((x_12 >> 2u) & 13107u));
+    y_7 = (x_12 ^ _e5);
+    uint _e8 = y_7;
+    uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_6 = (_e8 ^ _e14);
-    uint _e16 = y_6;
-    uint _e17 = y_6;
+    y_7 = (_e8 ^ _e14);
+    uint _e16 = y_7;
+    uint _e17 = y_7;
     uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
     return (_e16 ^ _e22);
 }
 
-vec3 next3d(inout Sampler s_23) {
-    Group _e1 = nextGroup(s_23);
+vec3 next3d(inout Sampler s_4) {
+    Group _e1 = nextGroup(s_4);
     uint _e4 = timesW2_(_e1.shift);
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
@@ -1491,206 +1176,791 @@ vec3 next3d(inout Sampler s_23) {
     return vec3(_e13, _e17);
 }
 
-vec3 toWorld(Basis b_2, vec3 v_9) {
-    return (((v_9.x * b_2.tangent) + (v_9.y * b_2.bitangent)) + (v_9.z * b_2.normal));
-}
-
-vec3 trace(Ray first, inout Sampler s_24) {
-    Ray ray_9 = Ray(Start(vec3(0.0), 0u, 0u, 0.0), vec3(0.0));
-    Origin origin_9 = Origin(vec3(0.0), vec3(0.0), 0.0, 1.0);
-    vec3 throughput = vec3(1.0);
-    vec3 radiance = vec3(0.0);
-    uint depth = 1u;
-    ray_9 = first;
-    while(true) {
-        Ray _e19 = ray_9;
-        Hit _e20 = closestHit(_e19);
-        bool escaped_1 = (_e20.shape == noShape);
-        Ray _e24 = ray_9;
-        Vertex _e30 = vertexAt(_e24, Hit(_e20.t, (escaped_1 ? 0u : _e20.shape)));
-        bool _e32 = isDielectric(_e30.surface);
-        bool _e34 = isThin(_e30.surface);
-        bool inside_4 = ((_e32 && !(_e34)) && (_e30.wo.z < 0.0));
-        vec3 _e42 = throughput;
-        vec3 passed = (_e42 * exp((-(_e30.surface.absorption) * (inside_4 ? _e20.t : 0.0))));
-        vec3 _e52 = throughput;
-        throughput = ((inside_4 && !(escaped_1)) ? passed : _e52);
-        vec3 _e56 = radiance;
-        vec3 _e57 = throughput;
-        Origin _e58 = origin_9;
-        Ray _e59 = ray_9;
-        vec3 _e60 = foundLight(_e30, _e58, _e59, _e20);
-        radiance = (_e56 + (_e57 * _e60));
-        uint _e63 = depth;
-        uint _e66 = frame.maxDepth;
-        if ((escaped_1 || (_e63 == _e66))) {
-            break;
+EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_3) {
+    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
+    float total_1 = 0.0;
+    uint chosen = 0u;
+    float chosenWeight = 0.0;
+    float rest = 0.0;
+    uint i_15 = 0u;
+    uint _e6 = frame.emitterCount;
+    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
+    const bool _e14 = hasManyLights;
+    uint _e17 = frame.emitterCount;
+    if (pick(_e14, (_e17 > 1u), false)) {
+        rest = u_3;
+        while(true) {
+            uint _e30 = i_15;
+            Emitter _e31 = fetchEmitter(_e30);
+            float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
+            float _e33 = total_1;
+            total_1 = (_e33 + _e32);
+            float _e35 = total_1;
+            float share_1 = (_e32 / max(_e35, 1e-37));
+            float _e39 = rest;
+            bool take = (_e39 < share_1);
+            uint _e41 = chosen;
+            uint _e42 = i_15;
+            chosen = pick(take, _e42, _e41);
+            float _e44 = chosenWeight;
+            chosenWeight = pick(take, _e32, _e44);
+            float _e46 = rest;
+            float _e53 = rest;
+            rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
+            uint _e59 = i_15;
+            i_15 = (_e59 + 1u);
+            uint _e61 = i_15;
+            uint _e64 = frame.emitterCount;
+            if ((_e61 >= _e64)) {
+                break;
+            }
         }
-        vec3 _e70 = litSide(_e30);
-        float _e71 = next1d(s_24);
-        EmitterChoice _e72 = chooseEmitter(_e30.point, _e70, _e71);
-        vec2 _e73 = next2d(s_24);
-        bool _e75 = isDelta(_e30.surface);
-        if (!(_e75)) {
-            vec3 _e77 = radiance;
-            vec3 _e78 = throughput;
-            vec3 _e79 = sampledLight(_e30, _e72, _e73);
-            radiance = (_e77 + (_e78 * _e79));
-        }
-        vec3 _e84 = next3d(s_24);
-        BsdfSample _e85 = sampleBsdf(_e30.surface, _e30.wo, _e84);
-        vec3 _e86 = throughput;
-        throughput = (_e86 * _e85.weight);
-        vec3 _e91 = toWorld(_e30.basis, _e85.direction);
-        vec3 _e93 = litSide(_e30);
-        origin_9 = Origin(_e30.point, _e93, (_e85.delta ? 0.0 : _e85.pdf), _e72.total);
-        Ray _e100 = rayFrom(_e30, _e91);
-        ray_9 = _e100;
-        vec3 _e101 = throughput;
-        float _e102 = max3_(_e101);
-        uint _e105 = depth;
-        float survival = ((_e105 < rouletteDepth) ? 1.0 : min(_e102, 0.95));
-        float _e110 = next1d(s_24);
-        vec3 _e114 = throughput;
-        float _e115 = max3_(_e114);
-        if ((((_e85.pdf <= 0.0) || (_e115 <= 0.0)) || (_e110 >= survival))) {
-            break;
-        }
-        vec3 _e121 = throughput;
-        throughput = (_e121 / vec3(survival));
-        uint _e125 = depth;
-        depth = (_e125 + 1u);
+        uint _e66 = chosen;
+        float _e67 = chosenWeight;
+        float _e68 = total_1;
+        float _e72 = total_1;
+        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
     }
-    vec3 _e127 = radiance;
-    return _e127;
+    EmitterChoice _e74 = choice;
+    return _e74;
 }
 
-uint pcg(uint x_11) {
-    uint s_28 = ((x_11 * 747796405u) + 2891336453u);
-    uint w_3 = (((s_28 >> ((s_28 >> 28u) + 4u)) ^ s_28) * 277803737u);
-    return ((w_3 >> 22u) ^ w_3);
+vec3 turnTo(vec3 axis, vec3 v_4) {
+    float s_16 = pick((axis.z >= 0.0), 1.0, -1.0);
+    float a_3 = (-1.0 / (s_16 + axis.z));
+    float b_6 = ((axis.x * axis.y) * a_3);
+    vec3 x_16 = vec3((1.0 + (((s_16 * axis.x) * axis.x) * a_3)), (s_16 * b_6), (-(s_16) * axis.x));
+    vec3 y_11 = vec3(b_6, (s_16 + ((axis.y * axis.y) * a_3)), -(axis.y));
+    return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
-uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed_1) {
-    uint _e5 = pcg(seed_1);
-    uint _e7 = pcg((sampleIndex + _e5));
-    uint _e9 = pcg((pixel.y + _e7));
-    uint _e11 = pcg((pixel.x + _e9));
-    return _e11;
+ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_4) {
+    float oneMinusCosine = (u_4.x * width_1);
+    float cosine_12 = (1.0 - oneMinusCosine);
+    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
+    float sine_3 = sqrt(max(sine2_, 0.0));
+    float phi = (6.2831855 * u_4.y);
+    vec2 turn_1 = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
+    return ConeDirection(_e23, cosine_12, sine2_);
 }
 
-uint spread0_(uint x_12) {
-    uint y_10 = ((x_12 | (x_12 << 2u)) & 51u);
-    return ((y_10 | (y_10 << 1u)) & 85u);
+LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_5) {
+    SphereView _e3 = viewSphere(e_13, point_10);
+    vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_5);
+    float along_1 = (_e3.distance_ * _e19.cosine);
+    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float larger = (abs(along_1) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
+    float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    float _e49 = conePdf(_e3.width);
+    return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
 }
 
-Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_2) {
-    uint _e5 = frame.independent;
-    bool independent = (_e5 != 0u);
-    uint _e15 = pixelHash((independent ? pixel_1 : (pixel_1 >> uvec2(4u))), (independent ? sampleIndex_1 : (sampleIndex_1 >> 16u)), seed_2);
-    uint _e19 = spread0_((pixel_1.x & 15u));
-    uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
-    uint used = (independent ? 0u : _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+vec2 cosineAndSine(float x_13) {
+    float h_4 = (0.5 * x_13);
+    float z_3 = (h_4 * h_4);
+    float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
+    return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
-float filterAxis(float u_16) {
-    float across_4 = ((2.0 * u_16) - 1.0);
-    float x_16 = (16.0 - (16.0 * sqrt((1.0 - abs(across_4)))));
-    float piece = min(floor(x_16), 15.0);
-    float t_8 = (x_16 - piece);
-    vec4 c = frame.filterPieces[uint(piece)];
-    float offset_1 = (c.x + (t_8 * (c.y + (t_8 * (c.z + (t_8 * c.w))))));
-    return ((across_4 < 0.0) ? -(offset_1) : offset_1);
+vec3 sphericalRectangle(QuadView q_4, vec2 u_6) {
+    float h_5 = q_4.height;
+    vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
+    vec2 s_17 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_6.x * q_4.solidAngle))));
+    vec2 across_3 = (vec2((s_17.y - s_17.x), (s_17.y + s_17.x)) * _e21);
+    float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
+    float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_17 * x_17) + (h_5 * h_5));
+    vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
+    float v_8 = mix(ends_1.x, ends_1.y, u_6.y);
+    float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
+    return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
-vec2 filterOffset(vec2 u_17) {
-    float _e2 = filterAxis(u_17.x);
-    float _e4 = filterAxis(u_17.y);
-    return vec2(_e2, _e4);
+LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_7) {
+    QuadView _e3 = viewQuad(e_14, point_11);
+    vec3 onArea = ((_e3.corner + (u_7.x * e_14.u)) + (u_7.y * e_14.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_7);
+    vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_2), _e3.height);
+    float _e23 = pdfOfView(_e3, e_14.area, distance_7);
+    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
 }
 
-CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
-    CameraRay ray_10 = CameraRay(vec3(0.0), vec3(0.0));
-    float _e7 = frame.width;
-    float x_17 = (((2.0 * filmPosition.x) / _e7) - 1.0);
-    float _e16 = frame.height;
-    float y_11 = (1.0 - ((2.0 * filmPosition.y) / _e16));
-    vec3 _e22 = frame.right;
-    vec3 _e26 = frame.up;
-    vec3 across_5 = ((x_17 * _e22) + (y_11 * _e26));
-    uint _e31 = frame.projection;
-    bool orthographic = (_e31 == 1u);
-    vec3 _e36 = frame.forward;
-    vec3 _e40 = frame.forward;
-    vec3 ahead = (orthographic ? _e40 : (_e36 + across_5));
-    float _e44 = frame.aperture;
-    vec3 _e48 = frame.right;
-    vec3 _e54 = frame.up;
-    vec3 lens_1 = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
-    float _e63 = frame.focusDistance;
-    ray_10 = CameraRay((orthographic ? (across_5 + lens_1) : lens_1), normalize((ahead - (lens_1 / vec3(_e63)))));
-    uint _e72 = frame.projection;
-    if ((_e72 == 2u)) {
-        float longitude = (3.1415927 * x_17);
-        float latitude = (1.5707964 * y_11);
-        vec3 _e82 = frame.right;
-        vec3 _e87 = frame.forward;
-        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
-        vec3 _e97 = frame.up;
-        ray_10 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e97))));
+vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_8) {
+    float both = (b_1.faces.x + b_1.faces.y);
+    float at_2 = (u_8.x * b_1.area);
+    bool onX_1 = (at_2 < b_1.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_2 < both), false);
+    float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
+    float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
+    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_8.y) - 1.0));
+    vec3 toLight_3 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
+    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
+}
+
+vec3 rotateBack(vec4 q_5, vec3 v_5) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_5);
+    return _e6;
+}
+
+LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_9) {
+    BoxView _e3 = viewBox(e_16, point_12);
+    vec4 _e4 = pointOnFaces(e_16, _e3, u_9);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_9);
+    vec3 outwards = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
+    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_16 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
+    float _e33 = conePdf(2.0);
+    float pdf_4 = pick(_e3.inside, _e33, _e31);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_16);
+    return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
+}
+
+LightSample samplePoint(Emitter e_17, vec3 point_13) {
+    vec3 toLight_4 = (e_17.position - point_13);
+    float distance_9 = length(toLight_4);
+    float safe = max(distance_9, 1e-15);
+    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_18, vec3 point_14) {
+    LightSample s_5 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_18, point_14);
+    s_5 = _e2;
+    vec3 _e5 = s_5.direction;
+    float _e6 = spotFalloff(e_18, _e5);
+    vec3 _e8 = s_5.radiance;
+    s_5.radiance = (_e8 * _e6);
+    float _e12 = s_5.pdf;
+    s_5.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_5;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_19, vec2 u_10) {
+    bool delta = (e_19.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_10);
+    return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
+}
+
+Parts splitProduct(vec2 u_11, uvec2 n_1) {
+    uvec2 digits = uvec2((u_11 * 16777216.0));
+    uvec2 low_2 = ((digits & uvec2(4095u)) * n_1);
+    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_2 >> uvec2(12u)));
+    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_2 & uvec2(4095u)))));
+}
+
+ChosenCell chooseCell(vec2 u_12) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_2 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_12, (size_2 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
+    uint hash = (_e17 >> 8u);
+    float _e26 = frame.environmentSize.x;
+    float fine = ((float(hash) * 5.9604645e-8) * _e26);
+    float x_18 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    uint rows = ((size_2.y + 2u) / 2u);
+    bool second = (_e9.whole.y >= rows);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_2.y) - pick(second, rows, 0u)))), 0);
+    vec2 entry = pick(second, entries.zw, entries.xy);
+    bool own_5 = (x_18 < entry.x);
+    uint other_1 = uint(entry.y);
+    uint otherRow = (other_1 / size_2.x);
+    uvec2 cell_2 = pick(own_5, _e9.whole, uvec2((other_1 - (otherRow * size_2.x)), otherRow));
+    float rest_1 = pick(own_5, (x_18 / max(entry.x, 1e-37)), ((x_18 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+}
+
+float linearSample(float u_13, float a, float b_2) {
+    vec2 ends_2 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
+    return min((u_13 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_13))), 1e-9)), 1.0);
+}
+
+EnvironmentSample sampleEnvironment(vec2 u_14) {
+    vec2 size_3 = frame.environmentSize;
+    ChosenCell _e4 = chooseCell(u_14);
+    Corners _e6 = environmentCorners(_e4.cell);
+    vec2 cell_3 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
+    float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
+    float t_9 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_9), mix(_e6.b.w, _e6.d.w, t_9));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_3.y);
+    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_3.y) + (0.5 - t_9)), (cell_3.y + (t_9 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
+    float _e85 = frame.environmentTurn;
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float nearest = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
+    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
+    float sine_5 = max(_e76.y, 1e-9);
+    vec3 direction_17 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_5);
+    return EnvironmentSample(direction_17, _e119);
+}
+
+LightSample sampleSky(vec2 u_15) {
+    EnvironmentSample s_6 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_15);
+    s_6 = EnvironmentSample(_e6.direction, white);
+    const bool _e12 = hasEnvironment;
+    if (_e12) {
+        EnvironmentSample _e13 = sampleEnvironment(u_15);
+        s_6 = _e13;
     }
-    CameraRay _e102 = ray_10;
-    return _e102;
+    vec3 _e15 = s_6.direction;
+    vec3 _e18 = s_6.light.radiance;
+    vec3 _e20 = s_6.direction;
+    vec3 _e21 = sky(_e20);
+    float _e25 = s_6.light.pdf;
+    return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-vec2 concentricDisc(vec2 u_18) {
-    vec2 p_2 = ((2.0 * u_18) - vec2(1.0));
-    bool wide = (abs(p_2.x) > abs(p_2.y));
-    float radius_2 = (wide ? p_2.x : p_2.y);
-    float ratio_5 = ((wide ? p_2.y : p_2.x) / ((radius_2 == 0.0) ? 1.0 : radius_2));
-    float angle = (wide ? (0.7853982 * ratio_5) : (1.5707964 - (0.7853982 * ratio_5)));
-    return (radius_2 * vec2(cos(angle), sin(angle)));
+LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_16) {
+    LightSample s_7 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+    const bool _e15 = hasSphereLights;
+    if (pick(_e15, (e_20.kind == 0.0), false)) {
+        LightSample _e20 = sampleSphere(e_20, point_15, u_16);
+        s_7 = _e20;
+    }
+    const bool _e22 = hasQuadLights;
+    if (pick(_e22, (e_20.kind == 1.0), false)) {
+        LightSample _e27 = sampleQuad(e_20, point_15, u_16);
+        s_7 = _e27;
+    }
+    const bool _e29 = hasBoxLights;
+    if (pick(_e29, (e_20.kind == 2.0), false)) {
+        LightSample _e34 = sampleBox(e_20, point_15, u_16);
+        s_7 = _e34;
+    }
+    const bool _e36 = hasPointLights;
+    if (pick(_e36, (e_20.kind == 3.0), false)) {
+        LightSample _e41 = samplePoint(e_20, point_15);
+        s_7 = _e41;
+    }
+    const bool _e43 = hasPointLights;
+    if (pick(_e43, (e_20.kind == 4.0), false)) {
+        LightSample _e48 = sampleSpot(e_20, point_15);
+        s_7 = _e48;
+    }
+    const bool _e50 = hasSuns;
+    if (pick(_e50, (e_20.kind == 5.0), false)) {
+        LightSample _e55 = sampleDirectional(e_20, u_16);
+        s_7 = _e55;
+    }
+    const bool _e57 = hasSky;
+    if (pick(_e57, (e_20.kind == 6.0), false)) {
+        LightSample _e62 = sampleSky(u_16);
+        s_7 = _e62;
+    }
+    float _e65 = s_7.pdf;
+    float _e67 = s_7.distance_;
+    s_7.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
+    LightSample _e74 = s_7;
+    return _e74;
 }
 
-CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
-    vec2 _e2 = concentricDisc(lens);
-    CameraRay _e3 = rayThroughLens(filmPosition_1, _e2);
-    return _e3;
+bool isConductor(uint code_4) {
+    const bool _e2 = hasConductors;
+    uint _e3 = kindOf(code_4);
+    return pick(_e2, (_e3 == conductor), false);
 }
 
-Start onCamera(vec3 point_18) {
-    return Start(point_18, noShape, noShape, 0.0);
+vec3 schlick(vec3 f0_, float cosine) {
+    float m = max((1.0 - cosine), 0.0);
+    float m2_ = (m * m);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+}
+
+vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
+    return mix(vec3(0.04), baseColor, metallic);
+}
+
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_1) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_1);
+    return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
+}
+
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
+    vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
+    vec3 _e4 = schlick(_e3, cosine_2);
+    float specular = dot(_e4, vec3(1.0));
+    vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
+    float diffuse = dot(_e9, vec3(1.0));
+    return (specular / max((specular + diffuse), 1e-20));
+}
+
+bool isMetallicRoughness(uint code_5) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_5);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+float indexRatio(float eta, float z) {
+    return pick((z < 0.0), (1.0 / eta), eta);
+}
+
+float reflectionBound(vec3 wo, float alpha) {
+    float s_18 = (1.0 + length(wo.xy));
+    float s2_ = (s_18 * s_18);
+    float a2_ = (alpha * alpha);
+    return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
+}
+
+float stretched(vec3 w_1, float alpha_1) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
+}
+
+Outgoing outgoing(Surface s_8, vec3 wo_1) {
+    Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+    uint code_7 = uint(s_8.code);
+    bool _e4 = isConductor(code_7);
+    bool _e5 = isDielectric(code_7);
+    o = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e16 = hasMetallicRoughness;
+    if (_e16) {
+        float _e19 = o.share;
+        float _e23 = specularShare(s_8.baseColor, s_8.metallic, wo_1.z);
+        bool _e24 = isMetallicRoughness(code_7);
+        o.share = pick(_e24, _e23, _e19);
+    }
+    const bool _e27 = hasGlass;
+    if (_e27) {
+        float _e32 = indexRatio(s_8.eta.x, wo_1.z);
+        bool _e33 = isDielectric(code_7);
+        o.ratio = pick(_e33, _e32, 1.0);
+    }
+    const bool _e37 = hasConductors;
+    const bool _e39 = hasMetallicRoughness;
+    const bool _e42 = hasGlass;
+    if (pick(pick(_e37, true, _e39), true, _e42)) {
+        float _e46 = reflectionBound(wo_1, s_8.alpha);
+        bool _e47 = isDielectric(code_7);
+        o.bound = pick(_e47, 1.0, _e46);
+        float _e52 = stretched(wo_1, s_8.alpha);
+        o.stretched = _e52;
+    }
+    Outgoing _e53 = o;
+    return _e53;
+}
+
+float facetDensity(vec3 h_1, float alpha_2) {
+    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_2 * alpha_2)) + (h_1.z * h_1.z)), 1.0);
+    return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
+}
+
+vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k_1) {
+    float cosine2_ = (cosine_3 * cosine_3);
+    float sine2_1 = (1.0 - cosine2_);
+    vec3 difference = (((eta_1 * eta_1) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 a_4 = mix(((eta_1 * k_1) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 across_4 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_3) * a_4)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_3) * a_4)) + vec3(1e-20)));
+    vec3 sum = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
+    vec3 part = (((2.0 * cosine_3) * sine2_1) * a_4);
+    return ((0.5 * across_4) * (vec3(1.0) + (((sum - part) + vec3(1e-20)) / ((sum + part) + vec3(1e-20)))));
+}
+
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_2 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_2, k_2);
+    return pick((constants > 0.0), _e8, baseColor_3);
+}
+
+float dielectricFresnel(float cosine_5, float ratio) {
+    float inside2_ = (((ratio - 1.0) * (ratio + 1.0)) + (cosine_5 * cosine_5));
+    float inside_2 = sqrt(max(inside2_, 0.0));
+    float across_5 = ((cosine_5 - inside_2) / (cosine_5 + inside_2));
+    float along_2 = ((((ratio * ratio) * cosine_5) - inside_2) / (((ratio * ratio) * cosine_5) + inside_2));
+    return pick((inside2_ > 0.0), (0.5 * ((across_5 * across_5) + (along_2 * along_2))), 1.0);
+}
+
+float glassReflectance(float cosine_6, float ratio_1, bool thin) {
+    float _e3 = dielectricFresnel(cosine_6, ratio_1);
+    return pick(thin, ((2.0 * _e3) / (1.0 + _e3)), _e3);
+}
+
+vec3 facetReflectance(Surface s_9, float cosine_7, float ratio_2) {
+    vec3 reflectance = vec3(0.0);
+    uint code_8 = uint(s_9.code);
+    const bool _e9 = hasMetallicRoughness;
+    if (_e9) {
+        vec3 _e12 = metallicRoughnessF0_(s_9.baseColor, s_9.metallic);
+        vec3 _e13 = schlick(_e12, cosine_7);
+        reflectance = _e13;
+    }
+    const bool _e15 = hasConductors;
+    if (_e15) {
+        vec3 _e16 = reflectance;
+        vec3 _e20 = conductorReflectance(s_9.baseColor, s_9.eta, s_9.k, cosine_7);
+        bool _e21 = isConductor(code_8);
+        reflectance = pick(_e21, _e20, _e16);
+    }
+    const bool _e24 = hasGlass;
+    if (_e24) {
+        vec3 _e25 = reflectance;
+        bool _e26 = isThin(code_8);
+        float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
+        bool _e29 = isDielectric(code_8);
+        reflectance = pick(_e29, vec3(_e27), _e25);
+    }
+    vec3 _e31 = reflectance;
+    return _e31;
+}
+
+float singleScatteringAlbedo(float cosine_8, float alpha_3) {
+    float x_19 = (cosine_8 / (cosine_8 + alpha_3));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_1 = (alpha_3 * alpha_3);
+    return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
+}
+
+vec3 compensation(Surface s_10, float cosine_9) {
+    uint code_9 = uint(s_10.code);
+    bool _e8 = isDielectric(code_9);
+    bool asked = pick(((code_9 & 8u) != 0u), !(_e8), false);
+    float _e12 = singleScatteringAlbedo(cosine_9, s_10.alpha);
+    vec3 _e17 = facetReflectance(s_10, 1.0, 1.0);
+    return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+}
+
+FacetLobe evaluateFacets(Surface s_11, Outgoing o_1, vec3 wi) {
+    vec3 passes = vec3(0.0);
+    vec3 wo_5 = o_1.wo;
+    bool _e6 = isDielectric(uint(s_11.code));
+    const bool _e8 = hasGlass;
+    bool crossing = pick(_e8, ((wo_5.z < 0.0) != (wi.z < 0.0)), false);
+    vec3 m_1 = (wo_5 + (wi * pick(crossing, o_1.ratio, 1.0)));
+    float m2_1 = max(dot(m_1, m_1), 1e-20);
+    vec3 h_6 = (m_1 * inversesqrt(m2_1));
+    float oh = dot(wo_5, h_6);
+    float ih = dot(wi, h_6);
+    float zo = abs(wo_5.z);
+    float zi = abs(wi.z);
+    bool faces_1 = pick((((oh * h_6.z) * wo_5.z) >= 0.0), (((ih * h_6.z) * wi.z) >= 0.0), false);
+    float _e52 = facetDensity(h_6, s_11.alpha);
+    float spread = (pick(crossing, (abs((oh * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
+    vec3 _e60 = facetReflectance(s_11, abs(oh), o_1.ratio);
+    passes = pick(crossing, (vec3(1.0) - _e60), _e60);
+    float _e69 = stretched(wi, s_11.alpha);
+    float masked = (zi / max(((zi * o_1.stretched) + (zo * _e69)), 1e-20));
+    float _e76 = passes.x;
+    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_1.ratio * o_1.ratio), 1.0));
+    const bool _e86 = hasCompensation;
+    if (_e86) {
+        vec3 _e87 = passes;
+        vec3 _e88 = compensation(s_11, zo);
+        passes = (_e87 * _e88);
+    }
+    vec3 _e90 = passes;
+    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_1.bound * zo) + o_1.stretched)), abs(oh));
+}
+
+bool isSmooth(uint code_6) {
+    return ((code_6 & 32u) != 0u);
+}
+
+float mirrorShare(float reflectivity) {
+    const bool _e2 = hasMirrorLayers;
+    return pick(_e2, reflectivity, 0.0);
+}
+
+vec4 evaluateBsdf(Surface s_12, Outgoing o_2, vec3 wi_1) {
+    vec4 value = vec4(0.0);
+    bool dark = false;
+    vec3 base = vec3(0.0);
+    float lambert = (0.31830987 * max(wi_1.z, 0.0));
+    value = (vec4(s_12.baseColor, 1.0) * lambert);
+    dark = pick((o_2.wo.z < 0.0), true, (wi_1.z <= 0.0));
+    const bool _e23 = hasConductors;
+    const bool _e25 = hasMetallicRoughness;
+    const bool _e28 = hasGlass;
+    if (pick(pick(_e23, true, _e25), true, _e28)) {
+        uint code_10 = uint(s_12.code);
+        FacetLobe _e32 = evaluateFacets(s_12, o_2, wi_1);
+        const bool _e37 = hasMetallicRoughness;
+        if (_e37) {
+            vec3 _e38 = base;
+            vec3 _e42 = metallicRoughnessDiffuse(s_12.baseColor, s_12.metallic, _e32.cosine);
+            bool _e43 = isMetallicRoughness(code_10);
+            base = pick(_e43, _e42, _e38);
+        }
+        bool _e52 = isSmooth(code_10);
+        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_2.share * _e32.pdf)));
+        vec3 _e54 = base;
+        vec4 _e61 = value;
+        uint _e62 = kindOf(code_10);
+        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_2.share)) * lambert)));
+        bool _e66 = dark;
+        bool _e67 = isSmooth(code_10);
+        bool _e68 = isDielectric(code_10);
+        dark = pick(_e68, _e67, _e66);
+    }
+    float _e71 = mirrorShare(s_12.reflectivity);
+    vec4 _e74 = value;
+    bool _e78 = dark;
+    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
+}
+
+vec3 sampleCosine(vec2 u_17) {
+    float radius_2 = sqrt(u_17.x);
+    float phi_2 = ((6.2831855 * u_17.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_17.x))));
+}
+
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_18) {
+    float _e8 = stretched(wo_2, alpha_4);
+    vec3 w_4 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_18.x) - 3.1415927);
+    float drop = (u_18.y * (1.0 + (bound * w_4.z)));
+    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_7 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+}
+
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_19) {
+    float side_3 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_19);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
+}
+
+vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_3) {
+    float cosine_13 = dot(wo_3, h_2);
+    float inside_3 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_13 * cosine_13)), 0.0));
+    return ((((cosine_13 - inside_3) * h_2) - wo_3) / vec3(ratio_3));
+}
+
+vec3 mirrored(vec3 wo_4) {
+    return vec3(-(wo_4.xy), wo_4.z);
+}
+
+BsdfSample sampleLobe(Surface s_13, Outgoing o_4, vec3 u_20) {
+    BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
+    vec3 wi_2 = vec3(0.0);
+    float probability_1 = 0.0;
+    vec3 weight = vec3(0.0);
+    vec3 wo_6 = o_4.wo;
+    float _e5 = mirrorShare(s_13.reflectivity);
+    float base_2 = (1.0 - _e5);
+    float choice_1 = ((u_20.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_20.xy);
+    drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
+    const bool _e20 = hasConductors;
+    const bool _e22 = hasMetallicRoughness;
+    const bool _e25 = hasGlass;
+    if (pick(pick(_e20, true, _e22), true, _e25)) {
+        uint code_11 = uint(s_13.code);
+        bool _e29 = isDielectric(code_11);
+        bool _e30 = isSmooth(code_11);
+        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_4, u_20.xy);
+        float oh_1 = max(dot(wo_6, _e33), 0.0);
+        vec3 _e38 = facetReflectance(s_13, oh_1, o_4.ratio);
+        bool crossing_1 = pick(_e29, (choice_1 >= _e38.x), false);
+        wi_2 = (((2.0 * oh_1) * _e33) - wo_6);
+        probability_1 = (base_2 * o_4.share);
+        weight = (_e38 / vec3(o_4.share));
+        const bool _e55 = hasGlass;
+        if (_e55) {
+            bool _e56 = isThin(code_11);
+            vec3 _e57 = wi_2;
+            vec3 _e59 = refracted(wo_6, _e33, o_4.ratio);
+            wi_2 = pick(crossing_1, pick(_e56, -(wo_6), _e59), _e57);
+            float _e63 = probability_1;
+            probability_1 = pick(_e29, (base_2 * pick(crossing_1, (1.0 - _e38.x), _e38.x)), _e63);
+            vec3 _e71 = weight;
+            weight = pick(_e29, vec3(pick(pick(crossing_1, !(_e56), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e71);
+        }
+        float _e88 = wi_2.z;
+        bool lost = pick(!(_e30), (crossing_1 != ((wo_6.z < 0.0) != (_e88 < 0.0))), false);
+        bool specular_1 = (choice_1 < o_4.share);
+        vec3 _e98 = drawn.direction;
+        vec3 _e99 = wi_2;
+        drawn.direction = pick(specular_1, _e99, _e98);
+        float _e103 = drawn.pdf;
+        float _e104 = probability_1;
+        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e104), _e103);
+        vec3 _e110 = drawn.weight;
+        vec3 _e111 = weight;
+        drawn.weight = pick(specular_1, _e111, _e110);
+        drawn.delta = pick(specular_1, _e30, false);
+    }
+    const bool _e116 = hasMirrorLayers;
+    if (_e116) {
+        bool reflected = (u_20.z < _e5);
+        vec3 _e121 = drawn.direction;
+        vec3 _e122 = mirrored(wo_6);
+        drawn.direction = pick(reflected, _e122, _e121);
+        float _e126 = drawn.pdf;
+        drawn.pdf = pick(reflected, _e5, _e126);
+        vec3 _e130 = drawn.weight;
+        drawn.weight = pick(reflected, vec3(1.0), _e130);
+        bool _e136 = drawn.delta;
+        drawn.delta = pick(_e136, true, reflected);
+    }
+    BsdfSample _e138 = drawn;
+    return _e138;
+}
+
+BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
+    float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_1 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_1), drawn_1.delta);
+}
+
+vec3 toWorld(Basis b_3, vec3 v_6) {
+    return (((v_6.x * b_3.tangent) + (v_6.y * b_3.bitangent)) + (v_6.z * b_3.normal));
+}
+
+float max3_(vec3 v_7) {
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+float unitFloat(uint h_3) {
+    return (float((h_3 >> 8u)) * 5.9604645e-8);
+}
+
+float nextHash(inout Sampler s_14) {
+    uint _e3 = s_14.key;
+    s_14.key = (_e3 + 1u);
+    uint _e7 = s_14.key;
+    uint _e9 = s_14.salt;
+    uint _e11 = mixBits((_e7 ^ _e9));
+    uint _e13 = s_14.sample_;
+    uint _e17 = s_14.place;
+    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    float _e21 = unitFloat(_e20);
+    return _e21;
+}
+
+bool isFlat(uint i_16) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_16 >= _e4);
+}
+
+void meetSurface(inout Path p_9, PairHit hit_1) {
+    RayPair rays_1 = p_9.rays;
+    bool escaped_1 = (hit_1.shape == noShape);
+    uint shape = pick(escaped_1, 0u, hit_1.shape);
+    Surface _e10 = fetchSurface(shape);
+    bool _e13 = isDielectric(uint(_e10.code));
+    vec3 point_16 = (rays_1.point + (hit_1.t * rays_1.direction));
+    vec3 _e20 = normalAt(rays_1, hit_1.t, shape);
+    Basis _e29 = basisAbout(pick(pick((dot(_e20, rays_1.direction) > 0.0), !(_e13), false), -(_e20), _e20));
+    vec3 _e32 = toLocal(_e29, -(rays_1.direction));
+    const bool _e34 = hasGlass;
+    if (_e34) {
+        bool _e37 = isThin(uint(_e10.code));
+        bool inside_4 = pick(pick(pick(_e13, !(_e37), false), (_e32.z < 0.0), false), !(escaped_1), false);
+        vec3 _e47 = p_9.throughput;
+        p_9.throughput = (_e47 * exp((-(_e10.absorption) * pick(inside_4, hit_1.t, 0.0))));
+    }
+    vec3 _e57 = p_9.radiance;
+    vec3 _e59 = p_9.throughput;
+    Path _e60 = p_9;
+    vec3 _e61 = foundLight(_e60, hit_1, _e10, _e20);
+    p_9.radiance = (_e57 + (_e59 * _e61));
+    vec3 litSide = pick(_e13, vec3(0.0), _e29.normal);
+    vec3 _e69 = next3d(p_9.sampler_);
+    vec3 _e71 = next3d(p_9.sampler_);
+    EmitterChoice _e73 = chooseEmitter(point_16, litSide, _e69.z);
+    Emitter _e75 = fetchEmitter(_e73.index);
+    LightSample _e77 = sampleEmitter(_e75, point_16, _e69.xy);
+    float lightPdf = (_e77.pdf * _e73.probability);
+    Outgoing _e81 = outgoing(_e10, _e32);
+    vec3 _e83 = toLocal(_e29, _e77.direction);
+    vec4 _e84 = evaluateBsdf(_e10, _e81, _e83);
+    bool alone = pick(_e77.delta, true, pick((_e75.shape < 0.0), (_e77.distance_ < 1e30), false));
+    float _e95 = misWeight(lightPdf, _e84.w);
+    float lightWeight = (pick(alone, 1.0, _e95) / lightPdf);
+    BsdfSample _e99 = sampleLobe(_e10, _e81, _e71);
+    vec4 _e101 = evaluateBsdf(_e10, _e81, _e99.direction);
+    BsdfSample _e102 = completed(_e99, _e101);
+    vec3 _e104 = toWorld(_e29, _e102.direction);
+    uint _e107 = p_9.depth;
+    uint _e110 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e107 != _e110), false);
+    vec3 _e114 = p_9.throughput;
+    vec3 contribution = (((_e114 * _e84.xyz) * _e77.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((_e84.xyz * _e77.radiance), vec3(0.0))), false);
+    p_9.light = pick(lit_1, contribution, vec3(0.0));
+    vec3 _e136 = p_9.throughput;
+    vec3 throughput = (_e136 * _e102.weight);
+    float _e139 = max3_(throughput);
+    uint _e143 = p_9.depth;
+    float survival = pick((_e143 < rouletteDepth), 1.0, min(_e139, 0.95));
+    float _e153 = max3_(throughput);
+    float _e158 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(goesOn, (_e102.pdf > 0.0), false), (_e153 > 0.0), false), (_e158 < survival), false);
+    p_9.throughput = (throughput / vec3(survival));
+    uint _e166 = p_9.depth;
+    p_9.depth = (_e166 + 1u);
+    p_9.pdf = pick(_e102.delta, 0.0, _e102.pdf);
+    p_9.litSide = litSide;
+    p_9.total = _e73.total;
+    bool _e176 = isFlat(shape);
+    bool solid = !(_e176);
+    uint lightShape = pick((_e75.shape >= 0.0), uint(max(_e75.shape, 0.0)), noShape);
+    p_9.rays = RayPair(point_16, shape, (1e-5 * length(point_16)), _e104, pick(solid, (dot(_e104, _e20) < 0.0), false), _e77.direction, pick(solid, (dot(_e77.direction, _e20) < 0.0), false), pick(lit_1, _e77.distance_, -1.0), lightShape);
+    return;
+}
+
+void extendPath(inout Path p_10) {
+    RayPair _e2 = p_10.rays;
+    PairHit _e3 = tracePair(_e2);
+    vec3 _e5 = p_10.radiance;
+    vec3 _e7 = p_10.light;
+    p_10.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_10.rays.lightDistance = -1.0;
+    bool _e17 = p_10.alive;
+    if (_e17) {
+        meetSurface(p_10, _e3);
+        return;
+    } else {
+        return;
+    }
+}
+
+bool isOver(Path p_11) {
+    return pick(!(p_11.alive), (p_11.rays.lightDistance < 0.0), false);
 }
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Sampler s = Sampler(0u, 0u, 0u, 0u);
+    Path p = Path(RayPair(vec3(0.0), 0u, 0.0, vec3(0.0), false, vec3(0.0), false, 0.0, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
-    uvec2 pixel_2 = uvec2(fragment.xy);
+    uvec2 pixel_3 = uvec2(fragment.xy);
     uint _e5 = frame.sampleIndex;
-    uint _e8 = frame.seed;
-    Sampler _e9 = startSampler(pixel_2, _e5, _e8);
-    s = _e9;
-    vec2 _e16 = next2d(s);
-    vec2 _e17 = filterOffset(_e16);
-    vec2 filmPosition_2 = ((floor(fragment.xy) + vec2(0.5)) + _e17);
-    vec2 _e19 = next2d(s);
-    CameraRay _e20 = cameraRay(filmPosition_2, _e19);
-    Start _e22 = onCamera(_e20.origin);
-    vec3 _e25 = trace(Ray(_e22, _e20.direction), s);
-    uint _e34 = frame.sampleIndex;
-    if ((_e34 > 0u)) {
-        vec4 _e39 = texelFetch(previousFilm, ivec2(pixel_2), 0);
-        vec4 _e42 = texelFetch(previousSquares, ivec2(pixel_2), 0);
-        film = Film(_e39, _e42);
+    Path _e6 = startPath(pixel_3, _e5);
+    p = _e6;
+    while(true) {
+        extendPath(p);
+        Path _e8 = p;
+        bool _e9 = isOver(_e8);
+        if (_e9) {
+            break;
+        }
     }
-    vec4 _e45 = film.sums;
-    vec4 _e50 = film.squares;
-    Film _tmp_return = Film((_e45 + vec4(_e25, 1.0)), (_e50 + vec4((_e25 * _e25), 0.0)));
+    uint _e18 = frame.sampleIndex;
+    if ((_e18 > 0u)) {
+        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
+        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
+        film = Film(_e23, _e26);
+    }
+    vec4 _e29 = film.sums;
+    vec3 _e31 = p.radiance;
+    vec4 _e36 = film.squares;
+    vec3 _e38 = p.radiance;
+    vec3 _e40 = p.radiance;
+    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

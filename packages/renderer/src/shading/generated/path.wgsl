@@ -1,155 +1,4 @@
-// Linked from integrator/path/path.wesl by `npm run shaders`. Do not edit.
-// From this depth on paths end by chance.
-const rouletteDepth = 4u;
-
-// What a ray meets, as its BSDF sees it.
-struct Vertex {
-  point: vec3f,
-  shape: u32,
-  // Out of solids.
-  outward: vec3f,
-  // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
-  basis: Basis,
-  wo: vec3f,
-  surface: Surface,
-}
-
-
-// How the present ray came about: enough to know with which density light sampling would have found what it meets.
-struct Origin {
-  point: vec3f,
-  // Of the surface that it left; zero where both sides can be lit.
-  normal: vec3f,
-  // Of its direction by the BSDF, per steradian; 0: only the BSDF could find it.
-  pdf: f32,
-  // The sum of all emitters' estimates there.
-  total: f32,
-}
-
-
-fn isDielectric(s: Surface) -> bool {
-  return kindOf(s) == dielectric;
-}
-
-fn vertexAt(ray: Ray, hit: Hit) -> Vertex {
-  let surface = fetchSurface(hit.shape);
-  let outward = outwardNormal(hit.shape, ray, hit.t);
-  let turned = (dot(outward, ray.direction) > 0.0) & !isDielectric(surface);
-  let basis = basisAbout(select(outward, -outward, turned));
-  return Vertex(ray.start.point + hit.t * ray.direction, hit.shape, outward, basis, toLocal(basis, -ray.direction), surface);
-}
-
-fn rayFrom(v: Vertex, direction: vec3f) -> Ray {
-  let inwards = dot(direction, v.outward) < 0.0;
-  return Ray(onSurface(v.point, v.shape, inwards & !isFlat(v.shape)), direction);
-}
-
-// Side that light must come from to count: none is excluded where light goes through.
-fn litSide(v: Vertex) -> vec3f {
-  return select(v.basis.normal, vec3f(0.0), isDielectric(v.surface));
-}
-
-// Power heuristic, for one sample of each kind.
-fn misWeight(own: f32, other: f32) -> f32 {
-  let ratio = other / own;
-  return 1.0 / (1.0 + ratio * ratio);
-}
-
-// Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
-fn foundLight(v: Vertex, origin: Origin, ray: Ray, hit: Hit) -> vec3f {
-  let escaped = hit.shape == noShape;
-  let hidden = ((u32(v.surface.code) & 16u) != 0u) & (dot(v.outward, ray.direction) > 0.0);
-  let emission = select(v.surface.emission, vec3f(0.0), hidden);
-  // A lamp beyond the number of emitters that light sampling knows.
-  if ((v.surface.emitter < 0.0) & !escaped) {
-    return emission;
-  }
-  var sum = vec3f(0.0);
-  if (frame.emitterCount == 0u) {
-    return sum;
-  }
-  var i = select(u32(max(v.surface.emitter, 0.0)), 0u, escaped);
-  let end = select(i + 1u, frame.emitterCount, escaped);
-  loop {
-    let e = fetchEmitter(i);
-    let radiance = select(emission, radianceFromInfinity(e, ray.direction), escaped);
-    let density = emitterPdf(e, origin.point, ray.direction, hit.t, v.outward);
-    let pdf = density * probabilityOf(e, origin.point, origin.normal, origin.total);
-    sum += radiance * select(misWeight(origin.pdf, pdf), 1.0, origin.pdf <= 0.0);
-    i++;
-    if (i >= end) {
-      break;
-    }
-  }
-  return sum;
-}
-
-// Light of one point of the chosen emitter.
-fn sampledLight(v: Vertex, choice: EmitterChoice, u: vec2f) -> vec3f {
-  if (choice.probability <= 0.0) {
-    return vec3f(0.0);
-  }
-  let e = fetchEmitter(choice.index);
-  let light = sampleEmitter(e, v.point, u);
-  if (light.pdf <= 0.0) {
-    return vec3f(0.0);
-  }
-  let f = evaluateBsdf(v.surface, v.wo, toLocal(v.basis, light.direction));
-  if (!any(f.rgb * light.radiance > vec3f(0.0))) {
-    return vec3f(0.0);
-  }
-  let shape = select(noShape, u32(max(e.shape, 0.0)), e.shape >= 0.0);
-  if (occluded(rayFrom(v, light.direction), light.distance, shape)) {
-    return vec3f(0.0);
-  }
-  let pdf = light.pdf * choice.probability;
-  // A light that rays cannot meet is found by light sampling only.
-  let alone = light.delta | ((e.shape < 0.0) & (light.distance < miss));
-  return f.rgb * light.radiance * (select(misWeight(pdf, f.a), 1.0, alone) / pdf);
-}
-
-fn max3(v: vec3f) -> f32 {
-  return max(max(v.x, v.y), v.z);
-}
-
-fn trace(first: Ray, s: ptr<function, Sampler>) -> vec3f {
-  var ray = first;
-  var origin = Origin(vec3f(0.0), vec3f(0.0), 0.0, 1.0);
-  var throughput = vec3f(1.0);
-  var radiance = vec3f(0.0);
-  var depth = 1u;
-  loop {
-    let hit = closestHit(ray);
-    let escaped = hit.shape == noShape;
-    let v = vertexAt(ray, Hit(hit.t, select(hit.shape, 0u, escaped)));
-    let inside = isDielectric(v.surface) & !isThin(v.surface) & (v.wo.z < 0.0);
-    let passed = throughput * exp(-v.surface.absorption * select(0.0, hit.t, inside));
-    throughput = select(throughput, passed, inside & !escaped);
-    radiance += throughput * foundLight(v, origin, ray, hit);
-    if (escaped | (depth == frame.maxDepth)) {
-      break;
-    }
-    let choice = chooseEmitter(v.point, litSide(v), next1d(s));
-    let lightPoint = next2d(s);
-    if (!isDelta(v.surface)) {
-      radiance += throughput * sampledLight(v, choice, lightPoint);
-    }
-    let bsdf = sampleBsdf(v.surface, v.wo, next3d(s));
-    throughput *= bsdf.weight;
-    let direction = toWorld(v.basis, bsdf.direction);
-    origin = Origin(v.point, litSide(v), select(bsdf.pdf, 0.0, bsdf.delta), choice.total);
-    ray = rayFrom(v, direction);
-    let survival = select(min(max3(throughput), 0.95), 1.0, depth < rouletteDepth);
-    let roulette = next1d(s);
-    if ((bsdf.pdf <= 0.0) | (max3(throughput) <= 0.0) | (roulette >= survival)) {
-      break;
-    }
-    throughput /= survival;
-    depth++;
-  }
-  return radiance;
-}
-
+// Linked from integrator/path/path_pass.wesl by `npm run shaders`. Do not edit.
 struct Film {
   // RGB sums, and in alpha how many samples.
   @location(0) sums: vec4f,
@@ -159,29 +8,476 @@ struct Film {
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let pixel = vec2u(fragment.xy);
-  var s = startSampler(pixel, frame.sampleIndex, frame.seed);
-  let filmPosition = floor(fragment.xy) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, next2d(&s));
-  let radiance = trace(Ray(onCamera(camera.origin), camera.direction), &s);
+  var p = startPath(pixel, frame.sampleIndex);
+  loop {
+    extendPath(&p);
+    if (isOver(p)) {
+      break;
+    }
+  }
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
     film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
   }
-  return Film(film.sums + vec4f(radiance, 1.0), film.squares + vec4f(radiance * radiance, 0.0));
+  return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
 }
 
-// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-struct Basis {
-  tangent: vec3f,
-  bitangent: vec3f,
-  normal: vec3f,
+fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
+  var s = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
+  let camera = cameraRay(filmPosition, next2d(&s));
+  let rays = RayPair(camera.origin, noShape, 0.0, camera.direction, false, camera.direction, false, -1.0, noShape);
+  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
 }
 
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+// The rays traced, and what they met taken up; the next two rays are ready, if any.
+fn extendPath(p: ptr<function, Path>) {
+  let hit = tracePair((*p).rays);
+  (*p).radiance += select((*p).light, vec3f(0.0), hit.blocked);
+  (*p).rays.lightDistance = -1.0;
+  if ((*p).alive) {
+    meetSurface(p, hit);
+  }
+}
+
+// Whether there is a ray left to trace.
+fn isOver(p: Path) -> bool {
+  return !p.alive & (p.rays.lightDistance < 0.0);
+}
+
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
+fn tracePair(p: RayPair) -> PairHit {
+  var found = PairHit(miss, noShape, false);
+  let ends = frame.shapeEnds;
+  var i = 0u;
+  if (hasSpheres & (i < ends.x)) {
+    loop {
+      found = meetSphere(found, p, i);
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
+  }
+  if (hasBoxes & (i < ends.y)) {
+    loop {
+      found = meetBox(found, p, i);
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
+  }
+  if (hasQuads & (i < ends.z)) {
+    loop {
+      found = meetQuad(found, p, i);
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
+  }
+  if (hasPlanes & (i < ends.w)) {
+    loop {
+      found = meetPlane(found, p, i);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+struct Path {
+  rays: RayPair,
+  // What the light ray brings to the pixel if nothing is in its way.
+  light: vec3f,
+  // Whether the path's own ray goes on.
+  alive: bool,
+  throughput: vec3f,
+  depth: u32,
+  radiance: vec3f,
+  // Density of the present direction by the BSDF, per steradian; 0: only the BSDF could find it.
+  pdf: f32,
+  // For the probability with which light sampling at the last vertex would have chosen an emitter: the side that is lit, zero
+  // where both are, and the sum of all emitters' estimates.
+  litSide: vec3f,
+  total: f32,
+  sampler: Sampler,
+}
+
+
+struct RayPair {
+  point: vec3f,
+  // The shape that the point lies on. A ray that leaves it outwards (or a flat one) does not meet it at once; of one that goes
+  // inwards only its far side counts.
+  shape: u32,
+  // ray.wesl, Start.tMin
+  tMin: f32,
+  direction: vec3f,
+  inwards: bool,
+  lightDirection: vec3f,
+  lightInwards: bool,
+  // What is met farther away than this stands behind the light. Negative: there is no ray to a light.
+  lightDistance: f32,
+  // The shape that is the light, or noShape.
+  lightShape: u32,
+}
+
+
+struct Sampler {
+  // Goes up by one with each group of dimensions.
+  key: u32,
+  salt: u32,
+  // Last 16 bits of the sample index, reversed.
+  sample: u32,
+  // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
+  place: u32,
+}
+
+
+fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
+  let rays = (*p).rays;
+  let escaped = hit.shape == noShape;
+  let shape = select(hit.shape, 0u, escaped);
+  let surface = fetchSurface(shape);
+  let isGlass = isDielectric(u32(surface.code));
+  let point = rays.point + hit.t * rays.direction;
+  let outward = normalAt(rays, hit.t, shape);
+  // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
+  let basis = basisAbout(select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isGlass));
+  let wo = toLocal(basis, -rays.direction);
+  if (hasGlass) {
+    let inside = isGlass & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
+    (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
+  }
+  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, outward);
+
+  // Light that must come from this side to count: none is excluded where light goes through.
+  let litSide = select(basis.normal, vec3f(0.0), isGlass);
+  let uLight = next3d(&(*p).sampler);
+  let uBsdf = next3d(&(*p).sampler);
+  let choice = chooseEmitter(point, litSide, uLight.z);
+  let emitter = fetchEmitter(choice.index);
+  let light = sampleEmitter(emitter, point, uLight.xy);
+  let lightPdf = light.pdf * choice.probability;
+  let o = outgoing(surface, wo);
+  let toLight = evaluateBsdf(surface, o, toLocal(basis, light.direction));
+  // A light that rays cannot meet is found by light sampling only.
+  let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
+  let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
+  let drawn = sampleLobe(surface, o, uBsdf);
+  let bsdf = completed(drawn, evaluateBsdf(surface, o, drawn.direction));
+  let direction = toWorld(basis, bsdf.direction);
+  let goesOn = !escaped & ((*p).depth != frame.maxDepth);
+  let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
+  let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
+  (*p).light = select(vec3f(0.0), contribution, lit);
+  let throughput = (*p).throughput * bsdf.weight;
+  let survival = select(min(max3(throughput), 0.95), 1.0, (*p).depth < rouletteDepth);
+  (*p).alive = goesOn & (bsdf.pdf > 0.0) & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  (*p).throughput = throughput / survival;
+  (*p).depth++;
+  (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
+  (*p).litSide = litSide;
+  (*p).total = choice.total;
+  let solid = !isFlat(shape);
+  let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
+  (*p).rays = RayPair(point, shape, relativeTMin * length(point), direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape);
+}
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
+}
+
+// The geometric normal where the path's ray ends: unit length, out of solids.
+fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
+  let b = fetchBounds(i);
+  let origin = p.point - b.center;
+  var normal = b.center;
+  if (hasQuads) {
+    let e = fetchExtent(i);
+    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
+  }
+  if (hasBoxes) {
+    let e = fetchExtent(i);
+    let inside = (i == p.shape) & p.inwards;
+    let face = boxNormal(turned(e.a, origin), turned(e.a, p.direction), e.b.xyz, p.tMin, inside);
+    normal = select(normal, turnedBack(e.a, face), isBox(i));
+  }
+  if (hasSpheres) {
+    normal = select(normal, origin + t * p.direction, isSphere(i));
+  }
+  return normalize(normal);
+}
+
+fn basisAbout(n: vec3f) -> Basis {
+  let side = select(-1.0, 1.0, n.z >= 0.0);
+  let a = -1.0 / (side + n.z);
+  let b = n.x * n.y * a;
+  return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
+}
+
+fn toLocal(b: Basis, v: vec3f) -> vec3f {
+  return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
+}
+
+override hasGlass = true;
+
+// Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
+fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f) -> vec3f {
+  let escaped = hit.shape == noShape;
+  let direction = p.rays.direction;
+  let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
+  let own = emitterOf(s.code);
+  var found = select(s.emission, vec3f(0.0), hidden | escaped);
+  // A lamp beyond the number of emitters that light sampling knows counts whole.
+  let weighed = escaped | (own >= 0);
+  if (weighed & (frame.emitterCount > 0u)) {
+    let emission = found;
+    found = vec3f(0.0);
+    var i = select(u32(max(own, 0)), 0u, escaped);
+    loop {
+      let e = fetchEmitter(i);
+      let far = farLight(e, direction);
+      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward), far.pdf, escaped);
+      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.total);
+      let radiance = select(emission, far.radiance, escaped);
+      found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
+      i++;
+      if (!(hasSky | hasSuns) | !escaped | (i >= frame.emitterCount)) {
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+fn next3d(s: ptr<function, Sampler>) -> vec3f {
+  let g = nextGroup(s);
+  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
+  return vec3f(points2d(g), toUnit(reverseHalves(z & 0xffffu), z));
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    var total = 0.0;
+    var chosen = 0u;
+    var chosenWeight = 0.0;
+    var rest = u;
+    var i = 0u;
+    loop {
+      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+      total += weight;
+      let share = weight / max(total, 1e-37);
+      let take = rest < share;
+      chosen = select(chosen, i, take);
+      chosenWeight = select(chosenWeight, weight, take);
+      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+      i++;
+      if (i >= frame.emitterCount) {
+        break;
+      }
+    }
+    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+  }
+  return choice;
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
+// lamp that the point itself lies on.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    s = sampleSphere(e, point, u);
+  }
+  if (hasQuadLights & (e.kind == quadKind)) {
+    s = sampleQuad(e, point, u);
+  }
+  if (hasBoxLights & (e.kind == boxKind)) {
+    s = sampleBox(e, point, u);
+  }
+  if (hasPointLights & (e.kind == pointKind)) {
+    s = samplePoint(e, point);
+  }
+  if (hasPointLights & (e.kind == spotKind)) {
+    s = sampleSpot(e, point);
+  }
+  if (hasSuns & (e.kind == directionalKind)) {
+    s = sampleDirectional(e, u);
+  }
+  if (hasSky & (e.kind == skyKind)) {
+    s = sampleSky(u);
+  }
+  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
+  return s;
+}
+
+fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
+  let code = u32(s.code);
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
+  if (hasMetallicRoughness) {
+    o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+  }
+  if (hasGlass) {
+    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z), isDielectric(code));
+  }
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
+    o.stretched = stretched(wo, s.alpha);
+  }
+  return o;
+}
+
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0.
+fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
+  let lambert = invPi * max(wi.z, 0.0);
+  var value = vec4f(s.baseColor, 1.0) * lambert;
+  var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    let code = u32(s.code);
+    let facets = evaluateFacets(s, o, wi);
+    var base = vec3f(0.0);
+    if (hasMetallicRoughness) {
+      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+    }
+    let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
+    value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
+    dark = select(dark, isSmooth(code), isDielectric(code));
+  }
+  return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
+}
+
+const miss = 1e30;
+
+// Power heuristic, for one sample of each kind.
+fn misWeight(own: f32, other: f32) -> f32 {
+  let ratio = other / own;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+// A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
+// are still to be had from evaluateBsdf: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
+  let wo = o.wo;
+  let mirror = mirrorShare(s.reflectivity);
+  let base = 1.0 - mirror;
+  // What is left of u.z is uniform again, and once more below.
+  let choice = (u.z - mirror) / base;
+  var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    let code = u32(s.code);
+    let isGlass = isDielectric(code);
+    let delta = isSmooth(code);
+    let h = sampleFacet(s.alpha, delta, o, u.xy);
+    let oh = max(dot(wo, h), 0.0);
+    let f = facetReflectance(s, oh, o.ratio);
+    let crossing = isGlass & (choice >= f.x);
+    var wi = 2.0 * oh * h - wo;
+    var probability = base * o.share;
+    var weight = f / o.share;
+    if (hasGlass) {
+      let thin = isThin(code);
+      wi = select(wi, select(refracted(wo, h, o.ratio), -wo, thin), crossing);
+      probability = select(probability, base * select(f.x, 1.0 - f.x, crossing), isGlass);
+      weight = select(weight, vec3f(select(1.0, 1.0 / (o.ratio * o.ratio), crossing & !thin)), isGlass);
+    }
+    // A facet may send light to the wrong side: it is lost, as in single scattering.
+    let lost = !delta & (crossing != ((wo.z < 0.0) != (wi.z < 0.0)));
+    let specular = choice < o.share;
+    drawn.direction = select(drawn.direction, wi, specular);
+    drawn.pdf = select(drawn.pdf, select(probability, 0.0, lost), specular);
+    drawn.weight = select(drawn.weight, weight, specular);
+    drawn.delta = specular & delta;
+  }
+  if (hasMirrorLayers) {
+    let reflected = u.z < mirror;
+    drawn.direction = select(drawn.direction, mirrored(wo), reflected);
+    drawn.pdf = select(drawn.pdf, mirror, reflected);
+    drawn.weight = select(drawn.weight, vec3f(1.0), reflected);
+    drawn.delta = drawn.delta | reflected;
+  }
+  return drawn;
+}
+
+// `value` is what evaluateBsdf says of the sample's direction.
+fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
+  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
+  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
+  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
+}
+
+fn toWorld(b: Basis, v: vec3f) -> vec3f {
+  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
+}
+
+fn max3(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+// From this depth on paths end by chance.
+const rouletteDepth = 4u;
+
+// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
+fn nextHash(s: ptr<function, Sampler>) -> f32 {
+  (*s).key = (*s).key + 1u;
+  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample << 8u) | (*s).place)));
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
+const relativeTMin = 1e-5;
+
+struct PairHit {
+  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
+  t: f32,
+  shape: u32,
+  // Whether the light is hidden.
+  blocked: bool,
+}
+
+
+fn isThin(code: u32) -> bool {
+  return hasGlass & ((code & 7u) == 7u);
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
   code: f32,
   // radiance sent out
   emission: vec3f,
@@ -197,94 +493,32 @@ struct Surface {
   metallic: f32,
   // dielectric: Beer-Lambert coefficient, 1 / metre
   absorption: vec3f,
-  // index of the emitter that this shape is; -1: none
-  emitter: f32,
+  // unused
+  spare0: f32,
 }
 
 
-fn kindOf(s: Surface) -> u32 {
-  return u32(s.code) & 3u;
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
 }
 
 const dielectric = 3u;
-
-fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
-  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
-}
-
-// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
-fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
-  let bounds = fetchBounds(i);
-  let origin = ray.start.point - bounds.center;
-  if (isSphere(i)) {
-    return normalize(origin + t * ray.direction);
-  }
-  if (isPlane(i)) {
-    return bounds.center;
-  }
-  let extent = fetchExtent(i);
-  if (isFlat(i)) {
-    return normalize(cross(extent.a.xyz, extent.b.xyz));
-  }
-  let inside = i == ray.start.inside;
-  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
-  return rotateBack(extent.a, normal);
-}
-
-fn basisAbout(n: vec3f) -> Basis {
-  let side = select(-1.0, 1.0, n.z >= 0.0);
-  let a = -1.0 / (side + n.z);
-  let b = n.x * n.y * a;
-  return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
-}
-
-fn toLocal(b: Basis, v: vec3f) -> vec3f {
-  return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
-}
-
-struct Ray {
-  start: Start,
-  direction: vec3f,
-}
-
-
-// Where a ray starts, whichever way it then goes.
-struct Start {
-  point: vec3f,
-  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
-  leaves: u32,
-  // The solid that the ray starts inside of: only its far side counts.
-  inside: u32,
-  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
-  tMin: f32,
-}
-
-
-struct Hit {
-  t: f32,
-  shape: u32,
-}
-
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
 }
 
-fn isSphere(i: u32) -> bool {
-  return i < frame.shapeEnds.x;
-}
+override hasQuads = true;
 
-fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.z;
-}
+override hasBoxes = true;
+
+// What a scene may ask of the path kernel. Whoever makes a pipeline switches off what its scenes do not have, and the compiler
+// leaves that code out: integrator/path/features.ts. (A software rasteriser runs both sides of every branch, Windows' shader
+// compiler pays for every line, and a GPU for every register.) On WebGL2 these become `const` in the GLSL.
+// Kinds of shape, and boxes that do not lie along the axes.
+override hasSpheres = true;
 
 fn fetchExtent(i: u32) -> Extent {
   let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
@@ -292,9 +526,17 @@ fn fetchExtent(i: u32) -> Extent {
   return Extent(t0.xyzw, t1.xyzw);
 }
 
-fn isFlat(i: u32) -> bool {
-  return i >= frame.shapeEnds.y;
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
 }
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
 
 // Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
 // to be near, so that thin boxes have two sides. One axis only, on edges too.
@@ -304,101 +546,27 @@ fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, starts
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
-  if (crossed.x == t) {
-    return vec3f(side.x, 0.0, 0.0);
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
+}
+
+// The same where a pipeline may know that no box is turned.
+fn turned(q: vec4f, v: vec3f) -> vec3f {
+  var w = v;
+  if (hasTurnedBoxes) {
+    w = rotate(q, v);
   }
-  if (crossed.y == t) {
-    return vec3f(0.0, side.y, 0.0);
-  }
-  return vec3f(0.0, 0.0, side.z);
+  return w;
 }
 
-// v turned by the unit quaternion q, and back.
-fn rotate(q: vec4f, v: vec3f) -> vec3f {
-  let t = 2.0 * cross(q.xyz, v);
-  return v + q.w * t + cross(q.xyz, t);
+fn turnedBack(q: vec4f, v: vec3f) -> vec3f {
+  return turned(vec4f(-q.xyz, q.w), v);
 }
 
-fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
-  return rotate(vec4f(-q.xyz, q.w), v);
+fn isBox(i: u32) -> bool {
+  return (i >= frame.shapeEnds.x) & (i < frame.shapeEnds.y);
 }
-
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
-struct Bounds {
-  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
-  center: vec3f,
-  // of the bounding sphere; of a plane: dot(normal, p) of its points
-  radius: f32,
-}
-
-
-@group(0) @binding(0) var<uniform> frame: Frame;
-
-struct Frame {
-  // camera r times half the width of what is seen: camera.wesl
-  right: vec3f,
-  // film pixels
-  width: f32,
-  // camera u times half the height of what is seen
-  up: vec3f,
-  // film pixels
-  height: f32,
-  // camera f
-  forward: vec3f,
-  // lights in use
-  lightCount: u32,
-  // sky colour at the horizon
-  horizon: vec3f,
-  // film sample, from 0
-  sampleIndex: u32,
-  // sky colour overhead
-  zenith: vec3f,
-  // of the random numbers
-  seed: u32,
-  // position inside the pixel, 0 to 1
-  jitter: vec2f,
-  // film columns where the second and third panel begin
-  dividers: vec2f,
-  // index past the last sphere, box, quad and plane
-  shapeEnds: vec4u,
-  // index past the last shape that may stand between a light and a point
-  occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
-  // emitters of the path integrator
-  emitterCount: u32,
-  // path segments from the camera on; 0xffffffff: no limit
-  maxDepth: u32,
-  // per panel: max reflections, light samples, unused, unused
-  panels: array<vec4u, 3>,
-  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
-  filterPieces: array<vec4f, 16>,
-  // 1: independent random numbers instead of the Sobol sequence
-  independent: u32,
-  // position in PROJECTIONS
-  projection: u32,
-  // radius of the lens, metres
-  aperture: f32,
-  // from the eye to the plane that is sharp, metres
-  focusDistance: f32,
-  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
-  planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
-}
-
-
-struct Extent {
-  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
-  a: vec4f,
-  // box: half its size; quad: reciprocal of its v edge
-  b: vec4f,
-}
-
 
 fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
   let inverse = safeReciprocal(direction, origin);
@@ -424,64 +592,91 @@ struct Slabs {
 }
 
 
-// On `shape`, for rays to the side that it is seen from: the inside of a solid or not.
-fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
-  return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
+override hasTurnedBoxes = true;
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
 }
 
-// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
-// nothing that depends on the size of the scene.
-const noShape = 0xffffffffu;
-
-// Float rounding of a point grows with its distance from the eye, where all positions are relative to.
-const relativeTMin = 1e-5;
-
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
 }
 
-// What a ray that meets no shape sees of this emitter. Suns are discs before the sky and add to it.
-fn radianceFromInfinity(e: Emitter, direction: vec3f) -> vec3f {
-  if (e.kind == skyKind) {
-    return sky(direction);
-  }
-  let disc = (e.kind == directionalKind) & isOnDisc(e, direction);
-  return select(vec3f(0.0), e.radiance, disc);
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
 }
 
-// The density with which sampleEmitter gives that direction. The ray met the emitter's shape `distance` away, with that outward
-// normal; for light from infinity neither counts.
-fn emitterPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  if (e.kind == sphereKind) {
-    return spherePdf(e, point, direction);
+
+// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+struct Basis {
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+}
+
+
+// Index of the emitter that a shape is, from -1 for none.
+fn emitterOf(code: f32) -> i32 {
+  return (i32(code) >> 6u) - 1;
+}
+
+fn farLight(e: Emitter, direction: vec3f) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
   }
-  if (e.kind == quadKind) {
-    return quadPdf(e, point, distance);
+  if (hasSky & (e.kind == skyKind)) {
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
   }
-  if (e.kind == boxKind) {
-    return boxPdf(e, point, direction, distance, normal);
+  return far;
+}
+
+// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
+// outward normal.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  var pdf = 0.0;
+  if (hasSphereLights & (e.kind == sphereKind)) {
+    pdf = spherePdf(e, point, direction);
   }
-  if (e.kind == directionalKind) {
-    return directionalPdf(e, direction);
+  if (hasQuadLights & (e.kind == quadKind)) {
+    pdf = quadPdf(e, point, distance);
   }
-  if (e.kind == skyKind) {
-    return skyPdf(direction);
+  if (hasBoxLights & (e.kind == boxKind)) {
+    pdf = boxPdf(e, point, direction, distance, normal);
   }
-  return 0.0;
+  return pdf;
 }
 
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
-  if (frame.emitterCount <= 1u) {
-    return f32(frame.emitterCount);
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights & (frame.emitterCount > 1u)) {
+    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
   }
-  return estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  return probability;
 }
+
+override hasSky = true;
+
+override hasSuns = true;
+
+// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
+// before the sky and add to it.
+struct FarLight {
+  radiance: vec3f,
+  pdf: f32,
+}
+
+
+const skyKind = 6.0;
 
 struct Emitter {
   // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
@@ -511,8 +706,6 @@ struct Emitter {
 }
 
 
-const skyKind = 6.0;
-
 const directionalKind = 5.0;
 
 // Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
@@ -521,16 +714,106 @@ fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
   return pi * dot(chord, chord) < e.area;
 }
 
-fn sky(direction: vec3f) -> vec3f {
-  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
 }
 
 const pi = 3.14159265359;
 
+// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
+fn skyLight(direction: vec3f) -> EnvironmentLight {
+  var light = white;
+  if (hasEnvironment) {
+    light = lookUpEnvironment(direction);
+  }
+  return EnvironmentLight(light.radiance * sky(direction), light.pdf);
+}
+
+// Without a map: white, uniform in all directions.
+const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+
+// A sky with a map.
+override hasEnvironment = true;
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
+  let size = frame.environmentSize;
+  let sine = max(length(direction.xz), 1e-9);
+  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
+  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
+  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
+  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
+  let fromPole = angles.y * (size.y / pi) + 0.5;
+  let row = floor(fromPole);
+  let isLower = direction.y < 0.0;
+  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
+  let within = fromPole - row;
+  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
+  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
+}
+
+// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
+fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
+  let low = min(x, y);
+  let high = max(x, y);
+  let middle = low > 0.4142135624 * high;
+  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
+  return select(angle, 1.570796327 - angle, y > x);
+}
+
+fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
+  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
+}
+
+fn environmentCorners(cell: vec2u) -> Corners {
+  let size = vec2u(frame.environmentSize);
+  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
+  let right = select(cell.x, 0u, cell.x == size.x);
+  let upper = max(cell.y, 1u) - 1u;
+  let lower = min(cell.y, size.y - 1u);
+  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
+  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
+  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+}
+
+struct EnvironmentLight {
+  radiance: vec3f,
+  // Per solid angle.
+  pdf: f32,
+}
+
+
+// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
+// the upper pole, j = rows that at the lower.
+struct Corners {
+  a: vec4f,
+  b: vec4f,
+  c: vec4f,
+  d: vec4f,
+}
+
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
+
 // packed-scene/pack-emitters.ts has the same numbers.
 const sphereKind = 0.0;
 
+override hasQuadLights = true;
+
 const quadKind = 1.0;
+
+override hasBoxLights = true;
 
 const boxKind = 2.0;
 
@@ -673,22 +956,13 @@ struct BoxView {
 }
 
 
-fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
-  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
-}
-
-fn skyPdf(direction: vec3f) -> f32 {
-  return 1.0 / (4.0 * pi);
-}
+override hasManyLights = true;
 
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
 fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  if (e.kind == skyKind) {
-    return e.power;
-  }
-  let isQuad = e.kind == quadKind;
-  let isFar = e.kind == directionalKind;
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
   let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
   let toLight = select(middle - point, -e.u, isFar);
   let distance2 = dot(toLight, toLight);
@@ -696,14 +970,25 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let grown = max(distance + e.reach, 1e-15);
   let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
   let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-  let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-  let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-  let share = select(select(1.0, lampCosine, isQuad), spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  return e.power * cosine * share / select(max(square, 1e-15), 1.0, isFar);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
 }
+
+override hasPointLights = true;
 
 // glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
 fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
@@ -713,79 +998,101 @@ fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
 
 const spotKind = 4.0;
 
-// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
-// lamp that the point itself lies on.
-fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  var s = sampleKind(e, point, u);
-  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
-  return s;
+fn nextGroup(s: ptr<function, Sampler>) -> Group {
+  (*s).key = (*s).key + 1u;
+  let a = mixBits((*s).key);
+  let half = (a ^ (*s).salt) * 0x9e3779b1u;
+  let b = half ^ (half >> 16u);
+  let place = scramble((*s).place, b);
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
+  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
 }
 
-// rgb: f |cos wi|; a: the density with which sampleBsdf gives wi. Delta lobes give 0.
-fn evaluateBsdf(s: Surface, wo: vec3f, wi: vec3f) -> vec4f {
-  let kind = kindOf(s);
-  let opaque = kind != dielectric;
-  let dark = opaque & ((wo.z < 0.0) | (wi.z <= 0.0));
-  let smoothLobe = hasSmoothLobe(s);
-  if (dark | ((!opaque) & smoothLobe)) {
-    return vec4f(0.0);
-  }
-  let share = facetShare(s, wo.z);
-  var value = vec4f(0.0);
-  var albedo = s.baseColor;
-  if (kind != diffuse) {
-    let facets = evaluateFacets(s, wo, wi);
-    value = select(vec4f(facets.value, share * facets.pdf), vec4f(0.0), smoothLobe);
-    albedo = select(vec3f(0.0), metallicRoughnessDiffuse(s, facets.cosine), kind == metallicRoughness);
-  }
-  value += vec4f(albedo, 1.0 - share) * (invPi * max(wi.z, 0.0));
-  return (1.0 - s.reflectivity) * value;
+// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
+// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
+// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+fn scramble(x: u32, seed: u32) -> u32 {
+  var y = x ^ (x * 0x3d20adeau);
+  y = (y + seed) * ((seed >> 16u) | 1u);
+  y ^= y * 0x05526c56u;
+  return y ^ (y * 0x53a22864u);
 }
 
-fn occluded(ray: Ray, distance: f32, except: u32) -> bool {
-  let ends = frame.shapeEnds;
-  var blocked = false;
-  var i = 0u;
-  if (i < ends.x) {
-    loop {
-      blocked = blocked | ((hitSphere(i, fetchBounds(i), ray) < distance) & (i != except));
-      i++;
-      if (i >= ends.x) {
-        break;
-      }
-    }
-  }
-  if (i < ends.y) {
-    loop {
-      blocked = blocked | ((hitBox(i, fetchBounds(i), ray) < distance) & (i != except));
-      i++;
-      if (i >= ends.y) {
-        break;
-      }
-    }
-  }
-  if (i < ends.z) {
-    loop {
-      blocked = blocked | ((hitQuad(i, fetchBounds(i), ray) < distance) & (i != except));
-      i++;
-      if (i >= ends.z) {
-        break;
-      }
-    }
-  }
-  if (i < ends.w) {
-    loop {
-      blocked = blocked | (hitPlane(i, fetchBounds(i), ray) < distance);
-      i++;
-      if (i >= ends.w) {
-        break;
-      }
-    }
-  }
-  return blocked;
+// The same with w^2 in place of w, of any eight digits.
+fn pascalW2(x: u32) -> u32 {
+  var y = x ^ timesW2((x >> 2u) & 0x3333u);
+  y ^= timesW((y >> 4u) & 0x0f0fu);
+  return y ^ timesW2((y >> 8u) & 0x00ffu);
 }
 
-const miss = 1e30;
+fn timesW2(x: u32) -> u32 {
+  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+}
+
+fn points2d(g: Group) -> vec2f {
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
+  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
+  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+}
+
+// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
+fn toUnit(reversed: u32, scrambled: u32) -> f32 {
+  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
+fn reverseHalves(x: u32) -> u32 {
+  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
+  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
+  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
+  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+}
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
+}
+
+// One padded sequence: what all its dimensions have in common.
+struct Group {
+  // Shuffled sample index.
+  index: u32,
+  // What sets this pixel apart from its neighbours.
+  shift: u32,
+  seedA: u32,
+  seedB: u32,
+}
+
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: u32) -> u32 {
+  var y = x ^ timesW((x >> 2u) & 0x33u);
+  y ^= timesW2((y >> 4u) & 0x0fu);
+  return timesW(y) | (y << 8u);
+}
+
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
+fn timesW(x: u32) -> u32 {
+  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: u32) -> u32 {
+  var y = x ^ ((x >> 1u) & 0x5555u);
+  y ^= (y >> 2u) & 0x3333u;
+  y ^= (y >> 4u) & 0x0f0fu;
+  return y ^ ((y >> 8u) & 0x00ffu);
+}
 
 struct EmitterChoice {
   index: u32,
@@ -796,34 +1103,22 @@ struct EmitterChoice {
 }
 
 
-fn sampleKind(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  if (e.kind == sphereKind) {
-    return sampleSphere(e, point, u);
-  }
-  if (e.kind == quadKind) {
-    return sampleQuad(e, point, u);
-  }
-  if (e.kind == boxKind) {
-    return sampleBox(e, point, u);
-  }
-  if (e.kind == pointKind) {
-    return samplePoint(e, point);
-  }
-  if (e.kind == spotKind) {
-    return sampleSpot(e, point);
-  }
-  if (e.kind == directionalKind) {
-    return sampleDirectional(e, u);
-  }
-  return sampleSky(u);
+// What sampling a light gives: one direction, and how likely it was.
+struct LightSample {
+  // Unit, from the point to the light.
+  direction: vec3f,
+  // To where the light is met; `miss` for light from infinity.
+  distance: f32,
+  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
+  radiance: vec3f,
+  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
+  pdf: f32,
+  // A light without size: no ray can meet it.
+  delta: bool,
 }
+
 
 const pointKind = 3.0;
-
-fn sampleSky(u: vec2f) -> LightSample {
-  let direction = sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction;
-  return LightSample(direction, miss, sky(direction), skyPdf(direction), false);
-}
 
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
@@ -849,21 +1144,6 @@ fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
   return ConeDirection(direction, cosine, sine2);
 }
-
-// What sampling a light gives: one direction, and how likely it was.
-struct LightSample {
-  // Unit, from the point to the light.
-  direction: vec3f,
-  // To where the light is met; `miss` for light from infinity.
-  distance: f32,
-  // Radiance; of a light without size what one gets of it: intensity / distance^2, or irradiance.
-  radiance: vec3f,
-  // Per solid angle, the choice of the light left out; 1 for lights without size; 0: no light from there.
-  pdf: f32,
-  // A light without size: no ray can meet it.
-  delta: bool,
-}
-
 
 // v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
@@ -940,6 +1220,10 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
   return vec4f(toLight, abs(dot(axis, toLight)));
 }
 
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
 fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
   let toLight = e.position - point;
   let distance = length(toLight);
@@ -961,63 +1245,144 @@ fn sampleDirectional(e: Emitter, u: vec2f) -> LightSample {
   return LightSample(ray.direction, miss, e.radiance, select(1.0 / max(e.area, 1e-31), 1.0, delta), delta);
 }
 
-// Whether what reflects or refracts does so like a mirror. A thin pane always does: the two faces undo each other's bend.
-fn hasSmoothLobe(s: Surface) -> bool {
-  let clear = (abs(s.eta.x - 1.0) < leastContrast) | isThin(s);
-  return (s.alpha < smoothAlpha) | ((kindOf(s) == dielectric) & clear);
+fn sampleSky(u: vec2f) -> LightSample {
+  var s = EnvironmentSample(sampleCone(vec3f(0.0, 0.0, 1.0), 2.0, u).direction, white);
+  if (hasEnvironment) {
+    s = sampleEnvironment(u);
+  }
+  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
 }
 
-// Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
-fn facetShare(s: Surface, cosine: f32) -> f32 {
-  let kind = kindOf(s);
-  return select(select(1.0, 0.0, kind == diffuse), specularShare(s, cosine), kind == metallicRoughness);
+struct EnvironmentSample {
+  direction: vec3f,
+  light: EnvironmentLight,
 }
 
-// Kinds, as Surface.code numbers them.
-const diffuse = 0u;
 
-// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
-const invPi = 0.31830988618;
+fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
+  let size = frame.environmentSize;
+  let chosen = chooseCell(u);
+  let k = environmentCorners(chosen.cell);
+  let cell = vec2f(chosen.cell);
+  let atPole = vec2<bool>(cell.y == 0.0, cell.y == size.y);
+  let y = linearSample(chosen.rest.y, max(k.a.a + k.b.a, 0.0), max(k.c.a + k.d.a, 0.0));
+  let t = y * select(1.0, 0.5, any(atPole)) + select(0.0, 0.5, atPole.x);
+  let s = linearSample(chosen.rest.x, mix(k.a.a, k.c.a, t), mix(k.b.a, k.d.a, t));
+  let isLower = 2.0 * cell.y > size.y;
+  let fromPole = select(cell.y + (t - 0.5), size.y - cell.y + (0.5 - t), isLower);
+  let theta = cosineAndSine(fromPole * (pi / size.y));
+  let halfTurns = 2.0 * ((cell.x + (s - 0.5)) / size.x - frame.environmentTurn);
+  let nearest = floor(halfTurns + 0.5);
+  let back = fract(0.5 * nearest) > 0.0;
+  let phi = cosineAndSine((halfTurns - nearest) * pi) * select(1.0, -1.0, back);
+  let sine = max(theta.y, 1e-9);
+  let direction = vec3f(sine * phi.y, select(theta.x, -theta.x, isLower), -sine * phi.x);
+  return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
+}
 
-fn evaluateFacets(s: Surface, wo: vec3f, wi: vec3f) -> FacetLobe {
-  let crossing = (wo.z < 0.0) != (wi.z < 0.0);
-  let ratio = indexRatio(s, wo.z);
-  let m = wo + wi * select(1.0, ratio, crossing);
-  let m2 = max(dot(m, m), 1e-20);
-  let h = m * inverseSqrt(m2);
-  let oh = dot(wo, h);
-  let ih = dot(wi, h);
-  let zo = abs(wo.z);
-  let zi = abs(wi.z);
-  let so = stretched(wo, s.alpha);
-  let si = stretched(wi, s.alpha);
-  let isGlass = kindOf(s) == dielectric;
-  let bound = select(reflectionBound(wo, s.alpha), 1.0, isGlass);
-  // Facets do not turn their back on one direction while the surface does not.
-  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
-  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
-  let f = facetReflectance(s, abs(oh), ratio);
-  let passes = select(f, 1.0 - f, crossing);
-  let masked = zi / max(zi * so + zo * si, 1e-20);
-  let chosen = select(1.0, passes.x, isGlass) * select(1.0, ratio * ratio, crossing);
-  return FacetLobe(passes * compensation(s, zo) * spread * masked, spread * chosen / (bound * zo + so), abs(oh));
+fn chooseCell(u: vec2f) -> ChosenCell {
+  let size = vec2u(frame.environmentSize);
+  let place = splitProduct(u, size + vec2u(0u, 1u));
+  // The digits that the choice of a column has used up are replaced by hashed ones: probabilities in the table may be small.
+  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
+  let fine = f32(hash) * 5.9604644775390625e-8 * frame.environmentSize.x;
+  let x = min((place.rest.x + fine) * 5.9604644775390625e-8, 0.99999994);
+  // Two rows of cells share a row of texels.
+  let rows = (size.y + 2u) / 2u;
+  let second = place.whole.y >= rows;
+  let entries = textureLoad(environment, vec2u(place.whole.x, place.whole.y + size.y - select(0u, rows, second)), 0);
+  let entry = select(entries.xy, entries.zw, second);
+  let own = x < entry.x;
+  let other = u32(entry.y);
+  let otherRow = other / size.x;
+  let cell = select(vec2u(other - otherRow * size.x, otherRow), place.whole, own);
+  let rest = select((x - entry.x) / max(1.0 - entry.x, 1e-7), x / max(entry.x, 1e-37), own);
+  return ChosenCell(cell, vec2f(min(rest, 1.0), place.rest.y * 5.9604644775390625e-8));
+}
+
+// Where in [0, 1] a number of a density that goes from a to b in a line lies.
+fn linearSample(u: f32, a: f32, b: f32) -> f32 {
+  let ends = vec2f(a, b) / max(a + b, 1e-37);
+  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
+}
+
+fn splitProduct(u: vec2f, n: vec2u) -> Parts {
+  let digits = vec2u(u * 16777216.0);
+  let low = (digits & vec2u(4095u)) * n;
+  let high = (digits >> vec2u(12u)) * n + (low >> vec2u(12u));
+  return Parts(high >> vec2u(12u), vec2f(((high & vec2u(4095u)) << vec2u(12u)) | (low & vec2u(4095u))));
+}
+
+// The cell, and what is left of u, in [0, 1).
+struct ChosenCell {
+  cell: vec2u,
+  rest: vec2f,
+}
+
+
+// u n for whole n up to 4096, without rounding: the whole part, and what is left of it in units of 2^-24.
+struct Parts {
+  whole: vec2u,
+  rest: vec2f,
+}
+
+
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Outgoing {
+  wo: vec3f,
+  // Probability of the lobe that reflects or refracts at facets; what is left samples the diffuse one.
+  share: f32,
+  // Of a dielectric: the index behind the boundary over that on wo's side.
+  ratio: f32,
+  // ggx.wesl, of wo.
+  bound: f32,
+  stretched: f32,
+}
+
+
+fn isConductor(code: u32) -> bool {
+  return hasConductors & (kindOf(code) == conductor);
+}
+
+override hasMetallicRoughness = true;
+
+override hasConductors = true;
+
+// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
+// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
+fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
+  let specular = dot(schlick(metallicRoughnessF0(baseColor, metallic), cosine), vec3f(1.0));
+  let diffuse = dot(metallicRoughnessDiffuse(baseColor, metallic, 1.0), vec3f(1.0));
+  return specular / max(specular + diffuse, 1e-20);
+}
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
+fn schlick(f0: vec3f, cosine: f32) -> vec3f {
+  let m = max(1.0 - cosine, 0.0);
+  let m2 = m * m;
+  return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
+  return mix(vec3f(dielectricF0), baseColor, metallic);
 }
 
 // Albedo of the diffuse part for light that meets facets at this cosine.
-fn metallicRoughnessDiffuse(s: Surface, cosine: f32) -> vec3f {
-  return (1.0 - s.metallic) * (1.0 - schlick(vec3f(dielectricF0), cosine).x) * s.baseColor;
+fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec3f {
+  return (1.0 - metallic) * (1.0 - schlick(vec3f(dielectricF0), cosine).x) * baseColor;
 }
+
+const dielectricF0 = 0.04;
 
 const metallicRoughness = 1u;
 
 // Index behind the boundary over the index on the side of a direction with this z.
-fn indexRatio(s: Surface, z: f32) -> f32 {
-  return select(s.eta.x, 1.0 / s.eta.x, z < 0.0);
-}
-
-// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
-fn stretched(w: vec3f, alpha: f32) -> f32 {
-  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
+fn indexRatio(eta: f32, z: f32) -> f32 {
+  return select(eta, 1.0 / eta, z < 0.0);
 }
 
 // Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
@@ -1029,6 +1394,53 @@ fn reflectionBound(wo: vec3f, alpha: f32) -> f32 {
   return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
 }
 
+// Length of the direction after the stretch that makes the facets a hemisphere: Smith's Lambda is (stretched / |z| - 1) / 2.
+fn stretched(w: vec3f, alpha: f32) -> f32 {
+  return sqrt(w.z * w.z + alpha * alpha * dot(w.xy, w.xy));
+}
+
+const conductor = 2u;
+
+// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
+const invPi = 0.31830988618;
+
+// Share of the perfect mirror over the base.
+fn mirrorShare(reflectivity: f32) -> f32 {
+  return select(0.0, reflectivity, hasMirrorLayers);
+}
+
+fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
+  let wo = o.wo;
+  let isGlass = isDielectric(u32(s.code));
+  let crossing = hasGlass & ((wo.z < 0.0) != (wi.z < 0.0));
+  let m = wo + wi * select(1.0, o.ratio, crossing);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  let zo = abs(wo.z);
+  let zi = abs(wi.z);
+  // Facets do not turn their back on one direction while the surface does not.
+  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
+  let f = facetReflectance(s, abs(oh), o.ratio);
+  var passes = select(f, 1.0 - f, crossing);
+  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
+  let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
+  if (hasCompensation) {
+    passes *= compensation(s, zo);
+  }
+  return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
+}
+
+// Whether what reflects or refracts does so like a mirror.
+fn isSmooth(code: u32) -> bool {
+  return (code & 32u) != 0u;
+}
+
+// Kinds, as Surface.code numbers them.
+const diffuse0 = 0u;
+
 // D(h): facets around the half vector per area and solid angle.
 fn facetDensity(h: vec3f, alpha: f32) -> f32 {
   // At least 1 for a unit vector; opposite directions along the surface have none.
@@ -1038,18 +1450,24 @@ fn facetDensity(h: vec3f, alpha: f32) -> f32 {
 
 // Share of light that a facet reflects, met at this cosine.
 fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
-  let kind = kindOf(s);
-  if (kind == dielectric) {
-    return vec3f(glassReflectance(cosine, ratio, isThin(s)));
+  let code = u32(s.code);
+  var reflectance = vec3f(0.0);
+  if (hasMetallicRoughness) {
+    reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
   }
-  if (kind == conductor) {
-    return conductorReflectance(s, cosine);
+  if (hasConductors) {
+    reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
   }
-  return schlick(metallicRoughnessF0(s), cosine);
+  if (hasGlass) {
+    reflectance = select(reflectance, vec3f(glassReflectance(cosine, ratio, isThin(code))), isDielectric(code));
+  }
+  return reflectance;
 }
 
+override hasCompensation = true;
+
 // The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
-// in m, the half vector before it gets length 1; `ratio` is the index on wi's side over that on wo's side.
+// in m, the half vector before it gets length 1.
 struct FacetLobe {
   value: vec3f,
   pdf: f32,
@@ -1061,53 +1479,26 @@ struct FacetLobe {
 // Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
 // comes back in the same lobe, coloured once more by the reflectance at normal incidence.
 fn compensation(s: Surface, cosine: f32) -> vec3f {
-  let kind = kindOf(s);
-  let asked = ((u32(s.code) & 8u) != 0u) & ((kind == conductor) | (kind == metallicRoughness));
-  if (!asked) {
-    return vec3f(1.0);
-  }
+  let code = u32(s.code);
+  let asked = ((code & 8u) != 0u) & !isDielectric(code);
   let albedo = singleScatteringAlbedo(cosine, s.alpha);
-  return 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo);
+  return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
 }
 
-const conductor = 2u;
-
-// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
-fn schlick(f0: vec3f, cosine: f32) -> vec3f {
-  let m = max(1.0 - cosine, 0.0);
-  let m2 = m * m;
-  return f0 + (1.0 - f0) * (m2 * m2 * m);
-}
-
-fn metallicRoughnessF0(s: Surface) -> vec3f {
-  return mix(vec3f(dielectricF0), s.baseColor, s.metallic);
-}
-
-// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
-fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
-  let r = dielectricFresnel(cosine, ratio);
-  return select(r, 2.0 * r / (1.0 + r), thin);
-}
-
-fn isThin(s: Surface) -> bool {
-  return (u32(s.code) & 7u) == 7u;
-}
-
-// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
-// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
-fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
-  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
-  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
-  let inside = sqrt(max(inside2, 0.0));
-  let across = (cosine - inside) / (cosine + inside);
-  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
-  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
+// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
+// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
+// loss near the horizon is a function of that ratio alone as alpha goes to 0.
+fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
+  let x = cosine / (cosine + alpha);
+  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
+  let a2 = alpha * alpha;
+  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
 }
 
 // Without measured constants (eta and k black) the base colour comes back at every angle.
-fn conductorReflectance(s: Surface, cosine: f32) -> vec3f {
-  let constants = dot(s.eta + s.k, vec3f(1.0));
-  return select(s.baseColor, conductorFresnel(cosine, s.eta, s.k), constants > 0.0);
+fn conductorReflectance(baseColor: vec3f, eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
+  let constants = dot(eta + k, vec3f(1.0));
+  return select(baseColor, conductorFresnel(cosine, eta, k), constants > 0.0);
 }
 
 // Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
@@ -1129,367 +1520,25 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
 
 const least0 = 1e-20;
 
-const dielectricF0 = 0.04;
-
-// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
-// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
-// loss near the horizon is a function of that ratio alone as alpha goes to 0.
-fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
-  let x = cosine / (cosine + alpha);
-  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
-  let a2 = alpha * alpha;
-  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+// A thin pane: light goes to and fro between its two faces, R + T R T + T R^3 T + ... = 2 R / (1 + R).
+fn glassReflectance(cosine: f32, ratio: f32, thin: bool) -> f32 {
+  let r = dielectricFresnel(cosine, ratio);
+  return select(r, 2.0 * r / (1.0 + r), thin);
 }
 
-// An index closer to 1 than this bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
-const leastContrast = 1e-3;
-
-// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
-// Written so that nothing is divided by a cosine: grazing directions need no special case.
-// Narrower than this a highlight is a mirror's: 32-bit floats no longer hold the facet's slope well enough for a density.
-const smoothAlpha = 1e-3;
-
-// How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
-// its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
-fn specularShare(s: Surface, cosine: f32) -> f32 {
-  let specular = dot(schlick(metallicRoughnessF0(s), cosine), vec3f(1.0));
-  let diffuse = dot(metallicRoughnessDiffuse(s, 1.0), vec3f(1.0));
-  return specular / max(specular + diffuse, 1e-20);
+// How much of the light a smooth boundary reflects; unpolarised. `cosine` is that of the angle of incidence, 0 … 1.
+// Both media transparent; `ratio` is the index of the far one over that of the near one. Total reflection gives 1.
+fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
+  // ratio times the cosine of the refracted ray, squared; so that equal media reflect nothing at any angle
+  let inside2 = (ratio - 1.0) * (ratio + 1.0) + cosine * cosine;
+  let inside = sqrt(max(inside2, 0.0));
+  let across = (cosine - inside) / (cosine + inside);
+  let along = (ratio * ratio * cosine - inside) / (ratio * ratio * cosine + inside);
+  return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
 }
 
-// Distances along the ray to shape i of that kind, or `miss`.
-fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
-  return select(t, miss, i == ray.start.leaves);
-}
-
-fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
-  let toCenter = center - origin;
-  let along = dot(toCenter, direction);
-  let across = toCenter - along * direction;
-  let discriminant = radius * radius - dot(across, across);
-  let half = sqrt(max(discriminant, 0.0));
-  let near = along - half;
-  let far = along + half;
-  let t = select(far, near, near > tMin);
-  // From the surface itself the far side cannot be missed, whatever rounding says.
-  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
-}
-
-fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let extent = fetchExtent(i);
-  var origin = ray.start.point - bounds.center;
-  var direction = ray.direction;
-  if (isTurned(extent.a)) {
-    origin = rotate(extent.a, origin);
-    direction = rotate(extent.a, direction);
-  }
-  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
-  return select(t, miss, i == ray.start.leaves);
-}
-
-// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
-fn isTurned(q: vec4f) -> bool {
-  return any(q.xyz != vec3f(0.0));
-}
-
-fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
-  let s = boxSlabs(origin, direction, halfSize);
-  let t = select(s.far, s.near, s.near > tMin);
-  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
-  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
-}
-
-fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let extent = fetchExtent(i);
-  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
-  return select(t, miss, i == ray.start.leaves);
-}
-
-fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
-  let normal = cross(reciprocalU, reciprocalV);
-  let speed = dot(direction, normal);
-  let toCenter = center - origin;
-  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
-  let p = t * direction - toCenter;
-  let reach = 0.5 + quadOverlap;
-  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
-  return select(miss, t, (t > tMin) & (t < miss) & within);
-}
-
-// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
-const quadOverlap = 1e-6;
-
-fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
-  return select(t, miss, i == ray.start.leaves);
-}
-
-fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
-  let speed = dot(direction, normal);
-  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
-  let speedAway = select(-speed, speed, offset > 0.0);
-  let eitherWay = (t > tMin) & (abs(speed) > parallel);
-  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
-}
-
-// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
-const parallel = 1e-12;
-
-struct Sampler {
-  // Goes up by one with each group of dimensions.
-  key: u32,
-  salt: u32,
-  // Last 16 bits of the sample index, reversed.
-  sample: u32,
-  // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
-  place: u32,
-}
-
-
-// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
-fn closestHit(ray: Ray) -> Hit {
-  var hit = Hit(miss, noShape);
-  let ends = frame.shapeEnds;
-  var i = 0u;
-  if (i < ends.x) {
-    loop {
-      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.x) {
-        break;
-      }
-    }
-  }
-  if (i < ends.y) {
-    loop {
-      hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.y) {
-        break;
-      }
-    }
-  }
-  if (i < ends.z) {
-    loop {
-      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.z) {
-        break;
-      }
-    }
-  }
-  if (i < ends.w) {
-    loop {
-      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
-      i++;
-      if (i >= ends.w) {
-        break;
-      }
-    }
-  }
-  return hit;
-}
-
-// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
-// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
-fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  if (frame.emitterCount <= 1u) {
-    return EmitterChoice(0u, f32(frame.emitterCount), 1.0);
-  }
-  var total = 0.0;
-  var chosen = 0u;
-  var chosenWeight = 0.0;
-  var rest = u;
-  var i = 0u;
-  loop {
-    let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-    total += weight;
-    let share = weight / max(total, 1e-37);
-    let take = rest < share;
-    chosen = select(chosen, i, take);
-    chosenWeight = select(chosenWeight, weight, take);
-    rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-    i++;
-    if (i >= frame.emitterCount) {
-      break;
-    }
-  }
-  return EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
-}
-
-fn next1d(s: ptr<function, Sampler>) -> f32 {
-  let g = nextGroup(s);
-  let x = scramble(g.index ^ g.shift, g.seedA);
-  return toUnit(reverseHalves(x & 0xffffu), x);
-}
-
-fn next2d(s: ptr<function, Sampler>) -> vec2f {
-  return points2d(nextGroup(s));
-}
-
-// Only delta lobes: light sampling is in vain.
-fn isDelta(s: Surface) -> bool {
-  let kind = kindOf(s);
-  let noDiffuse = (kind >= conductor) | ((kind == metallicRoughness) & (s.metallic >= 1.0));
-  return (s.reflectivity >= 1.0) | (noDiffuse & hasSmoothLobe(s));
-}
-
-// u in [0, 1)^3: two for the direction, the third chooses the lobe.
-fn sampleBsdf(s: Surface, wo: vec3f, u: vec3f) -> BsdfSample {
-  if (u.z < s.reflectivity) {
-    return deltaSample(mirrored(wo), s.reflectivity, vec3f(1.0));
-  }
-  let base = 1.0 - s.reflectivity;
-  // What is left of u.z is uniform again, and once more below.
-  let choice = (u.z - s.reflectivity) / base;
-  let share = facetShare(s, wo.z);
-  let isGlass = kindOf(s) == dielectric;
-  let specular = choice < share;
-  var wi = sampleCosine(u.xy);
-  var crossing = false;
-  if (specular) {
-    let h = sampleFacet(s, wo, u.xy);
-    let oh = max(dot(wo, h), 0.0);
-    let ratio = indexRatio(s, wo.z);
-    let f = facetReflectance(s, oh, ratio);
-    crossing = isGlass & (choice >= f.x);
-    let through = select(refracted(wo, h, ratio), -wo, isThin(s));
-    wi = select(2.0 * oh * h - wo, through, crossing);
-    if (hasSmoothLobe(s)) {
-      let bent = select(1.0, 1.0 / (ratio * ratio), crossing & !isThin(s));
-      let probability = base * select(share, select(f.x, 1.0 - f.x, crossing), isGlass);
-      return deltaSample(wi, probability, select(f / share, vec3f(bent), isGlass));
-    }
-  }
-  let value = evaluateBsdf(s, wo, wi);
-  // A facet may send light to the wrong side: it is lost, as in single scattering.
-  let crosses = (wo.z < 0.0) != (wi.z < 0.0);
-  let pdf = select(value.a, 0.0, crossing != crosses);
-  return BsdfSample(wi, pdf, select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0), false);
-}
-
-fn next3d(s: ptr<function, Sampler>) -> vec3f {
-  let g = nextGroup(s);
-  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
-  return vec3f(points2d(g), toUnit(reverseHalves(z & 0xffffu), z));
-}
-
-fn toWorld(b: Basis, v: vec3f) -> vec3f {
-  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
-}
-
-fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
-  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
-}
-
-fn nextGroup(s: ptr<function, Sampler>) -> Group {
-  (*s).key = (*s).key + 1u;
-  let a = mixBits((*s).key);
-  let half = (a ^ (*s).salt) * 0x9e3779b1u;
-  let b = half ^ (half >> 16u);
-  let place = scramble((*s).place, b);
-  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
-  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
-  // come from two groups together would be the same all over the tile.
-  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
-  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
-  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
-}
-
-// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
-// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
-// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-fn scramble(x: u32, seed: u32) -> u32 {
-  var y = x ^ (x * 0x3d20adeau);
-  y = (y + seed) * ((seed >> 16u) | 1u);
-  y ^= y * 0x05526c56u;
-  return y ^ (y * 0x53a22864u);
-}
-
-// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
-fn toUnit(reversed: u32, scrambled: u32) -> f32 {
-  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
-}
-
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
-fn reverseHalves(x: u32) -> u32 {
-  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
-  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
-  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
-  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
-}
-
-// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
-// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits(x: u32) -> u32 {
-  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
-  y = (y ^ (y >> 15u)) * 0x735a2d97u;
-  return y ^ (y >> 15u);
-}
-
-// One padded sequence: what all its dimensions have in common.
-struct Group {
-  // Shuffled sample index.
-  index: u32,
-  // What sets this pixel apart from its neighbours.
-  shift: u32,
-  seedA: u32,
-  seedB: u32,
-}
-
-
-// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
-// last ones.
-fn shiftOfPlace(x: u32) -> u32 {
-  var y = x ^ timesW((x >> 2u) & 0x33u);
-  y ^= timesW2((y >> 4u) & 0x0fu);
-  return timesW(y) | (y << 8u);
-}
-
-// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
-fn timesW(x: u32) -> u32 {
-  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
-}
-
-fn timesW2(x: u32) -> u32 {
-  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
-}
-
-fn points2d(g: Group) -> vec2f {
-  let x = scramble(g.index ^ g.shift, g.seedA);
-  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
-  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
-  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
-}
-
-// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
-fn pascal(x: u32) -> u32 {
-  var y = x ^ ((x >> 1u) & 0x5555u);
-  y ^= (y >> 2u) & 0x3333u;
-  y ^= (y >> 4u) & 0x0f0fu;
-  return y ^ ((y >> 8u) & 0x00ffu);
-}
-
-// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
-fn sampleCosine(u: vec2f) -> vec3f {
-  let radius = sqrt(u.x);
-  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
-  let phi = 6.28318530718 * u.y - 3.14159265359;
-  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
-}
-
-// A direction that evaluateBsdf gives no density: of a mirror.
-fn deltaSample(direction: vec3f, probability: f32, weight: vec3f) -> BsdfSample {
-  return BsdfSample(direction, probability, weight, true);
-}
-
-// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
-fn mirrored(wo: vec3f) -> vec3f {
-  return vec3f(-wo.xy, wo.z);
-}
+// Kinds of material beside diffuse, and what may be laid over or set on top.
+override hasMirrorLayers = true;
 
 struct BsdfSample {
   direction: vec3f,
@@ -1501,12 +1550,19 @@ struct BsdfSample {
 }
 
 
+// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
+fn sampleCosine(u: vec2f) -> vec3f {
+  let radius = sqrt(u.x);
+  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
+  let phi = 6.28318530718 * u.y - 3.14159265359;
+  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
+}
+
 // A facet that wo sees, turned to wo's side.
-fn sampleFacet(s: Surface, wo: vec3f, u: vec2f) -> vec3f {
-  let side = select(1.0, -1.0, wo.z < 0.0);
-  let up = wo * side;
-  let bound = select(reflectionBound(up, s.alpha), 1.0, kindOf(s) == dielectric);
-  return select(sampleVisibleNormal(up, max(s.alpha, smoothAlpha), bound, u), vec3f(0.0, 0.0, 1.0), hasSmoothLobe(s)) * side;
+fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
+  let side = select(1.0, -1.0, o.wo.z < 0.0);
+  let rough = sampleVisibleNormal(o.wo * side, max(alpha, leastAlpha), o.bound, u);
+  return select(rough, vec3f(0.0, 0.0, 1.0), isMirror) * side;
 }
 
 // The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
@@ -1528,12 +1584,114 @@ fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
   return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
 }
 
-// The same with w^2 in place of w, of any eight digits.
-fn pascalW2(x: u32) -> u32 {
-  var y = x ^ timesW2((x >> 2u) & 0x3333u);
-  y ^= timesW((y >> 4u) & 0x0f0fu);
-  return y ^ timesW2((y >> 8u) & 0x00ffu);
+// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
+// Written so that nothing is divided by a cosine: grazing directions need no special case.
+// Narrower highlights are a mirror's: packed-scene/surface-values.ts.
+const leastAlpha = 1e-3;
+
+// The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
+fn mirrored(wo: vec3f) -> vec3f {
+  return vec3f(-wo.xy, wo.z);
 }
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+override hasPlanes = true;
+
+fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let own = i == p.shape;
+  let t = intersectSphere(p.point, p.direction, b.center, b.radius, p.tMin, own & p.inwards);
+  let lightT = intersectSphere(p.point, p.lightDirection, b.center, b.radius, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
+}
+
+// Distances of both rays, path then light, to shape i taken up into what was found so far.
+fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
+  let own = i == p.shape;
+  let pathT = select(t.x, miss, own & !p.inwards);
+  let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
+  let nearer = pathT < found.t;
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance));
+}
+
+fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let own = i == p.shape;
+  let origin = turned(e.a, p.point - b.center);
+  let t = intersectBox(origin, turned(e.a, p.direction), e.b.xyz, p.tMin, own & p.inwards);
+  let lightT = intersectBox(origin, turned(e.a, p.lightDirection), e.b.xyz, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
+}
+
+fn meetQuad(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let t = intersectQuad(p.point, p.direction, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  let lightT = intersectQuad(p.point, p.lightDirection, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn meetPlane(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let t = intersectPlane(p.point, p.direction, b.center, b.radius, p.tMin);
+  let lightT = intersectPlane(p.point, p.lightDirection, b.center, b.radius, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
+}
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
+
+@group(0) @binding(2) var previousFilm: texture_2d<f32>;
+
+@group(0) @binding(3) var previousSquares: texture_2d<f32>;
 
 fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
@@ -1547,22 +1705,25 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
 
 // From the centre of the pixel, in pixels.
 fn filterOffset(u: vec2f) -> vec2f {
-  return vec2f(filterAxis(u.x), filterAxis(u.y));
+  var offset = u - 0.5;
+  if (hasFilter) {
+    offset = vec2f(filterAxis(u.x), filterAxis(u.y));
+  }
+  return offset;
+}
+
+fn next2d(s: ptr<function, Sampler>) -> vec2f {
+  return points2d(nextGroup(s));
 }
 
 // `lens`: two random numbers in 0 … 1.
 fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
-  return rayThroughLens(filmPosition, concentricDisc(lens));
+  var lensPoint = vec2f(0.0);
+  if (hasLens) {
+    lensPoint = concentricDisc(lens);
+  }
+  return rayThroughLens(filmPosition, lensPoint);
 }
-
-// On the camera: at the eye, which is the origin, or on the lens.
-fn onCamera(point: vec3f) -> Start {
-  return Start(point, noShape, noShape, 0.0);
-}
-
-@group(0) @binding(2) var previousFilm: texture_2d<f32>;
-
-@group(0) @binding(3) var previousSquares: texture_2d<f32>;
 
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
@@ -1582,6 +1743,8 @@ fn pcg(x: u32) -> u32 {
   return (w >> 22u) ^ w;
 }
 
+override hasFilter = true;
+
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
 // ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
 fn filterAxis(u: f32) -> f32 {
@@ -1594,18 +1757,21 @@ fn filterAxis(u: f32) -> f32 {
   return select(offset, -offset, across < 0.0);
 }
 
+// Cameras other than pinholes, filters other than the box.
+override hasLens = true;
+
 // The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
 // middle of the lens it is the pinhole's to the last digit.
 fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let x = 2.0 * filmPosition.x / frame.width - 1.0;
   let y = 1.0 - 2.0 * filmPosition.y / frame.height;
   let across = x * frame.right + y * frame.up;
-  let orthographic = frame.projection == 1u;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
   let ahead = select(frame.forward + across, frame.forward, orthographic);
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (frame.projection == 2u) {
+  if (hasOtherProjections & (frame.projection == 2u)) {
     let longitude = pi0 * x;
     let latitude = 0.5 * pi0 * y;
     let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
@@ -1627,10 +1793,67 @@ fn concentricDisc(u: vec2f) -> vec2f {
   return radius * vec2f(cos(angle), sin(angle));
 }
 
+const pi0 = 3.14159265358979;
+
+override hasOtherProjections = true;
+
 struct CameraRay {
   origin: vec3f,
   direction: vec3f,
 }
 
 
-const pi0 = 3.14159265358979;
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+}

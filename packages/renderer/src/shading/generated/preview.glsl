@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct CameraRay {
     vec3 origin;
     vec3 direction;
@@ -32,9 +41,8 @@ struct Frame {
     float aperture;
     float focusDistance;
     uint planesCutView;
-    float spare0_;
-    float spare1_;
-    float spare2_;
+    float environmentTurn;
+    vec2 environmentSize;
 };
 struct Start {
     vec3 point;
@@ -69,8 +77,8 @@ struct Material {
     float reflectivity;
     float specular;
     float exponent;
-    float spare0_;
-    float spare1_;
+    float id;
+    float spare;
 };
 struct Light {
     vec3 center;
@@ -86,6 +94,8 @@ const uint noShape = 4294967295u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
+const bool hasOtherProjections = true;
+
 uniform highp sampler2D sceneTable;
 
 layout(location = 0) out vec4 _fs2p_location0;
@@ -99,29 +109,31 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
     vec3 across = ((x * _e22) + (y * _e26));
-    uint _e31 = frame.projection;
-    bool orthographic = (_e31 == 1u);
-    vec3 _e36 = frame.forward;
-    vec3 _e40 = frame.forward;
-    vec3 ahead = (orthographic ? _e40 : (_e36 + across));
-    float _e44 = frame.aperture;
-    vec3 _e48 = frame.right;
-    vec3 _e54 = frame.up;
-    vec3 lens = (_e44 * ((lensPoint.x * normalize(_e48)) + (lensPoint.y * normalize(_e54))));
-    float _e63 = frame.focusDistance;
-    ray_1 = CameraRay((orthographic ? (across + lens) : lens), normalize((ahead - (lens / vec3(_e63)))));
-    uint _e72 = frame.projection;
-    if ((_e72 == 2u)) {
+    const bool _e30 = hasOtherProjections;
+    uint _e33 = frame.projection;
+    bool orthographic = pick(_e30, (_e33 == 1u), false);
+    vec3 _e39 = frame.forward;
+    vec3 _e43 = frame.forward;
+    vec3 ahead = pick(orthographic, _e43, (_e39 + across));
+    float _e47 = frame.aperture;
+    vec3 _e51 = frame.right;
+    vec3 _e57 = frame.up;
+    vec3 lens = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
+    float _e66 = frame.focusDistance;
+    ray_1 = CameraRay(pick(orthographic, (across + lens), lens), normalize((ahead - (lens / vec3(_e66)))));
+    const bool _e74 = hasOtherProjections;
+    uint _e77 = frame.projection;
+    if (pick(_e74, (_e77 == 2u), false)) {
         float longitude = (3.1415927 * x);
         float latitude = (1.5707964 * y);
-        vec3 _e82 = frame.right;
-        vec3 _e87 = frame.forward;
-        vec3 level = ((sin(longitude) * _e82) + (cos(longitude) * _e87));
-        vec3 _e97 = frame.up;
-        ray_1 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e97))));
+        vec3 _e88 = frame.right;
+        vec3 _e93 = frame.forward;
+        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
+        vec3 _e103 = frame.up;
+        ray_1 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
     }
-    CameraRay _e102 = ray_1;
-    return _e102;
+    CameraRay _e108 = ray_1;
+    return _e108;
 }
 
 CameraRay centralRay(vec2 filmPosition_1) {
@@ -140,7 +152,7 @@ vec3 sky(vec3 direction) {
 }
 
 Hit nearer(Hit hit, float t, uint shape) {
-    return Hit(min(t, hit.t), ((t < hit.t) ? shape : hit.shape));
+    return Hit(min(t, hit.t), pick((t < hit.t), shape, hit.shape));
 }
 
 float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -151,13 +163,13 @@ float intersectSphere(vec3 origin, vec3 direction_1, vec3 center, float radius, 
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along - half_);
     float far = (along + half_);
-    float t_2 = ((near > tMin) ? near : far);
-    return (startsInside ? max(far, 0.0) : (((discriminant >= 0.0) && (t_2 > tMin)) ? t_2 : 1e30));
+    float t_2 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_2 > tMin), false), t_2, 1e30));
 }
 
 float hitSphere(uint i_1, Bounds bounds, Ray ray_2) {
     float _e13 = intersectSphere(ray_2.start.point, ray_2.direction, bounds.center, bounds.radius, ray_2.start.tMin, (i_1 == ray_2.start.inside));
-    return ((i_1 == ray_2.start.leaves) ? 1e30 : _e13);
+    return pick((i_1 == ray_2.start.leaves), 1e30, _e13);
 }
 
 Bounds fetchBounds(uint i_2) {
@@ -196,8 +208,8 @@ Slabs boxSlabs(vec3 origin_2, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_3, halfSize_1);
-    float t_4 = ((_e5.near > tMin_1) ? _e5.near : _e5.far);
-    return (startsInside_1 ? max(_e5.far, 0.0) : (((_e5.near <= _e5.far) && (t_4 > tMin_1)) ? t_4 : 1e30));
+    float t_4 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_4 > tMin_1), false), t_4, 1e30));
 }
 
 float hitBox(uint i_4, Bounds bounds_1, Ray ray_3) {
@@ -218,37 +230,37 @@ float hitBox(uint i_4, Bounds bounds_1, Ray ray_3) {
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_4;
     float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_4 == ray_3.start.inside));
-    return ((i_4 == ray_3.start.leaves) ? 1e30 : _e28);
+    return pick((i_4 == ray_3.start.leaves), 1e30, _e28);
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_5, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_5 = (dot(toCenter_1, normal_2) / ((speed == 0.0) ? 1e-30 : speed));
+    float t_5 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
     vec3 p = ((t_5 * direction_5) - toCenter_1);
     bool within = (max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= 0.500001);
-    return ((((t_5 > tMin_2) && (t_5 < 1e30)) && within) ? t_5 : 1e30);
+    return pick(pick(pick((t_5 > tMin_2), (t_5 < 1e30), false), within, false), t_5, 1e30);
 }
 
 float hitQuad(uint i_5, Bounds bounds_2, Ray ray_4) {
     Extent _e3 = fetchExtent(i_5);
     float _e14 = intersectQuad(ray_4.start.point, ray_4.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_4.start.tMin);
-    return ((i_5 == ray_4.start.leaves) ? 1e30 : _e14);
+    return pick((i_5 == ray_4.start.leaves), 1e30, _e14);
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_1, float offset, float tMin_3) {
     float speed_1 = dot(direction_6, normal_1);
-    float t_6 = ((offset - dot(origin_6, normal_1)) / ((speed_1 == 0.0) ? 1e-12 : speed_1));
-    float speedAway = ((offset > 0.0) ? speed_1 : -(speed_1));
-    bool eitherWay = ((t_6 > tMin_3) && (abs(speed_1) > 1e-12));
+    float t_6 = ((offset - dot(origin_6, normal_1)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_6 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return ((((offset == 0.0) || (_e30 != 0u)) ? eitherWay : (speedAway > 1e-12)) ? max(t_6, 0.0) : 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_6, 0.0), 1e30);
 }
 
 float hitPlane(uint i_6, Bounds bounds_3, Ray ray_5) {
     float _e10 = intersectPlane(ray_5.start.point, ray_5.direction, bounds_3.center, bounds_3.radius, ray_5.start.tMin);
-    return ((i_6 == ray_5.start.leaves) ? 1e30 : _e10);
+    return pick((i_6 == ray_5.start.leaves), 1e30, _e10);
 }
 
 Hit closestHit(Ray ray_6) {
@@ -352,17 +364,13 @@ bool isFlat(uint i_10) {
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
     Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
-    bool entering = ((_e5.near > tMin_4) && !(startsInside_2));
-    vec3 crossed = (entering ? _e5.enter : _e5.leave);
-    float t_7 = (entering ? _e5.near : _e5.far);
-    vec3 side = ((entering ? -1.0 : 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
-    if ((crossed.x == t_7)) {
-        return vec3(side.x, 0.0, 0.0);
-    }
-    if ((crossed.y == t_7)) {
-        return vec3(0.0, side.y, 0.0);
-    }
-    return vec3(0.0, 0.0, side.z);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_7 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
+    bool onX = (crossed.x == t_7);
+    bool onY = pick(!(onX), (crossed.y == t_7), false);
+    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 rotateBack(vec4 q_2, vec3 v_1) {
@@ -395,7 +403,7 @@ vec3 outwardNormal(uint i_11, Ray ray_7, float t_1) {
 }
 
 Start onSurface(vec3 point_1, uint shape_1, bool seenFromInside) {
-    return Start(point_1, (seenFromInside ? noShape : shape_1), (seenFromInside ? shape_1 : noShape), (1e-5 * length(point_1)));
+    return Start(point_1, pick(seenFromInside, noShape, shape_1), pick(seenFromInside, shape_1, noShape), (1e-5 * length(point_1)));
 }
 
 Material fetchMaterial(uint i_12) {
@@ -456,7 +464,7 @@ void main() {
                 vec3 _e49 = outwardNormal(_e31.shape, _e47, _e31.t);
                 vec3 _e51 = ray.direction;
                 bool back = (dot(_e49, _e51) > 0.0);
-                normal = (back ? -(_e49) : _e49);
+                normal = pick(back, -(_e49), _e49);
                 if (back) {
                     bool _e62 = isFlat(_e31.shape);
                     local = !(_e62);

@@ -168,13 +168,9 @@ fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, starts
   let crossed = select(s.leave, s.enter, entering);
   let t = select(s.far, s.near, entering);
   let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
-  if (crossed.x == t) {
-    return vec3f(side.x, 0.0, 0.0);
-  }
-  if (crossed.y == t) {
-    return vec3f(0.0, side.y, 0.0);
-  }
-  return vec3f(0.0, 0.0, side.z);
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
 }
 
 // v turned by the unit quaternion q, and back.
@@ -254,10 +250,10 @@ struct Material {
   specular: f32,
   // Blinn-Phong exponent, 2 / roughness^4 - 2
   exponent: f32,
+  // number of the shape in the order of the scene file, from 1
+  id: f32,
   // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
+  spare: f32,
 }
 
 
@@ -393,11 +389,11 @@ struct Frame {
   forward: vec3f,
   // lights in use
   lightCount: u32,
-  // sky colour at the horizon
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
   horizon: vec3f,
   // film sample, from 0
   sampleIndex: u32,
-  // sky colour overhead
+  // sky colour overhead; likewise
   zenith: vec3f,
   // of the random numbers
   seed: u32,
@@ -429,12 +425,10 @@ struct Frame {
   focusDistance: f32,
   // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
   planesCutView: u32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
 }
 
 
@@ -444,12 +438,12 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let x = 2.0 * filmPosition.x / frame.width - 1.0;
   let y = 1.0 - 2.0 * filmPosition.y / frame.height;
   let across = x * frame.right + y * frame.up;
-  let orthographic = frame.projection == 1u;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
   let ahead = select(frame.forward + across, frame.forward, orthographic);
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (frame.projection == 2u) {
+  if (hasOtherProjections & (frame.projection == 2u)) {
     let longitude = pi * x;
     let latitude = 0.5 * pi * y;
     let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
@@ -458,6 +452,8 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   }
   return ray;
 }
+
+override hasOtherProjections = true;
 
 struct CameraRay {
   origin: vec3f,

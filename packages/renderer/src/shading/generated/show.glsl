@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct Display {
     float exposure;
     uint toneMapping;
@@ -62,7 +71,7 @@ vec3 agx(vec3 color_1) {
 
 vec3 neutral(vec3 color_2) {
     float x_1 = min(color_2.x, min(color_2.y, color_2.z));
-    vec3 lifted = (color_2 - vec3(((x_1 <= 0.08) ? (x_1 - ((x_1 * x_1) / 0.16)) : 0.04)));
+    vec3 lifted = (color_2 - vec3(pick((x_1 <= 0.08), (x_1 - ((x_1 * x_1) / 0.16)), 0.04)));
     float peak = max(max(lifted.x, max(lifted.y, lifted.z)), 0.76);
     float newPeak = (1.0 - ((0.24 * 0.24) / ((peak + 1.0) - 1.52)));
     float kept = (1.0 / ((0.15 * (peak - newPeak)) + 1.0));

@@ -3,6 +3,15 @@
 precision highp float;
 precision highp int;
 
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
 struct Display {
     float exposure;
     uint toneMapping;
@@ -62,7 +71,7 @@ vec3 agx(vec3 color_1) {
 
 vec3 neutral(vec3 color_2) {
     float x_1 = min(color_2.x, min(color_2.y, color_2.z));
-    vec3 lifted = (color_2 - vec3(((x_1 <= 0.08) ? (x_1 - ((x_1 * x_1) / 0.16)) : 0.04)));
+    vec3 lifted = (color_2 - vec3(pick((x_1 <= 0.08), (x_1 - ((x_1 * x_1) / 0.16)), 0.04)));
     float peak = max(max(lifted.x, max(lifted.y, lifted.z)), 0.76);
     float newPeak = (1.0 - ((0.24 * 0.24) / ((peak + 1.0) - 1.52)));
     float kept = (1.0 / ((0.15 * (peak - newPeak)) + 1.0));
@@ -98,8 +107,8 @@ void main() {
     vec2 corner = floor(at);
     vec2 f = (at - corner);
     bool exact = all(greaterThan(abs((f - vec2(0.5))), vec2(0.499)));
-    vec2 first = (exact ? floor((at + vec2(0.5))) : corner);
-    uint taps = (exact ? 1u : 4u);
+    vec2 first = pick(exact, floor((at + vec2(0.5))), corner);
+    uint taps = pick(exact, 1u, 4u);
     while(true) {
         uint _e32 = tap;
         uint _e36 = tap;
@@ -110,7 +119,7 @@ void main() {
         float _e55 = display.exposure;
         uint _e59 = display.toneMapping;
         vec3 _e60 = toneMap((_e52 * _e55), _e59);
-        sum = (_e45 + ((exact ? 1.0 : (share.x * share.y)) * _e60));
+        sum = (_e45 + (pick(exact, 1.0, (share.x * share.y)) * _e60));
         uint _e64 = tap;
         tap = (_e64 + 1u);
         uint _e66 = tap;

@@ -1,0 +1,70 @@
+/**
+ * What the camera sees first, as a stage of two kinds, for both integrators: `features` are means over the film samples, `data` is of
+ * one sample of each pixel. docs/aov.md says what is in them; `headless/aovs.ts` takes them out.
+ */
+import type {
+  Device,
+  FilmTexture,
+  FloatTexture,
+  Pass,
+  PassSource,
+  Region,
+  TableTexture,
+  UniformBuffer,
+} from '../../gpu/device.ts';
+import { FILTER_PIECES } from '../../packed-scene/layout.ts';
+import type { StructValues } from '../../packed-scene/write-struct.ts';
+import type { Integrator } from '../../scene/scene.ts';
+import aovWgsl from '../../shading/generated/aov.wgsl?raw';
+import aovDataGlsl from '../../shading/generated/aovData.glsl?raw';
+import aovFeaturesGlsl from '../../shading/generated/aovFeatures.glsl?raw';
+import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
+import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
+
+/** Sums of albedo and samples, and of shading normal and hits; or place and shape, and geometric normal and closeness. */
+export type AovContent = 'features' | 'data';
+
+/** Layers of the film that each needs. */
+export const AOV_LAYERS = 2;
+
+const FEATURES: PassSource = {
+  label: 'aov features',
+  wgsl: { vertex: fullScreenWgsl, fragment: aovWgsl },
+  entries: { vertex: 'fullScreen', fragment: 'aovFeatures' },
+  glsl: { vertex: fullScreenGlsl, fragment: aovFeaturesGlsl },
+  bindings: [
+    { block: 'Frame' },
+    { texture: 'sceneTable' },
+    { texture: 'previousFirst' },
+    { texture: 'previousSecond' },
+  ],
+  target: 'film',
+  layers: AOV_LAYERS,
+};
+const DATA: PassSource = {
+  ...FEATURES,
+  label: 'aov data',
+  entries: { vertex: 'fullScreen', fragment: 'aovData' },
+  glsl: { vertex: fullScreenGlsl, fragment: aovDataGlsl },
+};
+
+export interface AovInputs {
+  readonly frame: UniformBuffer;
+  readonly sceneTable: TableTexture;
+  /** The layers of the film so far. */
+  readonly previous: readonly FloatTexture[];
+}
+
+export const createAovPass = (device: Device, content: AovContent): Promise<Pass> =>
+  device.createPass(content === 'features' ? FEATURES : DATA);
+
+export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: AovInputs, region: Region): void {
+  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
+}
+
+/**
+ * What the Frame block has for this stage, so that its rays are the integrator's. The path integrator's samples lie about the centre
+ * of the pixel as its filter says; the classic one's where `jitter` says, and its camera is a pinhole.
+ */
+export const aovFrame = (integrator: Integrator): StructValues<'Frame'> =>
+  integrator === 'path' ? { jitter: [0.5, 0.5] } : { filterPieces: new Array(4 * FILTER_PIECES).fill(0), aperture: 0 };

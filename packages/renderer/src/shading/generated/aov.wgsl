@@ -1,0 +1,711 @@
+// Linked from integrator/aov/aov.wesl by `npm run shaders`. Do not edit.
+@group(0) @binding(2) var previousFirst: texture_2d<f32>;
+
+@group(0) @binding(3) var previousSecond: texture_2d<f32>;
+
+struct Layers {
+  @location(0) first: vec4f,
+  @location(1) second: vec4f,
+}
+
+
+struct Sight {
+  ray: Ray,
+  hit: Hit,
+  // 1 in the middle of the pixel, less farther away, never 0.
+  closeness: f32,
+}
+
+
+// As in path.wesl. The classic integrator's rays come out of it too: aov.ts gives it frames with a jitter, no filter and no lens.
+fn look(fragment: vec2f) -> Sight {
+  var s = startSampler(vec2u(fragment), frame.sampleIndex, frame.seed);
+  let filmPosition = floor(fragment) + frame.jitter + filterOffset(next2d(&s));
+  let camera = cameraRay(filmPosition, next2d(&s));
+  let ray = Ray(onCamera(camera.origin), camera.direction);
+  let offCentre = filmPosition - floor(fragment) - 0.5;
+  return Sight(ray, closestHit(ray), 1.0 / (1.0 + dot(offCentre, offCentre)));
+}
+
+// Means over the samples, which denoisers want as smooth as the picture: albedo and samples; shading normal and hits.
+@fragment fn aovFeatures(@builtin(position) fragment: vec4f) -> Layers {
+  let sight = look(fragment.xy);
+  var sums = Layers(vec4f(0.0), vec4f(0.0));
+  if (frame.sampleIndex > 0u) {
+    let pixel = vec2u(fragment.xy);
+    sums = Layers(textureLoad(previousFirst, pixel, 0), textureLoad(previousSecond, pixel, 0));
+  }
+  sums.first.a += 1.0;
+  let shape = sight.hit.shape;
+  if (shape != noShape) {
+    let outward = outwardNormal(shape, sight.ray, sight.hit.t);
+    let fromBack = dot(outward, sight.ray.direction) > 0.0;
+    sums.first += vec4f(albedoOf(fetchSurface(shape), fromBack), 0.0);
+    sums.second += vec4f(select(outward, -outward, fromBack), 1.0);
+  }
+  return sums;
+}
+
+// Of the one sample nearest to the middle of the pixel, since numbers and places cannot be averaged: place, relative to the eye, and
+// the shape's number; geometric normal and how close to the middle the sample is.
+@fragment fn aovData(@builtin(position) fragment: vec4f) -> Layers {
+  let sight = look(fragment.xy);
+  let shape = sight.hit.shape;
+  var data = Layers(vec4f(0.0), vec4f(0.0, 0.0, 0.0, sight.closeness));
+  if (shape != noShape) {
+    data.first = vec4f(sight.ray.start.point + sight.hit.t * sight.ray.direction, fetchMaterial(shape).id);
+    data.second = vec4f(outwardNormal(shape, sight.ray, sight.hit.t), sight.closeness);
+  }
+  if (frame.sampleIndex > 0u) {
+    let pixel = vec2u(fragment.xy);
+    let previous = Layers(textureLoad(previousFirst, pixel, 0), textureLoad(previousSecond, pixel, 0));
+    // Of two alike the first one stays.
+    if (previous.second.a >= sight.closeness) {
+      return previous;
+    }
+  }
+  return data;
+}
+
+struct Ray {
+  start: Start,
+  direction: vec3f,
+}
+
+
+struct Hit {
+  t: f32,
+  shape: u32,
+}
+
+
+// Where a ray starts, whichever way it then goes.
+struct Start {
+  point: vec3f,
+  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
+  leaves: u32,
+  // The solid that the ray starts inside of: only its far side counts.
+  inside: u32,
+  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
+  tMin: f32,
+}
+
+
+fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
+  // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
+  let independent = frame.independent != 0u;
+  let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
+  let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) << 1u);
+  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
+  let used = select(reversed, 0u, independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+// From the centre of the pixel, in pixels.
+fn filterOffset(u: vec2f) -> vec2f {
+  var offset = u - 0.5;
+  if (hasFilter) {
+    offset = vec2f(filterAxis(u.x), filterAxis(u.y));
+  }
+  return offset;
+}
+
+fn next2d(s: ptr<function, Sampler>) -> vec2f {
+  return points2d(nextGroup(s));
+}
+
+// `lens`: two random numbers in 0 … 1.
+fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
+  var lensPoint = vec2f(0.0);
+  if (hasLens) {
+    lensPoint = concentricDisc(lens);
+  }
+  return rayThroughLens(filmPosition, lensPoint);
+}
+
+// On the camera: at the eye, which is the origin, or on the lens.
+fn onCamera(point: vec3f) -> Start {
+  return Start(point, noShape, noShape, 0.0);
+}
+
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
+fn closestHit(ray: Ray) -> Hit {
+  var hit = Hit(miss, noShape);
+  let ends = frame.shapeEnds;
+  var i = 0u;
+  if (i < ends.x) {
+    loop {
+      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.x) {
+        break;
+      }
+    }
+  }
+  if (i < ends.y) {
+    loop {
+      hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.y) {
+        break;
+      }
+    }
+  }
+  if (i < ends.z) {
+    loop {
+      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.z) {
+        break;
+      }
+    }
+  }
+  if (i < ends.w) {
+    loop {
+      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+      i++;
+      if (i >= ends.w) {
+        break;
+      }
+    }
+  }
+  return hit;
+}
+
+fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
+  return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
+}
+
+// Bits 0 to 3 of x to the even places.
+fn spread(x: u32) -> u32 {
+  let y = (x | (x << 2u)) & 0x33u;
+  return (y | (y << 1u)) & 0x55u;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
+fn reverseHalves(x: u32) -> u32 {
+  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
+  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
+  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
+  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+}
+
+struct Sampler {
+  // Goes up by one with each group of dimensions.
+  key: u32,
+  salt: u32,
+  // Last 16 bits of the sample index, reversed.
+  sample: u32,
+  // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
+  place: u32,
+}
+
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+}
+
+
+override hasFilter = true;
+
+// Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
+// ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
+fn filterAxis(u: f32) -> f32 {
+  let across = 2.0 * u - 1.0;
+  let x = 16.0 - 16.0 * sqrt(1.0 - abs(across));
+  let piece = min(floor(x), 15.0);
+  let t = x - piece;
+  let c = frame.filterPieces[u32(piece)];
+  let offset = c.x + t * (c.y + t * (c.z + t * c.w));
+  return select(offset, -offset, across < 0.0);
+}
+
+fn points2d(g: Group) -> vec2f {
+  let x = scramble(g.index ^ g.shift, g.seedA);
+  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
+  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
+  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+}
+
+fn nextGroup(s: ptr<function, Sampler>) -> Group {
+  (*s).key = (*s).key + 1u;
+  let a = mixBits((*s).key);
+  let half = (a ^ (*s).salt) * 0x9e3779b1u;
+  let b = half ^ (half >> 16u);
+  let place = scramble((*s).place, b);
+  // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
+  // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
+  // come from two groups together would be the same all over the tile.
+  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
+  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+}
+
+// Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
+// Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
+// Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+fn scramble(x: u32, seed: u32) -> u32 {
+  var y = x ^ (x * 0x3d20adeau);
+  y = (y + seed) * ((seed >> 16u) | 1u);
+  y ^= y * 0x05526c56u;
+  return y ^ (y * 0x53a22864u);
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: u32) -> u32 {
+  var y = x ^ ((x >> 1u) & 0x5555u);
+  y ^= (y >> 2u) & 0x3333u;
+  y ^= (y >> 4u) & 0x0f0fu;
+  return y ^ ((y >> 8u) & 0x00ffu);
+}
+
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
+fn timesW(x: u32) -> u32 {
+  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
+}
+
+// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
+fn toUnit(reversed: u32, scrambled: u32) -> f32 {
+  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
+}
+
+// One padded sequence: what all its dimensions have in common.
+struct Group {
+  // Shuffled sample index.
+  index: u32,
+  // What sets this pixel apart from its neighbours.
+  shift: u32,
+  seedA: u32,
+  seedB: u32,
+}
+
+
+// Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
+// last ones.
+fn shiftOfPlace(x: u32) -> u32 {
+  var y = x ^ timesW((x >> 2u) & 0x33u);
+  y ^= timesW2((y >> 4u) & 0x0fu);
+  return timesW(y) | (y << 8u);
+}
+
+fn timesW2(x: u32) -> u32 {
+  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+}
+
+// Cameras other than pinholes, filters other than the box.
+override hasLens = true;
+
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (hasOtherProjections & (frame.projection == 2u)) {
+    let longitude = pi * x;
+    let latitude = 0.5 * pi * y;
+    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  }
+  return ray;
+}
+
+// From the unit square to the unit disc, without tearing it or changing the share of area (Shirley & Chiu, "A Low Distortion Map
+// Between Disk and Square", 1997).
+fn concentricDisc(u: vec2f) -> vec2f {
+  let p = 2.0 * u - 1.0;
+  let wide = abs(p.x) > abs(p.y);
+  let radius = select(p.y, p.x, wide);
+  // Where both are 0, so is the radius, and the angle does not matter.
+  let ratio = select(p.x, p.y, wide) / select(radius, 1.0, radius == 0.0);
+  let angle = select(0.5 * pi - 0.25 * pi * ratio, 0.25 * pi * ratio, wide);
+  return radius * vec2f(cos(angle), sin(angle));
+}
+
+const pi = 3.14159265358979;
+
+override hasOtherProjections = true;
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+const miss = 1e30;
+
+fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
+  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
+}
+
+// Distances along the ray to shape i of that kind, or `miss`.
+fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
+}
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  var origin = ray.start.point - bounds.center;
+  var direction = ray.direction;
+  if (isTurned(extent.a)) {
+    origin = rotate(extent.a, origin);
+    direction = rotate(extent.a, direction);
+  }
+  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
+fn isTurned(q: vec4f) -> bool {
+  return any(q.xyz != vec3f(0.0));
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
+}
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction, origin);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
+}
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
+
+// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
+fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
+  let bounds = fetchBounds(i);
+  let origin = ray.start.point - bounds.center;
+  if (isSphere(i)) {
+    return normalize(origin + t * ray.direction);
+  }
+  if (isPlane(i)) {
+    return bounds.center;
+  }
+  let extent = fetchExtent(i);
+  if (isFlat(i)) {
+    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  }
+  let inside = i == ray.start.inside;
+  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
+  return rotateBack(extent.a, normal);
+}
+
+// One-sided lamps have a dark back.
+fn albedoOf(s: Surface, fromBack: bool) -> vec3f {
+  let kind = kindOf(u32(s.code));
+  var albedo = s.baseColor;
+  if (kind == conductor) {
+    albedo = conductorReflectance(s.baseColor, s.eta, s.k, 1.0);
+  }
+  if (kind == dielectric) {
+    albedo = vec3f(1.0);
+  }
+  albedo = mix(albedo, vec3f(1.0), s.reflectivity);
+  let dark = ((u32(s.code) & 16u) != 0u) & fromBack;
+  let emission = select(s.emission, vec3f(0.0), dark);
+  let brightest = max(max(emission.x, emission.y), max(emission.z, 1.0));
+  return clamp(albedo + emission / brightest, vec3f(0.0), vec3f(1.0));
+}
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+fn isPlane(i: u32) -> bool {
+  return i >= frame.shapeEnds.z;
+}
+
+fn isFlat(i: u32) -> bool {
+  return i >= frame.shapeEnds.y;
+}
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = (s.near > tMin) & !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
+}
+
+fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
+  return rotate(vec4f(-q.xyz, q.w), v);
+}
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const conductor = 2u;
+
+const dielectric = 3u;
+
+struct Surface {
+  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
+  baseColor: vec3f,
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  code: f32,
+  // radiance sent out
+  emission: vec3f,
+  // share of the perfect mirror layer over the base
+  reflectivity: f32,
+  // conductor: index of refraction per channel; dielectric: the index in all three
+  eta: vec3f,
+  // GGX width, roughness^2; 0: smooth
+  alpha: f32,
+  // conductor: extinction coefficient per channel
+  k: vec3f,
+  // metallicRoughness: share of metal
+  metallic: f32,
+  // dielectric: Beer-Lambert coefficient, 1 / metre
+  absorption: vec3f,
+  // unused
+  spare0: f32,
+}
+
+
+// Without measured constants (eta and k black) the base colour comes back at every angle.
+fn conductorReflectance(baseColor: vec3f, eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
+  let constants = dot(eta + k, vec3f(1.0));
+  return select(baseColor, conductorFresnel(cosine, eta, k), constants > 0.0);
+}
+
+// Vacuum over metal, index eta + i k per channel (Born and Wolf, Principles of Optics, 14.2; a, b as in Lagarde's "Memo on
+// Fresnel equations").
+fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
+  let cosine2 = cosine * cosine;
+  let sine2 = 1.0 - cosine2;
+  let difference = eta * eta - k * k - sine2;
+  let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
+  // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least);
+  let a = select(eta * k / larger, larger, difference > vec3f(0.0));
+  // least: an index of 0, or of 1 along the surface, is no division by 0.
+  let across = (a2PlusB2 + cosine2 - 2.0 * cosine * a + least) / (a2PlusB2 + cosine2 + 2.0 * cosine * a + least);
+  let sum = cosine2 * a2PlusB2 + sine2 * sine2;
+  let part = 2.0 * cosine * sine2 * a;
+  return 0.5 * across * (1.0 + (sum - part + least) / (sum + part + least));
+}
+
+const least = 1e-20;
+
+fn fetchMaterial(i: u32) -> Material {
+  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
+}
+
+struct Material {
+  // share of light that comes back
+  baseColor: vec3f,
+  // weight of the mirror ray
+  reflectivity: f32,
+  // strength of the highlight
+  specular: f32,
+  // Blinn-Phong exponent, 2 / roughness^4 - 2
+  exponent: f32,
+  // number of the shape in the order of the scene file, from 1
+  id: f32,
+  // unused
+  spare: f32,
+}
