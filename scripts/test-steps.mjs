@@ -84,11 +84,12 @@ export const steps = [
     run: async () => judge(await runNode(tools.biome, ['check', '.']), null),
   },
   { name: 'shaders', about: 'the committed WGSL and GLSL are fresh (npm run shaders writes them)', run: shaders },
-  { name: 'unit', about: 'Vitest, in Node', run: unit },
   {
     name: 'build',
     about: 'the studio as one small file, the library as one module, the command line',
     run: async () => judge((await buildStudio()) || (await buildLibrary()) || (await buildCli()), null),
   },
+  // After the build: what tests the command line from outside would build it itself.
+  { name: 'unit', about: 'Vitest, in Node', run: unit },
   { name: 'browser', about: 'Playwright, in Chromium on WebGPU and WebGL2', needs: 'build', run: browser },
 ];

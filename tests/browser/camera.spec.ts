@@ -1,7 +1,7 @@
 import { cameraFrame, rayThrough } from '../../packages/renderer/src/reference/camera.ts';
-import { addScaled, dot, length, normalize, scale, subtract } from '../../packages/renderer/src/reference/vec3.ts';
 import { focusOf } from '../../packages/renderer/src/scene/camera.ts';
 import type { Camera, Vec3 } from '../../packages/renderer/src/scene/scene.ts';
+import { addScaled, dot, length, normalize, scale, subtract } from '../../packages/renderer/src/scene/vec3.ts';
 import { backends, expect, test } from './fixtures.ts';
 
 /** Rays from all over the lens against the pinhole's of the double-precision reference, which has no lens. */

@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
 import { evaluateBsdf } from '../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import { radianceOfMap } from '../../packages/renderer/src/reference/light/environment.ts';
-import { dot, normalize, subtract } from '../../packages/renderer/src/reference/vec3.ts';
 import { type EnvironmentMap, environmentDirection } from '../../packages/renderer/src/scene/environment.ts';
 import type { Camera, Color, Material, Quad, Vec3 } from '../../packages/renderer/src/scene/scene.ts';
+import { dot, normalize, subtract } from '../../packages/renderer/src/scene/vec3.ts';
 import { whiteMetal } from '../fixtures/bsdf-cases.ts';
 import { ENVIRONMENTS, mapOf } from '../fixtures/lights/environments.ts';
 import { testMaterial, testScene } from '../fixtures/scenes.ts';

@@ -1,6 +1,6 @@
 import { writeFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { test as base, expect, type Page, type TestInfo } from '@playwright/test';
+import { test as base, type ConsoleMessage, expect, type Page, type TestInfo } from '@playwright/test';
 import { encode } from 'fast-png';
 import type {} from './harness/harness.ts';
 import { studioPage } from './serve-harness.ts';
@@ -15,29 +15,20 @@ export type Origin = (typeof origins)[number];
 /** Each backend with each origin, for tests that must hold on all four. */
 export const everywhere = backends.flatMap((backend) => origins.map((origin) => ({ backend, origin })));
 
-/** Errors that a page reported: uncaught, in its console, or by failing to load something. */
-export class PageProblems {
-  readonly found: string[] = [];
-  private readonly allowed: RegExp[] = [];
-
-  /** Says that this test provokes such errors. */
-  allow(pattern: RegExp): void {
-    this.allowed.push(pattern);
-  }
-
-  watch(page: Page): void {
-    page.on('console', (message) => {
-      // Chromium reports what a driver refuses as a warning.
-      if (message.type() === 'error' || /GL_INVALID|Invalid(Enum|Value|Operation)/.test(message.text()))
-        this.found.push(`console: ${message.text()}`);
-    });
-    page.on('pageerror', (error) => this.found.push(`uncaught: ${error.stack ?? error.message}`));
-    page.on('crash', () => this.found.push('the page crashed'));
-  }
-
-  get unexpected(): string[] {
-    return this.found.filter((problem) => !this.allowed.some((pattern) => pattern.test(problem)));
-  }
+/** Lets a page be used, and fails the test when it reported an error: uncaught, in its console, or by failing to load something. */
+async function watched(page: Page, use: (page: Page) => Promise<void>): Promise<void> {
+  const problems: string[] = [];
+  const onConsole = (message: ConsoleMessage) => {
+    // Chromium reports what a driver refuses as a warning.
+    if (message.type() === 'error' || /GL_INVALID|Invalid(Enum|Value|Operation)/.test(message.text()))
+      problems.push(`console: ${message.text()}`);
+  };
+  const onError = (error: Error) => problems.push(`uncaught: ${error.stack ?? error.message}`);
+  const onCrash = () => problems.push('the page crashed');
+  page.on('console', onConsole).on('pageerror', onError).on('crash', onCrash);
+  await use(page);
+  page.off('console', onConsole).off('pageerror', onError).off('crash', onCrash);
+  expect(problems, 'errors reported by the page').toEqual([]);
 }
 
 const served = (path: string) => `${process.env.MIRRORBALL_ORIGIN}${path}`;
@@ -57,32 +48,35 @@ export function studioAddress({ origin = 'served', backend, query = {} }: Studio
 }
 
 interface Fixtures {
-  /** Fails the test at its end when the page reported an error. Always on. */
-  problems: PageProblems;
   /** Opens the studio in `page`. */
   openStudio: (address?: StudioAddress) => Promise<void>;
   /** A page with `window.harness` ready. */
   harness: Page;
 }
+interface WorkerFixtures {
+  /**
+   * The harness of all tests of a worker: what it is asked depends on nothing that was asked before, and a page of its own for each
+   * test took longer than most tests. A test that fails ends the worker, so the next one has a fresh page.
+   */
+  sharedHarness: Page;
+}
 
-export const test = base.extend<Fixtures>({
-  problems: [
-    async ({ page }, use) => {
-      const problems = new PageProblems();
-      problems.watch(page);
-      await use(problems);
-      expect(problems.unexpected, 'errors reported by the page').toEqual([]);
-    },
-    { auto: true },
-  ],
+export const test = base.extend<Fixtures, WorkerFixtures>({
+  page: ({ page }, use) => watched(page, use),
   openStudio: async ({ page }, use) => {
     await use(async (address = {}) => void (await page.goto(studioAddress(address))));
   },
-  harness: async ({ page }, use) => {
-    await page.goto(served('/tests/index.html'));
-    await page.waitForFunction(() => window.harness !== undefined);
-    await use(page);
-  },
+  harness: ({ sharedHarness }, use) => watched(sharedHarness, use),
+  sharedHarness: [
+    async ({ browser }, use) => {
+      const page = await browser.newPage();
+      await page.goto(served('/tests/index.html'));
+      await page.waitForFunction(() => window.harness !== undefined);
+      await use(page);
+      await page.close();
+    },
+    { scope: 'worker' },
+  ],
 });
 
 /** An 8-bit RGB or RGBA picture, row 0 on top, as `page.evaluate` can return it. */

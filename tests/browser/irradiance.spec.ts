@@ -1,5 +1,5 @@
-import { dot, normalize, subtract } from '../../packages/renderer/src/reference/vec3.ts';
 import type { Camera, Scene, Shape, Vec3 } from '../../packages/renderer/src/scene/scene.ts';
+import { dot, normalize, subtract } from '../../packages/renderer/src/scene/vec3.ts';
 import { testLight, testScene } from '../fixtures/scenes.ts';
 import { backends, expect, test } from './fixtures.ts';
 

@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import type { Device } from '../../packages/renderer/src/gpu/device.ts';
 import { backends, expect, test } from './fixtures.ts';
 import { hookGpu, hooks } from './gpu-hooks.ts';
-import { expectPicture, quick, rendererState, setHidden, settled } from './studio.ts';
+import { expectPicture, quick, rendererState, setHidden, settled, soon } from './studio.ts';
 
 /** Milliseconds from the loss to the picture, the median of some: one slow one may be the machine's. */
 const RECOVERY_MS = 2000;
@@ -26,8 +26,10 @@ for (const backend of backends) {
     test('the same picture is back within two seconds, time and again', async ({ page, openStudio }) => {
       await openStudio({ backend, query: { ...small, time: 1.3, exposure: 0.5, scene: 'mirror-blocks' } });
       await expectPicture(page);
+      const eye = async () => (await rendererState(page))!.camera.eye;
+      const start = await eye();
       await page.mouse.wheel(0, 120);
-      await page.waitForTimeout(600);
+      await soon(eye, 'the wheel dollies').not.toEqual(start);
       await settled(page);
       const before = await whatIsShown(page);
       const times: number[] = [];
@@ -65,7 +67,7 @@ for (const backend of backends) {
       await page.waitForTimeout(200);
       expect((await hooks(page)).draws, 'nothing is drawn while hidden').toBe(draws);
       await setHidden(page, false);
-      await expect.poll(async () => (await hooks(page)).draws).toBeGreaterThan(draws);
+      await soon(async () => (await hooks(page)).draws).toBeGreaterThan(draws);
       await settled(page);
       await expectPicture(page);
       expect(await whatIsShown(page)).toEqual(before);

@@ -1,9 +1,9 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { choose, expectPicture, group, quick, rendererState, scenes, unfold } from './studio.ts';
+import { choose, coarse, expectPicture, group, rendererState, scenes, soon, unfold } from './studio.ts';
 
-const address = { backend: 'webgl2', query: { ...quick, paused: 1 } } as const;
+const address = { backend: 'webgl2', query: { ...coarse, paused: 1 } } as const;
 const axePath = fileURLToPath(import.meta.resolve('axe-core/axe.min.js'));
 
 interface AxeViolation {
@@ -126,7 +126,7 @@ test.describe('on a phone', () => {
     const folded = await framing();
     expect(folded.height * 700).toBeCloseTo(390, 0);
     await page.getByRole('button', { name: 'Show controls' }).tap();
-    await expect.poll(async () => (await framing()).height).toBeLessThan(folded.height);
+    await soon(async () => (await framing()).height).toBeLessThan(folded.height);
     const open = await framing();
     const sheet = (await page.getByRole('complementary', { name: 'Controls' }).boundingBox())!;
     expect((open.center[1] + open.height / 2) * 700).toBeLessThanOrEqual(sheet.y + 1);
@@ -144,6 +144,6 @@ test.describe('on a phone', () => {
     await touch('touchStart', 120);
     for (const x of [140, 170, 200]) await touch('touchMove', x);
     await touch('touchEnd');
-    await expect.poll(eye).not.toEqual(start);
+    await soon(eye).not.toEqual(start);
   });
 });

@@ -1,9 +1,9 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { expectPicture, expectState, quick, rendererState, scenes } from './studio.ts';
+import { coarse, expectPicture, expectState, rendererState, scenes, settled, soon } from './studio.ts';
 
 test.beforeEach(async ({ page, openStudio }) => {
-  await openStudio({ backend: 'webgl2', query: { ...quick, paused: 1 } });
+  await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
   await expectPicture(page);
 });
 
@@ -93,12 +93,12 @@ test('the view moves by keys and comes back', async ({ page }) => {
   for (const key of ['ArrowLeft', 'Shift+ArrowUp', '+']) {
     const before = await camera();
     await page.keyboard.press(key, { delay: 150 });
-    await expect.poll(camera, `${key} moves the view`).not.toEqual(before);
+    await soon(camera, `${key} moves the view`).not.toEqual(before);
   }
   // What was pressed may glide on for a moment.
-  await page.waitForTimeout(500);
+  await settled(page);
   await page.keyboard.press('r');
-  await expect.poll(async () => (await camera()).eye).toEqual(start.eye);
+  await soon(async () => (await camera()).eye).toEqual(start.eye);
 });
 
 test('the panel and the list of keys open and close', async ({ page }) => {
@@ -121,5 +121,5 @@ test('comparison dividers move by arrow keys', async ({ page }) => {
   const at = Number(await divider.getAttribute('aria-valuenow'));
   await divider.focus();
   for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowLeft');
-  await expect.poll(async () => Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(at);
+  await soon(async () => Number(await divider.getAttribute('aria-valuenow'))).toBeLessThan(at);
 });

@@ -1,6 +1,6 @@
 import { backends, expect, test } from './fixtures.ts';
 import { hookGpu, hooks } from './gpu-hooks.ts';
-import { expectPicture, expectState, quick, rendererState, setHidden, settled } from './studio.ts';
+import { expectPicture, expectState, quick, rendererState, setHidden, settled, soon } from './studio.ts';
 
 test.use({ viewport: { width: 480, height: 320 } });
 for (const backend of backends)
@@ -67,9 +67,9 @@ for (const backend of backends)
       expect((await rendererState(page))!.stats.fps).toBe(0);
       const before = await page.evaluate(() => window.gpuHooks.presented);
       await page.evaluate(() => window.mirrorball.renderer!.set({ exposure: -2 }));
-      await expect.poll(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 1);
+      await soon(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 1);
       await page.evaluate(() => window.mirrorball.renderer!.set({ toneMapping: 'aces' }));
-      await expect.poll(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 2);
+      await soon(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 2);
       expect((await hooks(page)).draws, 'nothing was traced').toBe(draws);
     });
 

@@ -13,6 +13,8 @@ export const scenes = [
 
 /** Keeps software rendering quick: what these tests look at does not need many pixels. */
 export const quick = { scale: 0.25, reflections: 3, samples: 1 } as const;
+/** The same on a canvas that fills the page: 96 × 64 pixels. */
+export const coarse = { ...quick, scale: 0.1 } as const;
 
 type RendererState = Pick<Renderer, 'backend' | 'settings' | 'stats' | 'camera' | 'time' | 'playing' | 'speed'>;
 /** What the page's renderer says of itself at this moment; null while there is none. */
@@ -25,31 +27,35 @@ export function rendererState(page: Page): Promise<RendererState | null> {
   });
 }
 
+/** Asks until the answer is as wished. Playwright's own pauses grow to a second, which is longer than most things here take. */
+export const soon = <Value>(ask: () => Promise<Value>, message?: string) =>
+  expect.poll(ask, { intervals: [20, 50, 100], ...(message === undefined ? {} : { message }) });
+
 /** Waits until one property of the renderer's state is as wished: `await expectState(page, (s) => s.playing, false)`. */
 export async function expectState<Value>(page: Page, read: (state: RendererState) => Value, wanted: Value) {
-  await expect
-    .poll(async () => {
-      const state = await rendererState(page);
-      return state && read(state);
-    })
-    .toEqual(wanted);
+  await soon(async () => {
+    const state = await rendererState(page);
+    return state && read(state);
+  }).toEqual(wanted);
 }
 
-/** Makes four samples the whole picture, and waits until the film holds them. */
+/** A view that glides on after the hand has left it moves in each frame; one that is the same for so many stands still. */
+const STILL_FRAMES = 6;
+
+/** Makes four samples the whole picture, and waits until the film holds them and the view stands still. */
 export async function settled(page: Page): Promise<void> {
   await page.waitForFunction(() => window.mirrorball?.renderer);
-  // The film is full, and nothing has moved for a while: a view glides on after the hand has left it.
   const samples = () =>
-    page.evaluate(async () => {
+    page.evaluate(async (frames) => {
       const renderer = window.mirrorball.renderer!;
       renderer.set({ maxSamples: 4, seed: 7 });
       const view = () => JSON.stringify([renderer.camera, renderer.time]);
       const before = view();
-      await new Promise((resolve) => setTimeout(resolve, 250));
+      for (let i = 0; i < frames; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
       const film = await renderer.readFilm().catch(() => null);
       return view() === before ? (film?.pixels[3] ?? 0) : 0;
-    });
-  await expect.poll(samples, 'samples in the film').toBe(4);
+    }, STILL_FRAMES);
+  await soon(samples, 'samples in the film').toBe(4);
 }
 
 /** Lets the page believe that its tab is hidden, or seen again. */
@@ -97,8 +103,8 @@ export async function lookAtPicture(page: Page): Promise<Look> {
   const colours = new Set<number>();
   const sums = new Array<number>(64).fill(0);
   let lit = 0;
-  for (let i = 0; i < width * height; i++) {
-    const [r = 0, g = 0, b = 0] = data.slice(i * channels, i * channels + 3);
+  for (let i = 0, at = 0; i < width * height; i++, at += channels) {
+    const [r, g, b] = [data[at]!, data[at + 1]!, data[at + 2]!];
     colours.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
     if (r + g + b > 24) lit++;
     const cell = Math.floor((Math.floor(i / width) * 8) / height) * 8 + Math.floor(((i % width) * 8) / width);
@@ -110,15 +116,26 @@ export async function lookAtPicture(page: Page): Promise<Look> {
 
 /** Waits for a ray traced picture: many colours, and not in the dark. */
 export async function expectPicture(page: Page): Promise<Look> {
-  await expect
-    .poll(async () => {
-      const { colours, lit } = await lookAtPicture(page);
-      return colours >= 8 && lit > 0.02;
-    }, 'a picture is on the canvas')
-    .toBe(true);
-  return lookAtPicture(page);
+  let look = await lookAtPicture(page);
+  await soon(async () => {
+    const { colours, lit } = look;
+    if (colours >= 8 && lit > 0.02) return true;
+    look = await lookAtPicture(page);
+    return false;
+  }, 'a picture is on the canvas').toBe(true);
+  return look;
+}
+
+/** Waits until the picture looks unlike another one, by more than this of 255 somewhere in the thumbnail, and gives it. */
+export async function expectChange(page: Page, from: Look, least: number, message: string): Promise<Look> {
+  let look = from;
+  await soon(async () => {
+    look = await lookAtPicture(page);
+    return difference(from, look);
+  }, message).toBeGreaterThan(least);
+  return look;
 }
 
 /** The largest difference between the thumbnails of two pictures, 0 … 255. */
-export const difference = (a: Look, b: Look): number =>
+const difference = (a: Look, b: Look): number =>
   Math.max(...a.thumbnail.map((value, i) => Math.abs(value - (b.thumbnail[i] ?? 0))));

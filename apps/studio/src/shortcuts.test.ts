@@ -1,7 +1,5 @@
-import { expect, test, vi } from 'vitest';
-
-vi.mock('mirrorball', () => ({ builtInScenes: [], parseScene: () => ({ ok: false, problems: [] }) }));
-const { belongsToControl, heldMoveOf } = await import('./shortcuts.ts');
+import { expect, test } from 'vitest';
+import { belongsToControl, heldMoveOf } from './shortcuts.ts';
 
 const press = (key: string, code = '', shiftKey = false) => ({
   key,

@@ -1,6 +1,7 @@
 import { createRenderer, type Renderer, type Scene } from 'mirrorball';
 import { traceClassic } from '../../../packages/renderer/src/reference/classic.ts';
 import { sceneAt } from '../../../packages/renderer/src/scene/index.ts';
+import { DEFAULT_SETTINGS } from '../../../packages/renderer/src/view.ts';
 import { sceneNamed } from './scenes.ts';
 
 export interface PictureSettings {
@@ -30,7 +31,9 @@ export async function gpuFilm(backend: GpuBackend, scene: Scene, picture: Pictur
   Object.assign(renderer.canvas, { width: picture.width, height: picture.height });
   await renderer.setScene(scene);
   const { maxReflections, lightSamples, seed, time } = picture;
-  renderer.set({ maxReflections, lightSamples, seed });
+  // A picture before this one may have asked for fewer samples.
+  const { maxSamples } = DEFAULT_SETTINGS;
+  renderer.set({ maxSamples, maxReflections, lightSamples, seed });
   renderer.time = time;
   await renderer.render();
   return (await renderer.readFilm()).pixels;

@@ -20,8 +20,17 @@ function filmDevice(content: readonly number[] = []) {
     },
     read: async () => Float32Array.from(content),
   };
-  return { film: new Film(device as Device), alive };
+  return { film: new Film(device as Device), device, alive };
 }
+
+test('a layer of a film can be read, a film as a whole cannot', () => {
+  const { film, device } = filmDevice();
+  film.reserve(8, 4);
+  const whole = film.current;
+  void device.read(whole.layers[0]!, 8, 4);
+  // @ts-expect-error what cannot be read is no texture to TypeScript
+  void device.read(whole, 8, 4);
+});
 
 test('two textures take turns', () => {
   const { film, alive } = filmDevice();

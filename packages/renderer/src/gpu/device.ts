@@ -60,6 +60,8 @@ export interface UniformBuffer {
 export interface FloatTexture {
   readonly width: number;
   readonly height: number;
+  /** Never there: so that a whole film, which has layers, is no texture to TypeScript. */
+  readonly layers?: never;
   destroy(): void;
 }
 /** A texture that the CPU fills. */

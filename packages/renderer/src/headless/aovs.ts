@@ -5,6 +5,7 @@
 import { aovIds } from '../integrator/aov/aov-ids.ts';
 import { cameraAxes, wholeCamera } from '../scene/camera.ts';
 import type { Integrator, Scene, Vec3 } from '../scene/scene.ts';
+import { dot, length } from '../scene/vec3.ts';
 import type { FilmContent, FilmSettings, FilmSums } from './film-tracer.ts';
 
 /** How one is written down. */
@@ -82,9 +83,6 @@ function resolverOf(name: FirstHitAov, scene: Scene, integrator: Integrator): Re
     }
   }
 }
-
-const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const length = (a: Vec3): number => Math.hypot(...a);
 
 function put(to: Float32Array, at: number, from: Float32Array, factor: number): void {
   for (let c = 0; c < 3; c++) to[at + c] = from[c]! * factor;

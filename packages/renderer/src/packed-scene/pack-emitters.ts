@@ -4,6 +4,7 @@
  */
 import { radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
 import type { Color, DirectionalLight, Light, QuadLight, Shape, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
+import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
 import { packEnvironment } from './pack-environment.ts';
 import type { StructValues } from './write-struct.ts';
 
@@ -41,8 +42,6 @@ const RADIANS = Math.PI / 180;
 /** Where the falloff of a spot has no width its outer cosine is less than the inner by this. */
 const NARROWEST_FALLOFF = 1e-6;
 
-const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const normalize = (a: Vec3): Vec3 => [a[0] / Math.hypot(...a), a[1] / Math.hypot(...a), a[2] / Math.hypot(...a)];
 const mean = ([r, g, b]: Color) => (r + g + b) / 3;
 const isBlack = (color: Color) => Math.max(...color) <= 0;
 
@@ -61,8 +60,8 @@ function sphereEmitter(center: Vec3, radius: number, radiance: Color): EmitterVa
 }
 
 function quadEmitter({ corner, u, v }: Pick<QuadLight, 'corner' | 'u' | 'v'>, radiance: Color): EmitterValues {
-  const area = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-  const reach = Math.max(Math.hypot(u[0] + v[0], u[1] + v[1], u[2] + v[2]), Math.hypot(...subtract(u, v))) / 2;
+  const area = length(cross(u, v));
+  const reach = Math.max(length(add(u, v)), length(subtract(u, v))) / 2;
   return {
     ...NOTHING,
     kind: EMITTER_KIND.quad,
@@ -81,7 +80,7 @@ function boxEmitter(center: Vec3, [x, y, z]: Vec3, radiance: Color): EmitterValu
   const area = 2 * (x * y + y * z + z * x);
   const u: Vec3 = [x / 2, y / 2, z / 2];
   const power = (mean(radiance) * area) / 4;
-  return { ...NOTHING, kind: EMITTER_KIND.box, position: center, u, radiance, area, power, reach: Math.hypot(...u) };
+  return { ...NOTHING, kind: EMITTER_KIND.box, position: center, u, radiance, area, power, reach: length(u) };
 }
 
 function spotEmitter(light: SpotLight): EmitterValues {

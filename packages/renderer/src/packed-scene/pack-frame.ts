@@ -2,6 +2,7 @@
 import type { Comparison, Framing, Panel } from '../renderer-types.ts';
 import { cameraAxes, focusOf, PROJECTIONS, wholeCamera } from '../scene/camera.ts';
 import type { Camera, Vec3 } from '../scene/scene.ts';
+import { add, scale } from '../scene/vec3.ts';
 import { type PixelFilter, packFilter } from './pack-filter.ts';
 import type { PackedScene, ViewReach } from './pack-scene.ts';
 import { type Block, writeStruct } from './write-struct.ts';
@@ -19,8 +20,6 @@ export interface FrameSettings extends Panel {
   readonly framing?: Framing | null;
 }
 
-const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 const NOWHERE: Vec3 = [0, 0, 0];
 
 /** What a camera sees, as half its height: at a distance of 1, in metres, or (the whole sphere has none) 1. */

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { between, inCube, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
-import { add, cross, dot, length, rotate, scale, subtract } from '../reference/vec3.ts';
 import type { Light, Plane, Shape, Vec3 } from '../scene/scene.ts';
+import { add, cross, dot, length, rotate, scale, subtract } from '../scene/vec3.ts';
 import { fieldOffset, TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import { eulerQuaternion, type PackedScene, packScene } from './pack-scene.ts';
 

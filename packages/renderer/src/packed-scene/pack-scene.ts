@@ -4,6 +4,7 @@
  */
 import { sphereLights } from '../scene/lights.ts';
 import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
+import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
@@ -43,15 +44,6 @@ const AT_EYE: ViewReach = { right: [0, 0, 0], up: [0, 0, 0] };
 
 const KINDS = ['sphere', 'box', 'quad', 'plane'] as const;
 const ROW_BYTES = TABLE_WIDTH * 16;
-
-const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
 
 /** Writes the part of a row that this struct has. */
 export function writeRow<S extends TableStruct>(table: Block, name: S, row: number, values: StructValues<S>): void {
@@ -118,8 +110,8 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
  * points of one side does not cross. This spares a closed room the tests of its six walls.
  */
 function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly SphereLight[]): boolean {
-  const length = Math.hypot(...normal);
-  const height = (p: Vec3) => dot(normal, subtract(p, point)) / length;
+  const unit = normalize(normal);
+  const height = (p: Vec3) => dot(unit, subtract(p, point));
   const side = Math.sign(height(eye));
   return !lights.every((l) => height(l.center) * side > l.radius);
 }
@@ -159,14 +151,14 @@ function boxValues({ center, size, rotation }: Box, eye: Vec3): ShapeValues {
   // The kernel turns from world to box: the inverse rotation.
   return {
     center: subtract(center, eye),
-    radius: Math.hypot(...half),
+    radius: length(half),
     a: [-q[0], -q[1], -q[2], q[3]],
     b: [...half, 0],
   };
 }
 
 function planeValues({ point, normal }: Plane, eye: Vec3): ShapeValues {
-  const n = scale(normal, 1 / Math.hypot(...normal));
+  const n = normalize(normal);
   return { center: n, radius: dot(n, subtract(point, eye)) };
 }
 
@@ -175,10 +167,10 @@ function quadValues({ corner, u, v }: Quad, eye: Vec3): ShapeValues {
   const area2 = dot(normal, normal);
   const reciprocalU = scale(cross(v, normal), 1 / area2);
   const reciprocalV = scale(cross(normal, u), 1 / area2);
-  const fromCorner: Vec3 = [(u[0] + v[0]) / 2, (u[1] + v[1]) / 2, (u[2] + v[2]) / 2];
-  const otherHalf: Vec3 = [(u[0] - v[0]) / 2, (u[1] - v[1]) / 2, (u[2] - v[2]) / 2];
-  const center = subtract([corner[0] + fromCorner[0], corner[1] + fromCorner[1], corner[2] + fromCorner[2]], eye);
-  const radius = Math.max(Math.hypot(...fromCorner), Math.hypot(...otherHalf));
+  const fromCorner = scale(add(u, v), 0.5);
+  const otherHalf = scale(subtract(u, v), 0.5);
+  const center = subtract(add(corner, fromCorner), eye);
+  const radius = Math.max(length(fromCorner), length(otherHalf));
   return { center, radius, a: [...reciprocalU, 0], b: [...reciprocalV, 0] };
 }
 

@@ -2,10 +2,10 @@ import { describe, expect, test } from 'vitest';
 import { inCube, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Camera, Projection, Vec3 } from '../scene/scene.ts';
+import { addScaled, cross, dot, length, normalize, subtract } from '../scene/vec3.ts';
 import { cameraFrame, rayThrough } from './camera.ts';
 import { traceClassic } from './classic.ts';
 import type { Ray } from './ray.ts';
-import { addScaled, cross, dot, length, normalize, subtract } from './vec3.ts';
 
 const random = seededRandom(81);
 const someCamera = (projection: Projection): Camera => {

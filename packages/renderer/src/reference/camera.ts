@@ -2,8 +2,8 @@
 import type { Framing } from '../renderer-types.ts';
 import { wholeCamera } from '../scene/camera.ts';
 import type { Camera, Projection, Vec3 } from '../scene/scene.ts';
+import { addScaled, cross, normalize, scale, subtract } from '../scene/vec3.ts';
 import { cameraRay, type Ray } from './ray.ts';
-import { addScaled, cross, normalize, scale, subtract } from './vec3.ts';
 
 /**
  * Perspective: the plane one unit in front of the eye, `forward` to its middle, `right` and `up` to its edges. Orthographic: the

@@ -1,9 +1,9 @@
 /** The two questions that are asked of a scene: what does a ray meet first, and does anything stand in its way. */
 import type { SphereLight, Vec3 } from '../scene/scene.ts';
+import { addScaled, dot, negate } from '../scene/vec3.ts';
 import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNormal } from './intersect.ts';
 import type { PreparedScene, PreparedShape } from './prepare.ts';
 import type { Ray } from './ray.ts';
-import { addScaled, dot, negate } from './vec3.ts';
 
 export interface SurfaceHit {
   readonly t: number;

@@ -2,13 +2,13 @@ import { expect, test } from 'vitest';
 import { between, inCube, randomDirection, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Camera, Scene, Shape, Vec3 } from '../scene/scene.ts';
+import { add, dot, normalize, scale } from '../scene/vec3.ts';
 import { cameraFrame, rayThrough, sampleOffset } from './camera.ts';
 import { closestHit } from './cast.ts';
 import { prepareClassic, tracePixel } from './classic.ts';
 import { halo } from './halo.ts';
 import { prepareScene } from './prepare.ts';
 import { cameraRay } from './ray.ts';
-import { add, dot, normalize, scale } from './vec3.ts';
 
 const floor: Shape = { type: 'plane', point: [0, 0, 0], normal: [0, 1, 0], material: 'white' };
 const onePixel = (scene: Scene, camera: Camera) =>

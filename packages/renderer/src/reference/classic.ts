@@ -4,6 +4,7 @@
  */
 import type { Comparison, Framing, Panel } from '../renderer-types.ts';
 import type { Camera, Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
+import { add, addScaled, reflect, scale, subtract } from '../scene/vec3.ts';
 import { type CameraFrame, cameraFrame, rayThrough, sampleOffset } from './camera.ts';
 import { closestHit, surfaceAt } from './cast.ts';
 import { halo } from './halo.ts';
@@ -11,7 +12,6 @@ import { hashOfSample } from './hash.ts';
 import { BLACK, type PreparedScene, prepareScene } from './prepare.ts';
 import { type Ray, rayLeaving } from './ray.ts';
 import { shade } from './shade.ts';
-import { add, addScaled, reflect, scale, subtract } from './vec3.ts';
 
 /** A path ends when less than this share of its weight is left. */
 const MIN_WEIGHT = 1 / 4096;

@@ -6,6 +6,7 @@ import type { PixelFilter } from '../packed-scene/pack-filter.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Camera, Color, Integrator, Scene, Vec3 } from '../scene/scene.ts';
 import { sceneSeenBy } from '../scene/seen-by.ts';
+import { dot, negate, subtract } from '../scene/vec3.ts';
 import { conductorFresnel } from './bsdf/fresnel.ts';
 import { mapColor } from './bsdf/surface.ts';
 import { type CameraFrame, cameraFrame, rayThrough, sampleOffset } from './camera.ts';
@@ -15,7 +16,6 @@ import { rayThroughLens } from './lens.ts';
 import { type PreparedScene, prepareScene } from './prepare.ts';
 import type { Ray } from './ray.ts';
 import { Sampler } from './sampler.ts';
-import { dot, negate, subtract } from './vec3.ts';
 
 export interface FirstHitSettings {
   readonly width: number;

@@ -2,10 +2,10 @@ import { expect, test } from 'vitest';
 import { between, inCube, randomDirection, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Vec3 } from '../scene/scene.ts';
+import { addScaled, dot, length, subtract } from '../scene/vec3.ts';
 import { falloffIntegral, halo } from './halo.ts';
 import { prepareScene } from './prepare.ts';
 import { cameraRay } from './ray.ts';
-import { addScaled, dot, length, subtract } from './vec3.ts';
 
 /** Simpson's rule. */
 function integrate(f: (x: number) => number, from: number, to: number, steps: number): number {

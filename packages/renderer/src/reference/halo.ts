@@ -1,8 +1,8 @@
 /** The glow of a light in haze: its falloff integrated along a ray. */
 import type { Color, SphereLight } from '../scene/scene.ts';
+import { add, addScaled, dot, length, scale, subtract } from '../scene/vec3.ts';
 import { BLACK, type PreparedScene } from './prepare.ts';
 import type { Ray } from './ray.ts';
-import { add, addScaled, dot, length, scale, subtract } from './vec3.ts';
 
 /** How far a ray that hits nothing runs through the haze, metres. */
 const HAZE_DEPTH = 1e5;

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
 import { seededRandom } from '../../../../tests/fixtures/random.ts';
+import { length } from '../scene/vec3.ts';
 import { hashOfSample, lightRandoms, pcg } from './hash.ts';
 import { samplePoints } from './sample-points.ts';
-import { length } from './vec3.ts';
 
 /** The formula of docs/classic.md in whole numbers without an upper end, cut to 32 bits by hand. */
 function pcgBig(x: bigint): bigint {

@@ -9,10 +9,10 @@ import {
 } from '../../../../tests/fixtures/random.ts';
 import { testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Shape, Vec3 } from '../scene/scene.ts';
+import { add, addScaled, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNormal } from './intersect.ts';
 import { type PreparedBox, type PreparedShape, prepareScene } from './prepare.ts';
 import { cameraRay, type Ray, rayLeaving } from './ray.ts';
-import { add, addScaled, cross, dot, length, normalize, scale, subtract } from './vec3.ts';
 
 const RAYS = 10_000;
 /** Sizes and places from very small to far away. Rounding may move a hit by some 1e-15 of the numbers involved. */

@@ -6,9 +6,9 @@
  * exactly the far side. So the shape that a ray leaves needs no epsilon at all (`ray.leaving`).
  */
 import type { Vec3 } from '../scene/scene.ts';
+import { addScaled, dot, negate, normalize, subtract } from '../scene/vec3.ts';
 import type { Ball, PreparedBox, PreparedPlane, PreparedQuad, PreparedShape } from './prepare.ts';
 import type { Ray } from './ray.ts';
-import { addScaled, dot, negate, normalize, subtract } from './vec3.ts';
 
 /** Picks from the two ends of the stretch that a ray has inside a convex shape. What starts inside cannot but meet the far end. */
 function closestEnd(near: number, far: number, ray: Ray, leavingIt: boolean): number {

@@ -1,10 +1,10 @@
 /** The thin lens of shading/camera/camera.wesl in double precision. The classic integrator has none. */
 import { cameraAxes, focusOf, wholeCamera } from '../scene/camera.ts';
 import type { Camera } from '../scene/scene.ts';
+import { add, addScaled, normalize, scale, subtract } from '../scene/vec3.ts';
 import type { CameraFrame } from './camera.ts';
 import { rayThrough } from './camera.ts';
 import { cameraRay, type Ray } from './ray.ts';
-import { add, addScaled, normalize, scale, subtract } from './vec3.ts';
 
 /** Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997. */
 function concentricDisc([u, v]: readonly [number, number]): [number, number] {

@@ -2,13 +2,13 @@ import { describe, expect, test } from 'vitest';
 import { between, inCube, meanAndError, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Camera, Shape, Vec3 } from '../scene/scene.ts';
+import { add, addScaled, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { occluded } from './cast.ts';
 import { prepareClassic, tracePixel } from './classic.ts';
 import { hashOfSample, lightRandoms } from './hash.ts';
 import { prepareScene } from './prepare.ts';
 import { rayLeaving } from './ray.ts';
 import { samplePoints } from './sample-points.ts';
-import { add, addScaled, dot, length, normalize, scale, subtract } from './vec3.ts';
 
 const floor: Shape = { type: 'plane', point: [0, 0, 0], normal: [0, 1, 0], material: 'white' };
 

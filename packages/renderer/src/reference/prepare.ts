@@ -13,7 +13,7 @@ import type {
   SphereLight,
   Vec3,
 } from '../scene/scene.ts';
-import { cross, dot, normalize, rotate, scale } from './vec3.ts';
+import { cross, dot, normalize, rotate, scale } from '../scene/vec3.ts';
 
 export interface PreparedMaterial extends Material {
   /** e of docs/classic.md: the exponent of the highlight. */

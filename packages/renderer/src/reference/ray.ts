@@ -1,7 +1,7 @@
 /** A ray, and the rule of where it starts ("Where a ray starts" in docs/classic.md). */
 import type { Vec3 } from '../scene/scene.ts';
+import { dot, length, subtract } from '../scene/vec3.ts';
 import type { PreparedShape } from './prepare.ts';
-import { dot, length, subtract } from './vec3.ts';
 
 export interface Ray {
   readonly origin: Vec3;

@@ -2,11 +2,11 @@ import { describe, expect, test } from 'vitest';
 import { between, inCube, randomDirection, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Camera, Scene, Shape, Vec3 } from '../scene/scene.ts';
+import { add, addScaled, dot, length, reflect, scale, subtract } from '../scene/vec3.ts';
 import { closestHit, surfaceAt } from './cast.ts';
 import { panelAt, prepareClassic, traceClassic, tracePixel } from './classic.ts';
 import { prepareScene } from './prepare.ts';
 import { cameraRay, rayLeaving } from './ray.ts';
-import { add, addScaled, dot, length, reflect, scale, subtract } from './vec3.ts';
 
 /** Ambient light alone, 0.8 in every channel: every surface that is hit counts the same. */
 const ambient = { lamp: testLight({ radiance: 0, ambient: [0.8, 0.8, 0.8] }) };

@@ -1,11 +1,11 @@
 /** shade(point) of docs/classic.md: what a surface sends back of the lights, before its reflectivity is counted. */
 import type { Color, SphereLight, Vec3 } from '../scene/scene.ts';
+import { add, addScaled, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { occluded, type SurfaceHit } from './cast.ts';
 import { lightRandoms } from './hash.ts';
 import type { PreparedMaterial, PreparedScene } from './prepare.ts';
 import { rayLeaving } from './ray.ts';
 import { samplePoints } from './sample-points.ts';
-import { add, addScaled, dot, length, normalize, scale, subtract } from './vec3.ts';
 
 export interface ShadeContext {
   readonly scene: PreparedScene;

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Camera, Scene, Shape, SphereLight, Vec3 } from '../scene/scene.ts';
+import { rotate, scale, subtract } from '../scene/vec3.ts';
 import { type ClassicSettings, traceClassic } from './classic.ts';
-import { rotate, scale, subtract } from './vec3.ts';
 
 /** One of each shape and more, in a closed room, so that no ray runs into the sky. */
 const room: Scene = testScene(

@@ -1,4 +1,5 @@
 import type { Camera, Vec3 } from './scene.ts';
+import { addScaled, cross, length, subtract } from './vec3.ts';
 
 /**
  * What must hold between several numbers of one thing, so that no later stage divides by zero. The file reader refuses
@@ -9,14 +10,6 @@ import type { Camera, Vec3 } from './scene.ts';
 export const SHORTEST = 1e-6;
 /** Smallest sine of the angle between two directions that span a frame or a quad. */
 export const SMALLEST_SINE = 1e-6;
-
-const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 /** Whether the two span a plane. */
 export function spansPlane(u: Vec3, v: Vec3): boolean {
@@ -48,8 +41,7 @@ export function mendCamera(camera: Camera, rest: Camera): Camera {
     const view = subtract(rest.target, rest.eye);
     // A step that the eye's own size does not swallow in rounding.
     const step = Math.max(1, length(mended.eye) * 1e-6) / length(view);
-    const [x, y, z] = mended.eye;
-    mended = { ...mended, target: [x + view[0] * step, y + view[1] * step, z + view[2] * step] };
+    mended = { ...mended, target: addScaled(mended.eye, view, step) };
   }
   for (const up of [rest.up, ...AXES]) {
     if (cameraFault(mended) === null) return mended;

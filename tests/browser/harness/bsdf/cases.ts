@@ -1,8 +1,8 @@
 /** Random surfaces and directions that try everything, grazing angles and the ends of all ranges above all. */
 import { sampleBsdf } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import type { BsdfSurface } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
-import { add, normalize, scale } from '../../../../packages/renderer/src/reference/vec3.ts';
 import type { Color, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { add, normalize, scale } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { directionOf, SURFACES, surface } from '../../../fixtures/bsdf-cases.ts';
 import { between, inCube, pick, type Random } from '../../../fixtures/random.ts';
 import { floatVector, inFloats } from './questions.ts';

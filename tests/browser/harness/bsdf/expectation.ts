@@ -6,8 +6,8 @@
  */
 import { evaluateBsdf } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import type { BsdfSurface } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
-import { add } from '../../../../packages/renderer/src/reference/vec3.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { add } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { inCube, type Random } from '../../../fixtures/random.ts';
 import type { Answer } from './questions.ts';
 

@@ -1,8 +1,8 @@
 /** Holds the kernels' BSDF, run on a GPU, against the double-precision one. */
 import { evaluateBsdf, isDelta, sampleBsdf } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import type { BsdfSurface } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
-import { negate } from '../../../../packages/renderer/src/reference/vec3.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { negate } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { directionOf, hasInside, SURFACES } from '../../../fixtures/bsdf-cases.ts';
 import { chartsOf } from '../../../fixtures/bsdf-charts.ts';
 import { chiSquare } from '../../../fixtures/chi-square.ts';

@@ -2,8 +2,8 @@
 import { choiceProbabilities } from '../../../../packages/renderer/src/reference/light/choose.ts';
 import type { Emitter } from '../../../../packages/renderer/src/reference/light/emitter.ts';
 import { emitterOfLight, emitterOfShape } from '../../../../packages/renderer/src/reference/light/from-scene.ts';
-import { length } from '../../../../packages/renderer/src/reference/vec3.ts';
 import type { Color, Light, Scene, Shape, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { length } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { inCube, type Random, randomDirection, seededRandom } from '../../../fixtures/random.ts';
 import { testLight, testMaterial, testScene } from '../../../fixtures/scenes.ts';
 import {

@@ -6,9 +6,9 @@ import {
   placeOnMap,
   radianceOfMap,
 } from '../../../../packages/renderer/src/reference/light/environment.ts';
-import { length, normalize } from '../../../../packages/renderer/src/reference/vec3.ts';
 import type { EnvironmentMap } from '../../../../packages/renderer/src/scene/environment.ts';
 import type { Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { length, normalize } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { ENVIRONMENTS } from '../../../fixtures/lights/environments.ts';
 import { chiSquareZ } from '../../../fixtures/lights/histogram.ts';
 import { randomDirection, seededRandom } from '../../../fixtures/random.ts';

@@ -1,8 +1,8 @@
 /** Lights without surface on a GPU, judged by the double-precision ones. */
 import { type Emitter, sampleEmitter } from '../../../../packages/renderer/src/reference/light/emitter.ts';
 import { emitterOfLight } from '../../../../packages/renderer/src/reference/light/from-scene.ts';
-import { addScaled } from '../../../../packages/renderer/src/reference/vec3.ts';
 import type { Color, Light, Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { addScaled } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { between, seededRandom } from '../../../fixtures/random.ts';
 import { testScene } from '../../../fixtures/scenes.ts';
 import { ASK, type EmitterProbe, eyeAtOrigin, type GpuBackend, type Question, rounded, withProbe } from './probe.ts';

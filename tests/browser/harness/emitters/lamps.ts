@@ -1,5 +1,6 @@
 /** Sampling of lamps on a GPU, judged by the double-precision one and by closed forms. */
 import { type AreaEmitter, emitterPdf } from '../../../../packages/renderer/src/reference/light/emitter.ts';
+import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import {
   add,
   addScaled,
@@ -8,8 +9,7 @@ import {
   length,
   normalize,
   subtract,
-} from '../../../../packages/renderer/src/reference/vec3.ts';
-import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+} from '../../../../packages/renderer/src/scene/vec3.ts';
 import { LIGHT_CASES, type LightCase, RADIANCE } from '../../../fixtures/lights/cases.ts';
 import { exactIrradiance } from '../../../fixtures/lights/closed-forms.ts';
 import { chiSquareZ, countBins, densityOfBins } from '../../../fixtures/lights/histogram.ts';

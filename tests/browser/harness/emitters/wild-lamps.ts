@@ -1,6 +1,7 @@
 /** Light sampling where it could break, on a GPU. */
-import { add, addScaled, length, scale } from '../../../../packages/renderer/src/reference/vec3.ts';
+
 import type { Scene, Shape, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { add, addScaled, length, scale } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { between, inCube, type Random, randomDirection, seededRandom } from '../../../fixtures/random.ts';
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
 import { ASK, eyeAtOrigin, type GpuBackend, MOST_QUESTIONS, type Question, rounded, withProbe } from './probe.ts';

@@ -16,6 +16,7 @@ import {
 } from '../../../../packages/renderer/src/reference/intersect.ts';
 import type { PreparedBox, PreparedShape } from '../../../../packages/renderer/src/reference/prepare.ts';
 import type { Ray } from '../../../../packages/renderer/src/reference/ray.ts';
+import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import {
   add,
   addScaled,
@@ -24,8 +25,7 @@ import {
   negate,
   normalize,
   subtract,
-} from '../../../../packages/renderer/src/reference/vec3.ts';
-import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+} from '../../../../packages/renderer/src/scene/vec3.ts';
 import { type RayCase, START } from './ray-cases.ts';
 
 /** Half a unit in the last place of 32-bit floats, relative. */

@@ -1,4 +1,6 @@
 /** Random shapes, and rays that look for their weak spots. What a GPU gets is rounded to 32 bits; so is what is kept here. */
+
+import type { Box, Quad, Scene, Shape, Sphere, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import {
   addScaled,
   cross,
@@ -7,8 +9,7 @@ import {
   normalize,
   rotate,
   scale,
-} from '../../../../packages/renderer/src/reference/vec3.ts';
-import type { Box, Quad, Scene, Shape, Sphere, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+} from '../../../../packages/renderer/src/scene/vec3.ts';
 import { between, inCube, pick, type Random, randomDirection, seededRandom } from '../../../fixtures/random.ts';
 import { testScene } from '../../../fixtures/scenes.ts';
 

@@ -3,7 +3,7 @@
  * Local frame as there: +z is the outward normal; opaque surfaces are seen from above; at a dielectric wo.z < 0 means inside.
  */
 import type { Vec3 } from '../../scene/scene.ts';
-import { dot } from '../vec3.ts';
+import { dot } from '../../scene/vec3.ts';
 import { evaluateRoughGlass, LEAST_CONTRAST, reflectAt, sampleRoughGlass, sampleSmoothGlass } from './dielectric.ts';
 import { evaluateGloss, facetReflectance, glossShare, matteAlbedo } from './facets.ts';
 import { halfVector, reflectionBound, SMOOTH_ALPHA, sampleVisibleNormal } from './ggx.ts';

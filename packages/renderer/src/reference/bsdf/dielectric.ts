@@ -1,6 +1,6 @@
 /** Glass: exact Fresnel; rough after Walter et al. 2007 with height-correlated masking. Radiance transport. */
 import type { Vec3 } from '../../scene/scene.ts';
-import { add, dot, negate, normalize, scale } from '../vec3.ts';
+import { add, dot, negate, normalize, scale } from '../../scene/vec3.ts';
 import { dielectricFresnel } from './fresnel.ts';
 import { facetDensity, halfVector, sampleVisibleNormal, seenFromBoth, visibleNormalDensity } from './ggx.ts';
 import { type BsdfSample, type BsdfSurface, DARK, type Evaluation, grey } from './surface.ts';

@@ -1,6 +1,6 @@
 /** Opaque facets: metals, and the gloss of glTF's metallic-roughness. */
 import type { Color, Vec3 } from '../../scene/scene.ts';
-import { dot } from '../vec3.ts';
+import { dot } from '../../scene/vec3.ts';
 import { conductorFresnel, schlick, schlickColor } from './fresnel.ts';
 import { boundedReflectionDensity, facetDensity, halfVector, seenFromBoth, singleScatteringAlbedo } from './ggx.ts';
 import { type BsdfSurface, type Evaluation, mapColor } from './surface.ts';

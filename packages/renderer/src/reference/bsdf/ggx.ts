@@ -3,7 +3,7 @@
  * the side of +z; no cosine may be 0.
  */
 import type { Vec3 } from '../../scene/scene.ts';
-import { add, dot, length, normalize, scale } from '../vec3.ts';
+import { add, dot, length, normalize, scale } from '../../scene/vec3.ts';
 
 /** Narrower than this a highlight is taken for a mirror's. */
 export const SMOOTH_ALPHA = 1e-3;

@@ -1,6 +1,6 @@
 /** Glowing boxes: uniform on the area of the faces that the point sees; from inside they fill all directions. */
 import type { Vec3 } from '../../scene/scene.ts';
-import { addScaled, dot, length, negate, scale, subtract } from '../vec3.ts';
+import { addScaled, dot, length, negate, scale, subtract } from '../../scene/vec3.ts';
 import { coneDirection, wholeSphere } from './cone.ts';
 import type { BoxEmitter, LightSample, Meeting, Square } from './emitter.ts';
 

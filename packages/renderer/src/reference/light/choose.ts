@@ -1,6 +1,6 @@
 /** How likely each of several lights is to be chosen at a point: in proportion to an estimate of its irradiance there. */
 import type { Color, Vec3 } from '../../scene/scene.ts';
-import { add, addScaled, cross, dot, length, negate, normalize, scale, subtract } from '../vec3.ts';
+import { add, addScaled, cross, dot, length, negate, normalize, scale, subtract } from '../../scene/vec3.ts';
 import { type AreaEmitter, type Emitter, spotFalloff } from './emitter.ts';
 
 const mean = ([r, g, b]: Color) => (r + g + b) / 3;

@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../scene/scene.ts';
-import { add, cross, normalize, scale } from '../vec3.ts';
+import { add, cross, normalize, scale } from '../../scene/vec3.ts';
 import type { Square } from './emitter.ts';
 
 /** All directions less than an angle from an axis. */

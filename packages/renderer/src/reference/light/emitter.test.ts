@@ -4,7 +4,7 @@ import { exactIrradiance } from '../../../../../tests/fixtures/lights/closed-for
 import { chiSquareZ, countBins, densityOfBins } from '../../../../../tests/fixtures/lights/histogram.ts';
 import { surroundingsOf } from '../../../../../tests/fixtures/lights/surroundings.ts';
 import { type Random, seededRandom } from '../../../../../tests/fixtures/random.ts';
-import { dot, length, subtract } from '../vec3.ts';
+import { dot, length, subtract } from '../../scene/vec3.ts';
 import { emitterPdf, type LightSample, metEmitter, sampleEmitter } from './emitter.ts';
 
 const SIDE = 120;

@@ -1,6 +1,6 @@
 /** Everything that shines, in double precision: what the shader modules of shading/light/emitter are tested against. */
 import type { Color, Vec3 } from '../../scene/scene.ts';
-import { dot, length, negate, scale, subtract } from '../vec3.ts';
+import { dot, length, negate, scale, subtract } from '../../scene/vec3.ts';
 import { boxPdf, metBox, sampleBox } from './box.ts';
 import { coneDirection, inCone, wholeSphere } from './cone.ts';
 import { metQuad, quadPdf, sampleQuad } from './quad.ts';

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { seededRandom } from '../../../../../tests/fixtures/random.ts';
 import { testLight } from '../../../../../tests/fixtures/scenes.ts';
 import type { Vec3 } from '../../scene/scene.ts';
-import { dot, normalize } from '../vec3.ts';
+import { dot, normalize } from '../../scene/vec3.ts';
 import { choiceProbabilities, estimatedIrradiance } from './choose.ts';
 import { type Emitter, emitterPdf, sampleEmitter } from './emitter.ts';
 import { emitterOfLight, emitterOfShape } from './from-scene.ts';

@@ -1,7 +1,7 @@
 /** The lights and shapes of a scene as emitters. */
 import { radianceOf, timesColor } from '../../scene/lamps.ts';
 import type { Color, Light, Shape } from '../../scene/scene.ts';
-import { normalize, rotate, scale } from '../vec3.ts';
+import { normalize, rotate, scale } from '../../scene/vec3.ts';
 import type { AreaEmitter, Emitter } from './emitter.ts';
 
 const radians = (degrees: number) => (degrees * Math.PI) / 180;

@@ -1,6 +1,6 @@
 /** Glowing quads: rectangles by solid angle, parallelograms and what looks small by area. */
 import type { Vec3 } from '../../scene/scene.ts';
-import { add, cross, dot, length, normalize, scale, subtract } from '../vec3.ts';
+import { add, cross, dot, length, normalize, scale, subtract } from '../../scene/vec3.ts';
 import type { LightSample, Meeting, QuadEmitter, Square } from './emitter.ts';
 import { pointOfRectangle, type SphericalRectangle, sphericalRectangle } from './spherical-rectangle.ts';
 

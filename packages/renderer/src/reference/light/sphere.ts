@@ -1,6 +1,6 @@
 /** Glowing spheres fill a cone: Shirley, Wang & Zimmerman 1996; pbrt-v4, section 6.2.4. From inside they fill everything. */
 import type { Vec3 } from '../../scene/scene.ts';
-import { addScaled, dot, length, normalize, scale, subtract } from '../vec3.ts';
+import { addScaled, dot, length, normalize, scale, subtract } from '../../scene/vec3.ts';
 import { type Cone, coneDirection, inCone, wholeSphere } from './cone.ts';
 import type { LightSample, Meeting, SphereEmitter, Square } from './emitter.ts';
 

@@ -3,7 +3,7 @@
  * its listing. The shader has the same map in another form.
  */
 import type { Vec3 } from '../../scene/scene.ts';
-import { add, cross, dot, length, negate, normalize, scale, subtract } from '../vec3.ts';
+import { add, cross, dot, length, negate, normalize, scale, subtract } from '../../scene/vec3.ts';
 import type { Square } from './emitter.ts';
 
 export interface SphericalRectangle {

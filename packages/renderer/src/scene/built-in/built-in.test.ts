@@ -1,17 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { sceneAt } from '../index.ts';
 import type { Box, Plane, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene.ts';
+import { cross, dot, length, normalize, subtract } from '../vec3.ts';
 import { builtInScenes } from './index.ts';
 
 type Matrix = readonly [Vec3, Vec3, Vec3];
-const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const unit = (a: Vec3): Vec3 => a.map((x) => x / Math.hypot(...a)) as unknown as Vec3;
 
 /** The box's three axes in the world: the columns of Rz·Ry·Rx. */
 function axes({ rotation }: Box): Matrix {
@@ -34,9 +27,9 @@ function reach(shape: Sphere | Box, direction: Vec3): number {
 function gap(a: Sphere | Box, b: Sphere | Box): number {
   const between = subtract(b.center, a.center);
   const [axesA, axesB] = [a, b].map((shape) => (shape.type === 'box' ? axes(shape) : []));
-  const edges = axesA!.flatMap((p) => axesB!.map((q) => cross(p, q))).filter((edge) => Math.hypot(...edge) > 1e-6);
-  const nearest = [...corner(a, b), ...corner(b, a), between].filter((v) => Math.hypot(...v) > 1e-9);
-  const directions = [...axesA!, ...axesB!, ...edges, ...nearest].map(unit);
+  const edges = axesA!.flatMap((p) => axesB!.map((q) => cross(p, q))).filter((edge) => length(edge) > 1e-6);
+  const nearest = [...corner(a, b), ...corner(b, a), between].filter((v) => length(v) > 1e-9);
+  const directions = [...axesA!, ...axesB!, ...edges, ...nearest].map(normalize);
   return Math.max(...directions.map((d) => Math.abs(dot(between, d)) - reach(a, d) - reach(b, d)));
 }
 
@@ -54,7 +47,7 @@ function corner(a: Sphere | Box, b: Sphere | Box): Vec3[] {
 
 const isSolid = (shape: Shape): shape is Sphere | Box => shape.type === 'sphere' || shape.type === 'box';
 const isPlane = (shape: Shape): shape is Plane => shape.type === 'plane';
-const heightOver = (plane: Plane, point: Vec3) => dot(subtract(point, plane.point), unit(plane.normal));
+const heightOver = (plane: Plane, point: Vec3) => dot(subtract(point, plane.point), normalize(plane.normal));
 
 /** The smallest gap between any two things of the scene, with their names. Lamps are solids here. */
 function tightest(scene: Scene): [number, string] {
@@ -72,7 +65,7 @@ function tightest(scene: Scene): [number, string] {
     for (const [other, second] of solids.slice(i + 1)) keep(gap(solid, second), `${name} and ${other}`);
     for (const [other, plane] of Object.entries(scene.shapes)) {
       if (isPlane(plane))
-        keep(heightOver(plane, solid.center) - reach(solid, unit(plane.normal)), `${name} and ${other}`);
+        keep(heightOver(plane, solid.center) - reach(solid, normalize(plane.normal)), `${name} and ${other}`);
     }
   });
   return least;

@@ -1,5 +1,5 @@
-/** The vector algebra of the reference tracer: plain functions on the scene's own `Vec3`, in double precision. */
-import type { Vec3 } from '../scene/scene.ts';
+/** Vector algebra: plain functions on the scene's own `Vec3`, in double precision. */
+import type { Vec3 } from './scene.ts';
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
