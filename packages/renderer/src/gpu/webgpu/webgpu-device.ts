@@ -208,7 +208,10 @@ class WebGpuDevice implements Device {
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
     const { source, pipeline, layout } = pass as WebGpuPass;
-    if (source.compute) return this.#dispatch(pass as WebGpuPass, target as FilmTexture, resources, region!);
+    if (source.compute) {
+      this.#dispatch(pass as WebGpuPass, target as FilmTexture, resources, region!);
+      return;
+    }
     const views = target === 'canvas' ? [this.#canvasView()] : viewsOf(target);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const clear = region === undefined || region.firstRow === 0;
