@@ -1,9 +1,11 @@
 /**
  * How fast and how right the path integrator is on this machine's GPU, through Dawn for Node. Every scene of tests/reference is
- * rendered in 256 × 256 pixels: first its picture is judged against the reference, then it is timed. docs/benchmarks.md says how to
- * run it on a machine without a network.
+ * rendered in 256 × 256 pixels: first its picture is judged against the reference, then it is timed.
  *
- *     node bench/gpu/dist/gpu.mjs [scene …] [--samples 1024] [--batches 32] [--json FILE]      from the repository's root
+ *     npm run bench:gpu -- [scene …] [--samples 1024] [--batches 32] [--json FILE] [--write]
+ *
+ * `--batches 1` leaves the proof out; `--write` puts the table into docs/benchmarks.md. dist/gpu.mjs is one file: a machine without a
+ * network needs this repository's files, Node and the package "webgpu" beside it.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -38,6 +40,7 @@ const { values, positionals } = parseArgs({
     samples: { type: 'string', default: '1024' },
     batches: { type: 'string', default: '32' },
     json: { type: 'string' },
+    write: { type: 'boolean', default: false },
   },
   allowPositionals: true,
 });
@@ -45,7 +48,7 @@ const samples = Number(values.samples);
 const batches = Number(values.batches);
 const references = pathToFileURL(`${resolve('tests/reference')}/`);
 
-const device = await openWebGpu(null, await dawnGpu());
+const device = await openWebGpu(null, { gpu: await dawnGpu() });
 const tracer = await GpuFilmTracer.create(device);
 console.log(`${tracer.description}, ${SIZE} × ${SIZE}, ${samples} samples a pixel, ${new Date().toISOString()}`);
 
@@ -105,6 +108,26 @@ async function errorWith(scene: Scene, name: string, count: number): Promise<num
   return relativeSquaredError(film, { width: SIZE, height: SIZE, mean, error: mean });
 }
 
+/** Between two marks in docs/benchmarks.md. */
+function writeTable(): void {
+  const file = resolve('docs/benchmarks.md');
+  const keys = [...new Set(rows.flatMap((row) => Object.keys(row)))];
+  const line = (cells: readonly unknown[]) => `| ${cells.join(' | ')} |`;
+  const table = [
+    line(keys),
+    line(keys.map(() => '---')),
+    ...rows.map((row) => line(keys.map((key) => row[key] ?? ''))),
+  ];
+  const head = `${new Date().toISOString().slice(0, 10)} · ${tracer.description} · ${SIZE} × ${SIZE}, ${samples} samples a pixel`;
+  const marked = /(<!-- npm run bench:gpu -- --write: start -->\n)[\s\S]*?(<!-- end -->)/;
+  const text = readFileSync(file, 'utf8');
+  if (!marked.test(text)) throw new Error(`${file} has no place for the table.`);
+  writeFileSync(
+    file,
+    text.replace(marked, (_, start, end) => `${start}\n${head}\n\n${table.join('\n')}\n\n${end}`),
+  );
+}
+
 const rows: Record<string, unknown>[] = [];
 for (const name of positionals.length > 0 ? positionals : namesIn(references)) {
   const scene = readScene(references, name);
@@ -140,4 +163,5 @@ for (const name of positionals.length > 0 ? positionals : namesIn(references)) {
 }
 console.table(rows);
 if (values.json) writeFileSync(values.json, JSON.stringify(rows, null, 1));
+if (values.write) writeTable();
 process.exit(rows.some(({ verdict }) => verdict !== undefined && verdict !== 'agrees') ? 1 : 0);

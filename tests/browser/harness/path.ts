@@ -25,7 +25,9 @@ const tracers = new Map<GpuBackend, Promise<FilmTracer>>();
 function tracerOn(backend: GpuBackend): Promise<FilmTracer> {
   let tracer = tracers.get(backend);
   if (!tracer) {
-    const device = backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas'));
+    // A software adapter would draw; the compute entry is the one that needs proof.
+    const device =
+      backend === 'webgpu' ? openWebGpu(null, { computes: true }) : openWebGl2(document.createElement('canvas'));
     tracers.set(backend, (tracer = device.then((d) => GpuFilmTracer.create(d))));
   }
   return tracer;

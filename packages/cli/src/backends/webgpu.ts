@@ -26,5 +26,5 @@ export async function dawnGpu(): Promise<GPU> {
 }
 
 export async function openDawn(): Promise<FilmTracer> {
-  return GpuFilmTracer.create(await openWebGpu(null, await dawnGpu()));
+  return GpuFilmTracer.create(await openWebGpu(null, { gpu: await dawnGpu() }));
 }

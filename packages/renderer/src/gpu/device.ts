@@ -42,7 +42,7 @@ export interface PassSource {
   /** Switches (`override … = true` in the WGSL) that are off in this program. */
   readonly without?: readonly string[];
   /** Taken instead of drawing where the device has compute passes. */
-  readonly compute?: ComputeSource;
+  readonly compute?: ComputeSource | undefined;
   /** Layers of the film that it draws into, each by an output of its own; 1 when left out. */
   readonly layers?: number;
 }

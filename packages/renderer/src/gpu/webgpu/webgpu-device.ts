@@ -28,11 +28,16 @@ interface GpuResource {
 /** Texels of a film that are read at once, bytes: far below the largest buffer that a device must grant. */
 const READ_BYTES = 64 * 1024 * 1024;
 
-/**
- * Opens a WebGPU device that presents on the canvas; null: on none. `gpu` is the browser's unless another is given, such as Dawn's
- * in Node. Throws `DeviceError` when there is none.
- */
-export async function openWebGpu(canvas: HTMLCanvasElement | null, gpu = browserGpu()): Promise<Device> {
+export interface WebGpuOptions {
+  /** Default: the browser's; another such as Dawn's in Node. */
+  readonly gpu?: GPU | undefined;
+  /** Whether passes compute that could draw too. Default: on GPUs; an adapter that is software draws as fast. */
+  readonly computes?: boolean | undefined;
+}
+
+/** Opens a WebGPU device that presents on the canvas; null: on none. Throws `DeviceError` when there is none. */
+export async function openWebGpu(canvas: HTMLCanvasElement | null, options: WebGpuOptions = {}): Promise<Device> {
+  const { gpu = browserGpu() } = options;
   if (!gpu) throw new DeviceError('This browser has no WebGPU.');
   const refuse = (what: string) => (error: unknown) => {
     throw new DeviceError(`${what}: ${error instanceof Error ? error.message : error}`);
@@ -45,7 +50,8 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null, gpu = browser
   const device = await adapter
     .requestDevice({ requiredLimits: { maxTextureDimension2D } })
     .catch(refuse('WebGPU gives no device'));
-  return new WebGpuDevice(gpu, device, canvas, describe(adapter.info));
+  const { computes = !adapter.info.isFallbackAdapter } = options;
+  return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes });
 }
 
 const browserGpu = (): GPU | undefined => (typeof navigator === 'undefined' ? undefined : navigator.gpu);
@@ -80,7 +86,7 @@ class WebGpuDevice implements Device {
   readonly maxFilmSamples = 2 ** 24;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
   readonly lost: Promise<string>;
-  readonly #gpu: GPU;
+  readonly #options: Required<WebGpuOptions>;
   readonly #device: GPUDevice;
   #context: GPUCanvasContext | null = null;
   readonly #canvas: HTMLCanvasElement | null;
@@ -90,11 +96,16 @@ class WebGpuDevice implements Device {
   #region: UniformBuffer | null = null;
   #closed = false;
 
-  constructor(gpu: GPU, device: GPUDevice, canvas: HTMLCanvasElement | null, description: string) {
-    this.#gpu = gpu;
+  constructor(
+    device: GPUDevice,
+    canvas: HTMLCanvasElement | null,
+    description: string,
+    options: { gpu: GPU; computes: boolean },
+  ) {
+    this.#options = options;
     this.#canvas = canvas;
     this.#device = device;
-    this.#format = gpu.getPreferredCanvasFormat();
+    this.#format = options.gpu.getPreferredCanvasFormat();
     this.description = description;
     this.maxTextureSize = device.limits.maxTextureDimension2D;
     this.lost = new Promise((resolve) => {
@@ -104,7 +115,8 @@ class WebGpuDevice implements Device {
     });
   }
 
-  async createPass(source: PassSource): Promise<Pass> {
+  async createPass(given: PassSource): Promise<Pass> {
+    const source = this.#options.computes ? given : { ...given, compute: undefined };
     const layout = this.#device.createBindGroupLayout(layoutOf(source));
     this.counts.programsMade++;
     try {
@@ -303,7 +315,7 @@ class WebGpuDevice implements Device {
     // The context keeps its last picture until the new device takes it over.
     this.#closed = true;
     this.#device.destroy();
-    return openWebGpu(this.#canvas, this.#gpu);
+    return openWebGpu(this.#canvas, this.#options);
   }
 
   destroy(): void {

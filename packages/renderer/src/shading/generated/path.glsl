@@ -228,7 +228,7 @@ const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
 const uint metallicRoughness = 1u;
 const uint diffuse0_ = 0u;
-const uint rouletteDepth = 4u;
+const uint rouletteDepth = 5u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -1896,19 +1896,19 @@ void meetSurface(inout Path p_9, PairHit hit_1) {
     vec3 _e136 = p_9.throughput;
     vec3 throughput = (_e136 * _e102.weight);
     float _e139 = max3_(throughput);
-    uint _e143 = p_9.depth;
-    float survival = pick((_e143 < rouletteDepth), 1.0, min(_e139, 0.95));
-    float _e153 = max3_(throughput);
-    float _e158 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(goesOn, (_e102.pdf > 0.0), false), (_e153 > 0.0), false), (_e158 < survival), false);
+    uint _e145 = p_9.depth;
+    float survival = pick((_e145 < rouletteDepth), 1.0, min((_e139 / 0.33333334), 0.95));
+    float _e155 = max3_(throughput);
+    float _e160 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(goesOn, (_e102.pdf > 0.0), false), (_e155 > 0.0), false), (_e160 < survival), false);
     p_9.throughput = (throughput / vec3(survival));
-    uint _e166 = p_9.depth;
-    p_9.depth = (_e166 + 1u);
+    uint _e168 = p_9.depth;
+    p_9.depth = (_e168 + 1u);
     p_9.pdf = pick(_e102.delta, 0.0, _e102.pdf);
     p_9.litSide = litSide;
     p_9.total = _e73.total;
-    bool _e176 = isFlat(shape);
-    bool solid = !(_e176);
+    bool _e178 = isFlat(shape);
+    bool solid = !(_e178);
     uint lightShape = pick((_e75.shape >= 0.0), uint(max(_e75.shape, 0.0)), noShape);
     p_9.rays = RayPair(point_16, shape, (1e-5 * length(point_16)), _e104, pick(solid, (dot(_e104, _e20) < 0.0), false), _e77.direction, pick(solid, (dot(_e77.direction, _e20) < 0.0), false), pick(lit_1, _e77.distance_, -1.0), lightShape);
     return;

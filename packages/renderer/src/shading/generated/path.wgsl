@@ -242,7 +242,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
   (*p).light = select(vec3f(0.0), contribution, lit);
   let throughput = (*p).throughput * bsdf.weight;
-  let survival = select(min(max3(throughput), 0.95), 1.0, (*p).depth < rouletteDepth);
+  let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
   (*p).alive = goesOn & (bsdf.pdf > 0.0) & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).throughput = throughput / survival;
   (*p).depth++;
@@ -508,8 +508,11 @@ fn max3(v: vec3f) -> f32 {
   return max(max(v.x, v.y), v.z);
 }
 
-// From this depth on paths end by chance.
-const rouletteDepth = 4u;
+const rouletteShare = 1.0 / 3.0;
+
+// From this depth on paths end by chance, if they bring less than this share of their light: sooner, and the paths that are left
+// weigh so much that the noise costs more than the rays that were saved.
+const rouletteDepth = 5u;
 
 // One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
 fn nextHash(s: ptr<function, Sampler>) -> f32 {
