@@ -101,15 +101,16 @@ function weslModules(): Record<string, string> {
 
 /**
  * Switches (`override`) as naga can write them into GLSL: variables first, which `withSwitches` then makes constants. Whoever compiles
- * the program sets one by replacing its `true` (gpu/webgl2/program.ts).
+ * the program sets one by replacing its value (gpu/webgl2/program.ts).
  */
-const SWITCH = /^override (\w+) = true;/gm;
-const asVariables = (wgsl: string) => wgsl.replace(SWITCH, 'var<private> $1: bool = true;');
+const SWITCH = /^override (\w+) = (true|false);/gm;
+const asVariables = (wgsl: string) => wgsl.replace(SWITCH, 'var<private> $1: bool = $2;');
 function withSwitches(glsl: string, wgsl: string): string {
   let text = glsl;
   for (const [, name] of wgsl.matchAll(SWITCH))
-    text = text.replaceAll(new RegExp(`^( *)bool (\\w+ = true|_e\\d+ = ${name});$`, 'gm'), (line, space, rest) =>
-      rest === `${name} = true` || rest.endsWith(` = ${name}`) ? `${space}const bool ${rest};` : line,
+    text = text.replaceAll(
+      new RegExp(`^( *)(bool (?:${name} = (?:true|false)|_e\\d+ = ${name});)$`, 'gm'),
+      '$1const $2',
     );
   return text;
 }

@@ -7,6 +7,7 @@ import { structSize } from '../../../packages/renderer/src/packed-scene/layout.t
 import { packFrame } from '../../../packages/renderer/src/packed-scene/pack-frame.ts';
 import { packScene } from '../../../packages/renderer/src/packed-scene/pack-scene.ts';
 import { createBlock } from '../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { ALL_SWITCHES } from '../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import { testScene } from '../../fixtures/scenes.ts';
@@ -21,6 +22,7 @@ const PROBE: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [{ block: 'Frame' }],
   target: 'film',
+  switches: ALL_SWITCHES,
 };
 
 /** For each pixel four numbers, row 0 first; camera-probe.wesl says of which ray. Positions are relative to the eye. */

@@ -39,8 +39,8 @@ export interface PassSource {
   /** In the order of their binding numbers in group 0. */
   readonly bindings: readonly ({ readonly block: string } | { readonly texture: string })[];
   readonly target: 'film' | 'canvas';
-  /** Switches (`override … = true` in the WGSL) that are off in this program. */
-  readonly without?: readonly string[];
+  /** What the switches (`override` in the WGSL) are in this program; those that the module does not have are ignored. */
+  readonly switches?: Readonly<Record<string, boolean>>;
   /** Taken instead of drawing where the device has compute passes. */
   readonly compute?: ComputeSource | undefined;
   /** Layers of the film that it draws into, each by an output of its own; 1 when left out. */

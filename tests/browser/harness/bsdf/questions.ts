@@ -7,6 +7,7 @@ import { createBlock, writeStruct } from '../../../../packages/renderer/src/pack
 import { isSmooth } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import { type BsdfSurface, grey, mapColor } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/bsdf_probe.wgsl?raw';
@@ -32,6 +33,7 @@ const PROBE: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'questions' }],
   target: 'film',
+  switches: ALL_SWITCHES,
 };
 /** Questions in a row of the film. */
 const WIDTH = 256;

@@ -8,6 +8,7 @@ import { packFrame } from '../../../../packages/renderer/src/packed-scene/pack-f
 import { packPathScene } from '../../../../packages/renderer/src/packed-scene/pack-path-scene.ts';
 import { createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import type { Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import { DEFAULT_SETTINGS } from '../../../../packages/renderer/src/view.ts';
@@ -53,6 +54,7 @@ const PROBE: PassSource = {
     { texture: 'environment' },
   ],
   target: 'film',
+  switches: ALL_SWITCHES,
 };
 
 interface PackedLights {

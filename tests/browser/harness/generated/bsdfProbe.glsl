@@ -53,15 +53,15 @@ uniform highp sampler2D questions;
 
 uniform highp sampler2D sceneTable;
 
-const bool hasConductors = true;
+const bool hasConductors = false;
 
-const bool hasGlass = true;
+const bool hasGlass = false;
 
-const bool hasMetallicRoughness = true;
+const bool hasMetallicRoughness = false;
 
 const bool hasMirrorLayers = true;
 
-const bool hasCompensation = true;
+const bool hasCompensation = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 

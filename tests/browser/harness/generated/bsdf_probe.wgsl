@@ -168,11 +168,11 @@ fn isDielectric(code: u32) -> bool {
   return hasGlass & (kindOf(code) == dielectric);
 }
 
-override hasMetallicRoughness = true;
+override hasMetallicRoughness = false;
 
-override hasGlass = true;
+override hasGlass = false;
 
-override hasConductors = true;
+override hasConductors = false;
 
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
 // its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
@@ -401,7 +401,7 @@ fn facetDensity(h: vec3f, alpha: f32) -> f32 {
   return 0.31830988618 / (alpha * alpha * slope * slope);
 }
 
-override hasCompensation = true;
+override hasCompensation = false;
 
 // The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
 // in m, the half vector before it gets length 1.

@@ -45,11 +45,11 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
 };
-const bool hasLens = true;
+const bool hasLens = false;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
-const bool hasOtherProjections = true;
+const bool hasOtherProjections = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 

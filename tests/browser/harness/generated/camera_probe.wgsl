@@ -17,7 +17,7 @@ fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
 @group(0) @binding(0) var<uniform> frame: Frame;
 
 // Cameras other than pinholes, filters other than the box.
-override hasLens = true;
+override hasLens = false;
 
 // The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
 // middle of the lens it is the pinhole's to the last digit.
@@ -54,7 +54,7 @@ fn concentricDisc(u: vec2f) -> vec2f {
 
 const pi = 3.14159265358979;
 
-override hasOtherProjections = true;
+override hasOtherProjections = false;
 
 struct CameraRay {
   origin: vec3f,

@@ -163,11 +163,11 @@ layout(std140) uniform FrameBlock { Frame frame; };
 
 const bool hasManyLights = true;
 
-const bool hasQuadLights = true;
+const bool hasQuadLights = false;
 
-const bool hasSuns = true;
+const bool hasSuns = false;
 
-const bool hasPointLights = true;
+const bool hasPointLights = false;
 
 const bool hasSky = true;
 
@@ -175,9 +175,9 @@ uniform highp sampler2D sceneTable;
 
 const bool hasSphereLights = true;
 
-const bool hasBoxLights = true;
+const bool hasBoxLights = false;
 
-const bool hasEnvironment = true;
+const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
 

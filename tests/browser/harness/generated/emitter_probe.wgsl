@@ -198,17 +198,17 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   return estimate;
 }
 
-override hasQuadLights = true;
+override hasQuadLights = false;
 
 const quadKind = 1.0;
 
-override hasSuns = true;
+override hasSuns = false;
 
 const directionalKind = 5.0;
 
 const pi = 3.14159265359;
 
-override hasPointLights = true;
+override hasPointLights = false;
 
 override hasSky = true;
 
@@ -568,7 +568,7 @@ override hasSphereLights = true;
 // packed-scene/pack-emitters.ts has the same numbers.
 const sphereKind = 0.0;
 
-override hasBoxLights = true;
+override hasBoxLights = false;
 
 const boxKind = 2.0;
 
@@ -836,7 +836,7 @@ struct EnvironmentSample {
 const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
 
 // A sky with a map.
-override hasEnvironment = true;
+override hasEnvironment = false;
 
 fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));

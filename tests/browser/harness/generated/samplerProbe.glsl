@@ -55,7 +55,7 @@ struct Group {
 };
 layout(std140) uniform FrameBlock { Frame frame; };
 
-const bool hasFilter = true;
+const bool hasFilter = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 

@@ -46,7 +46,7 @@ fn next2d(s: ptr<function, Sampler>) -> vec2f {
   return points2d(nextGroup(s));
 }
 
-override hasFilter = true;
+override hasFilter = false;
 
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
 // ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.

@@ -11,6 +11,7 @@ import {
 import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { filterOffset } from '../../../../packages/renderer/src/reference/filter.ts';
 import { Sampler } from '../../../../packages/renderer/src/reference/sampler.ts';
+import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/sampler_probe.wgsl?raw';
@@ -24,6 +25,7 @@ const PROBE: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [{ block: 'Frame' }],
   target: 'film',
+  switches: ALL_SWITCHES,
 };
 
 /** What sampler-probe.wesl is asked for. */

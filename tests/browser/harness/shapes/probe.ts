@@ -7,6 +7,7 @@ import { type PackedScene, packScene } from '../../../../packages/renderer/src/p
 import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { type PreparedShape, prepareScene } from '../../../../packages/renderer/src/reference/prepare.ts';
 import type { Scene } from '../../../../packages/renderer/src/scene/scene.ts';
+import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/shape_probe.wgsl?raw';
@@ -22,6 +23,7 @@ const PROBE: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'rays' }],
   target: 'film',
+  switches: ALL_SWITCHES,
 };
 
 export interface ProbeReport {

@@ -6,7 +6,7 @@ export async function compileProgram(gl: WebGL2RenderingContext, source: PassSou
   const program = gl.createProgram();
   const shaders = [
     shader(gl, gl.VERTEX_SHADER, source.glsl.vertex),
-    shader(gl, gl.FRAGMENT_SHADER, withoutSwitches(source.glsl.fragment, source.without ?? [])),
+    shader(gl, gl.FRAGMENT_SHADER, withSwitches(source.glsl.fragment, source.switches ?? {})),
   ];
   for (const s of shaders) gl.attachShader(program, s);
   gl.linkProgram(program);
@@ -34,8 +34,9 @@ function shader(gl: WebGL2RenderingContext, type: number, text: string): WebGLSh
 }
 
 /** scripts/shaders.ts writes a switch as a constant. */
-function withoutSwitches(glsl: string, names: readonly string[]): string {
+function withSwitches(glsl: string, switches: Readonly<Record<string, boolean>>): string {
   let text = glsl;
-  for (const name of names) text = text.replace(`const bool ${name} = true;`, `const bool ${name} = false;`);
+  for (const [name, on] of Object.entries(switches))
+    text = text.replace(new RegExp(`^const bool ${name} = (true|false);`, 'm'), `const bool ${name} = ${on};`);
   return text;
 }

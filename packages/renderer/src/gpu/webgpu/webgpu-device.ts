@@ -60,8 +60,10 @@ function describe(info: GPUAdapterInfo): string {
   return [info.description || info.device, info.vendor, info.architecture].filter(Boolean).join(', ') || 'WebGPU';
 }
 
-const switchedOff = ({ without = [] }: PassSource): Record<string, number> =>
-  Object.fromEntries(without.map((name) => [name, 0]));
+function switchesIn(wgsl: string, { switches = {} }: PassSource): Record<string, number> {
+  const there = Object.entries(switches).filter(([name]) => wgsl.includes(`override ${name} =`));
+  return Object.fromEntries(there.map(([name, on]) => [name, on ? 1 : 0]));
+}
 
 function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBindGroupLayoutDescriptor {
   const visibility = compute ? GPUShaderStage.COMPUTE : GPUShaderStage.FRAGMENT;
@@ -141,7 +143,7 @@ class WebGpuDevice implements Device {
     return this.#device.createComputePipelineAsync({
       label: source.label,
       layout: this.#device.createPipelineLayout({ bindGroupLayouts: [layout] }),
-      compute: { module: this.#module(wgsl), entryPoint: entry, constants: switchedOff(source) },
+      compute: { module: this.#module(wgsl), entryPoint: entry, constants: switchesIn(wgsl, source) },
     });
   }
 
@@ -153,7 +155,7 @@ class WebGpuDevice implements Device {
       fragment: {
         module: this.#module(source.wgsl.fragment),
         entryPoint: source.entries.fragment,
-        constants: switchedOff(source),
+        constants: switchesIn(source.wgsl.fragment, source),
         targets: Array.from({ length: source.layers ?? 1 }, () => ({
           format: source.target === 'film' ? FILM_FORMAT : this.#format,
         })),

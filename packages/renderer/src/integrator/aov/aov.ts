@@ -15,6 +15,7 @@ import type {
 import { FILTER_PIECES } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
+import { ALL_SWITCHES } from '../../shading/features.ts';
 import aovWgsl from '../../shading/generated/aov.wgsl?raw';
 import aovDataGlsl from '../../shading/generated/aovData.glsl?raw';
 import aovFeaturesGlsl from '../../shading/generated/aovFeatures.glsl?raw';
@@ -39,6 +40,7 @@ const FEATURES: PassSource = {
     { texture: 'previousSecond' },
   ],
   target: 'film',
+  switches: ALL_SWITCHES,
   layers: AOV_LAYERS,
 };
 const DATA: PassSource = {

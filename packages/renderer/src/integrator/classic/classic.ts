@@ -12,6 +12,7 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
+import { ALL_SWITCHES } from '../../shading/features.ts';
 import classicGlsl from '../../shading/generated/classic.glsl?raw';
 import classicWgsl from '../../shading/generated/classic.wgsl?raw';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
@@ -26,6 +27,7 @@ const CLASSIC: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: classicGlsl },
   bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'previousFilm' }],
   target: 'film',
+  switches: ALL_SWITCHES,
 };
 const PREVIEW: PassSource = {
   ...CLASSIC,

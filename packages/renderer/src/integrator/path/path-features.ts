@@ -6,31 +6,7 @@ import { EMITTER_KIND, emittersOf } from '../../packed-scene/pack-emitters.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
 import type { Camera, Material, Scene, Shape, ShapeType } from '../../scene/scene.ts';
-
-export const PATH_FEATURES = [
-  'hasSpheres',
-  'hasBoxes',
-  'hasTurnedBoxes',
-  'hasQuads',
-  'hasPlanes',
-  'hasSphereLights',
-  'hasQuadLights',
-  'hasBoxLights',
-  'hasPointLights',
-  'hasSuns',
-  'hasSky',
-  'hasEnvironment',
-  'hasManyLights',
-  'hasMirrorLayers',
-  'hasMetallicRoughness',
-  'hasConductors',
-  'hasGlass',
-  'hasCompensation',
-  'hasLens',
-  'hasOtherProjections',
-  'hasFilter',
-] as const;
-export type PathFeature = (typeof PATH_FEATURES)[number];
+import { FEATURES, type Feature } from '../../shading/features.ts';
 
 /** What a film needs a program for. */
 export interface PathDemand {
@@ -39,12 +15,12 @@ export interface PathDemand {
   readonly settings: Pick<RendererSettings, 'pixelFilter'>;
 }
 
-export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlySet<PathFeature> {
+export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlySet<Feature> {
   const lamps = lampsAsShapes(scene);
   const shapes = Object.values(lamps.scene.shapes);
   const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
   const { emitters } = emittersOf(lamps, camera.eye, () => 0);
-  const needs: Record<PathFeature, boolean> = {
+  const needs: Record<Feature, boolean> = {
     ...shapeFeatures(shapes),
     ...lightFeatures(emitters.map(({ kind }) => kind as number)),
     ...materialFeatures(materials),
@@ -53,7 +29,7 @@ export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlyS
     hasOtherProjections: (camera.projection ?? 'perspective') !== 'perspective',
     hasFilter: settings.pixelFilter !== 'box',
   };
-  return new Set(PATH_FEATURES.filter((feature) => needs[feature]));
+  return new Set(FEATURES.filter((feature) => needs[feature]));
 }
 
 function shapeFeatures(shapes: readonly Shape[]) {

@@ -3,27 +3,17 @@
  * once and for all; whoever renders without a window makes one for exactly what a scene needs.
  */
 import type { Device, Pass } from '../../gpu/device.ts';
+import { COMMON_FEATURES, FEATURES, type Feature } from '../../shading/features.ts';
 import { createPathPass } from './path.ts';
-import { PATH_FEATURES, type PathFeature } from './path-features.ts';
 
-export type Features = ReadonlySet<PathFeature>;
+export type Features = ReadonlySet<Feature>;
 
-/** What nearly all scenes made of shapes and lamps need, and no more: compiles and runs in a fraction of the time. */
-const COMMON: Features = new Set<PathFeature>([
-  'hasSpheres',
-  'hasBoxes',
-  'hasTurnedBoxes',
-  'hasQuads',
-  'hasPlanes',
-  'hasSphereLights',
-  'hasSky',
-  'hasManyLights',
-  'hasMirrorLayers',
-]);
-const ALL: Features = new Set(PATH_FEATURES);
+/** Compiles and runs in a fraction of the time. */
+const COMMON: Features = new Set(COMMON_FEATURES);
+const ALL: Features = new Set(FEATURES);
 
 const covers = (has: Features, needs: Features) => [...needs].every((feature) => has.has(feature));
-const keyOf = (features: Features) => PATH_FEATURES.map((feature) => (features.has(feature) ? 1 : 0)).join('');
+const keyOf = (features: Features) => FEATURES.map((feature) => (features.has(feature) ? 1 : 0)).join('');
 
 export class PathPrograms {
   readonly #device: Device;

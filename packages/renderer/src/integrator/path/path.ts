@@ -9,11 +9,11 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
+import { type Feature, switchesFor } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
 import pathWgsl from '../../shading/generated/path.wgsl?raw';
-import { PATH_FEATURES, type PathFeature } from './path-features.ts';
 
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
@@ -44,8 +44,8 @@ export interface PathInputs {
 }
 
 /** A program for films that ask for no more than these features. */
-export function createPathPass(device: Device, features: ReadonlySet<PathFeature>): Promise<Pass> {
-  return device.createPass({ ...PATH, without: PATH_FEATURES.filter((feature) => !features.has(feature)) });
+export function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
+  return device.createPass({ ...PATH, switches: switchesFor(features) });
 }
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {

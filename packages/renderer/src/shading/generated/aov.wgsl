@@ -278,7 +278,7 @@ struct Frame {
 }
 
 
-override hasFilter = true;
+override hasFilter = false;
 
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
 // ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
@@ -365,7 +365,7 @@ fn timesW2(x: u32) -> u32 {
 }
 
 // Cameras other than pinholes, filters other than the box.
-override hasLens = true;
+override hasLens = false;
 
 // The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
 // middle of the lens it is the pinhole's to the last digit.
@@ -402,7 +402,7 @@ fn concentricDisc(u: vec2f) -> vec2f {
 
 const pi = 3.14159265358979;
 
-override hasOtherProjections = true;
+override hasOtherProjections = false;
 
 struct CameraRay {
   origin: vec3f,

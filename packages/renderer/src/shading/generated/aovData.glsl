@@ -124,11 +124,11 @@ uniform highp sampler2D previousSecond;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
-const bool hasFilter = true;
+const bool hasFilter = false;
 
-const bool hasLens = true;
+const bool hasLens = false;
 
-const bool hasOtherProjections = true;
+const bool hasOtherProjections = false;
 
 uniform highp sampler2D sceneTable;
 

@@ -135,7 +135,7 @@ layout(std140) uniform FrameBlock { Frame frame; };
 
 uniform highp sampler2D sceneTable;
 
-const bool hasOtherProjections = true;
+const bool hasOtherProjections = false;
 
 uniform highp sampler2D previousFilm;
 

@@ -925,7 +925,7 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   return ray;
 }
 
-override hasOtherProjections = true;
+override hasOtherProjections = false;
 
 struct CameraRay {
   origin: vec3f,

@@ -232,11 +232,11 @@ const uint rouletteDepth = 5u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
-const bool hasFilter = true;
+const bool hasFilter = false;
 
-const bool hasLens = true;
+const bool hasLens = false;
 
-const bool hasOtherProjections = true;
+const bool hasOtherProjections = false;
 
 const bool hasSpheres = true;
 
@@ -246,35 +246,35 @@ const bool hasBoxes = true;
 
 const bool hasTurnedBoxes = true;
 
-const bool hasQuads = true;
+const bool hasQuads = false;
 
 const bool hasPlanes = true;
 
-const bool hasGlass = true;
+const bool hasGlass = false;
 
-const bool hasSuns = true;
+const bool hasSuns = false;
 
 const bool hasSky = true;
 
-const bool hasEnvironment = true;
+const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
 
 const bool hasSphereLights = true;
 
-const bool hasQuadLights = true;
+const bool hasQuadLights = false;
 
-const bool hasBoxLights = true;
+const bool hasBoxLights = false;
 
 const bool hasManyLights = true;
 
-const bool hasPointLights = true;
+const bool hasPointLights = false;
 
-const bool hasConductors = true;
+const bool hasConductors = false;
 
-const bool hasMetallicRoughness = true;
+const bool hasMetallicRoughness = false;
 
-const bool hasCompensation = true;
+const bool hasCompensation = false;
 
 const bool hasMirrorLayers = true;
 
@@ -286,8 +286,8 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_15 = ((x * 747796405u) + 2891336453u);
-    uint w_2 = (((s_15 >> ((s_15 >> 28u) + 4u)) ^ s_15) * 277803737u);
+    uint s_17 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_17 >> ((s_17 >> 28u) + 4u)) ^ s_17) * 277803737u);
     return ((w_2 >> 22u) ^ w_2);
 }
 
@@ -511,18 +511,37 @@ CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
     return _e9;
 }
 
+void skipGroup(inout Sampler s_2) {
+    uint _e3 = s_2.key;
+    s_2.key = (_e3 + 1u);
+    return;
+}
+
+vec2 lensPoint_2(inout Sampler s_3) {
+    vec2 u_3 = vec2(0.5);
+    const bool _e5 = hasLens;
+    if (_e5) {
+        vec2 _e6 = next2d(s_3);
+        u_3 = _e6;
+    } else {
+        skipGroup(s_3);
+    }
+    vec2 _e7 = u_3;
+    return _e7;
+}
+
 Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
-    Sampler s_2 = Sampler(0u, 0u, 0u, 0u);
+    Sampler s_4 = Sampler(0u, 0u, 0u, 0u);
     uint _e4 = frame.seed;
     Sampler _e5 = startSampler(pixel_2, sampleIndex_2, _e4);
-    s_2 = _e5;
-    vec2 _e11 = next2d(s_2);
+    s_4 = _e5;
+    vec2 _e11 = next2d(s_4);
     vec2 _e12 = filterOffset(_e11);
     vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
-    vec2 _e14 = next2d(s_2);
+    vec2 _e14 = lensPoint_2(s_4);
     CameraRay _e15 = cameraRay(filmPosition_2, _e14);
     RayPair rays = RayPair(_e15.origin, noShape, 0.0, _e15.direction, false, _e15.direction, false, -1.0, noShape);
-    Sampler _e36 = s_2;
+    Sampler _e36 = s_4;
     return Path(rays, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e36);
 }
 
@@ -1111,14 +1130,14 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_8, PairHit hit, Surface s_3, vec3 outward) {
+vec3 foundLight(Path p_8, PairHit hit, Surface s_5, vec3 outward) {
     vec3 found_6 = vec3(0.0);
     uint i_14 = 0u;
     bool escaped = (hit.shape == noShape);
     vec3 direction_15 = p_8.rays.direction;
-    bool hidden = pick(((uint(s_3.code) & 16u) != 0u), (dot(outward, direction_15) > 0.0), false);
-    int _e20 = emitterOf(s_3.code);
-    found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_3.emission);
+    bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_15) > 0.0), false);
+    int _e20 = emitterOf(s_5.code);
+    found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
     bool weighed = pick(escaped, true, (_e20 >= 0));
     uint _e32 = frame.emitterCount;
     if (pick(weighed, (_e32 > 0u), false)) {
@@ -1166,8 +1185,8 @@ uint pascalW2_(uint x_12) {
     return (_e16 ^ _e22);
 }
 
-vec3 next3d(inout Sampler s_4) {
-    Group _e1 = nextGroup(s_4);
+vec3 next3d(inout Sampler s_6) {
+    Group _e1 = nextGroup(s_6);
     uint _e4 = timesW2_(_e1.shift);
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
@@ -1177,7 +1196,7 @@ vec3 next3d(inout Sampler s_4) {
     return vec3(_e13, _e17);
 }
 
-EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_3) {
+EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
     float total_1 = 0.0;
     uint chosen = 0u;
@@ -1189,7 +1208,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_3) {
     const bool _e14 = hasManyLights;
     uint _e17 = frame.emitterCount;
     if (pick(_e14, (_e17 > 1u), false)) {
-        rest = u_3;
+        rest = u_4;
         while(true) {
             uint _e30 = i_15;
             Emitter _e31 = fetchEmitter(_e30);
@@ -1227,29 +1246,29 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_3) {
 }
 
 vec3 turnTo(vec3 axis, vec3 v_4) {
-    float s_16 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_3 = (-1.0 / (s_16 + axis.z));
+    float s_18 = pick((axis.z >= 0.0), 1.0, -1.0);
+    float a_3 = (-1.0 / (s_18 + axis.z));
     float b_6 = ((axis.x * axis.y) * a_3);
-    vec3 x_16 = vec3((1.0 + (((s_16 * axis.x) * axis.x) * a_3)), (s_16 * b_6), (-(s_16) * axis.x));
-    vec3 y_11 = vec3(b_6, (s_16 + ((axis.y * axis.y) * a_3)), -(axis.y));
+    vec3 x_16 = vec3((1.0 + (((s_18 * axis.x) * axis.x) * a_3)), (s_18 * b_6), (-(s_18) * axis.x));
+    vec3 y_11 = vec3(b_6, (s_18 + ((axis.y * axis.y) * a_3)), -(axis.y));
     return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
-ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_4) {
-    float oneMinusCosine = (u_4.x * width_1);
+ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_5) {
+    float oneMinusCosine = (u_5.x * width_1);
     float cosine_12 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_4.y);
+    float phi = (6.2831855 * u_5.y);
     vec2 turn_1 = vec2(cos(phi), sin(phi));
     vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
     return ConeDirection(_e23, cosine_12, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_5) {
+LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
     SphereView _e3 = viewSphere(e_13, point_10);
     vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_5);
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_6);
     float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_1) + halfChord);
@@ -1266,40 +1285,40 @@ vec2 cosineAndSine(float x_13) {
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
-vec3 sphericalRectangle(QuadView q_4, vec2 u_6) {
+vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     float h_5 = q_4.height;
     vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_17 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_6.x * q_4.solidAngle))));
-    vec2 across_3 = (vec2((s_17.y - s_17.x), (s_17.y + s_17.x)) * _e21);
+    vec2 s_19 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
+    vec2 across_3 = (vec2((s_19.y - s_19.x), (s_19.y + s_19.x)) * _e21);
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
     float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_17 * x_17) + (h_5 * h_5));
     vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
-    float v_8 = mix(ends_1.x, ends_1.y, u_6.y);
+    float v_8 = mix(ends_1.x, ends_1.y, u_7.y);
     float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
     return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_7) {
+LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
     QuadView _e3 = viewQuad(e_14, point_11);
-    vec3 onArea = ((_e3.corner + (u_7.x * e_14.u)) + (u_7.y * e_14.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_7);
+    vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_8);
     vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_7 = max(length(toLight_2), _e3.height);
     float _e23 = pdfOfView(_e3, e_14.area, distance_7);
     return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_8) {
+vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
     float both = (b_1.faces.x + b_1.faces.y);
-    float at_2 = (u_8.x * b_1.area);
+    float at_2 = (u_9.x * b_1.area);
     bool onX_1 = (at_2 < b_1.faces.x);
     bool onY_1 = pick(!(onX_1), (at_2 < both), false);
     float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
     float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_8.y) - 1.0));
+    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
     vec3 toLight_3 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
@@ -1309,10 +1328,10 @@ vec3 rotateBack(vec4 q_5, vec3 v_5) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_9) {
+LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
     BoxView _e3 = viewBox(e_16, point_12);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_9);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_9);
+    vec4 _e4 = pointOnFaces(e_16, _e3, u_10);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_10);
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
@@ -1332,37 +1351,37 @@ LightSample samplePoint(Emitter e_17, vec3 point_13) {
 }
 
 LightSample sampleSpot(Emitter e_18, vec3 point_14) {
-    LightSample s_5 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample s_7 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
     LightSample _e2 = samplePoint(e_18, point_14);
-    s_5 = _e2;
-    vec3 _e5 = s_5.direction;
+    s_7 = _e2;
+    vec3 _e5 = s_7.direction;
     float _e6 = spotFalloff(e_18, _e5);
-    vec3 _e8 = s_5.radiance;
-    s_5.radiance = (_e8 * _e6);
-    float _e12 = s_5.pdf;
-    s_5.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_5;
+    vec3 _e8 = s_7.radiance;
+    s_7.radiance = (_e8 * _e6);
+    float _e12 = s_7.pdf;
+    s_7.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_7;
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_19, vec2 u_10) {
+LightSample sampleDirectional(Emitter e_19, vec2 u_11) {
     bool delta = (e_19.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_10);
+    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_11);
     return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
 }
 
-Parts splitProduct(vec2 u_11, uvec2 n_1) {
-    uvec2 digits = uvec2((u_11 * 16777216.0));
+Parts splitProduct(vec2 u_12, uvec2 n_1) {
+    uvec2 digits = uvec2((u_12 * 16777216.0));
     uvec2 low_2 = ((digits & uvec2(4095u)) * n_1);
     uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_2 >> uvec2(12u)));
     return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_2 & uvec2(4095u)))));
 }
 
-ChosenCell chooseCell(vec2 u_12) {
+ChosenCell chooseCell(vec2 u_13) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_2 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_12, (size_2 + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
+    Parts _e9 = splitProduct(u_13, (size_2 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
     float fine = ((float(hash) * 5.9604645e-8) * _e26);
@@ -1379,14 +1398,14 @@ ChosenCell chooseCell(vec2 u_12) {
     return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
-float linearSample(float u_13, float a, float b_2) {
+float linearSample(float u_14, float a, float b_2) {
     vec2 ends_2 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
-    return min((u_13 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_13))), 1e-9)), 1.0);
+    return min((u_14 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_14))), 1e-9)), 1.0);
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_14) {
+EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 size_3 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_14);
+    ChosenCell _e4 = chooseCell(u_15);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_3 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
@@ -1408,64 +1427,64 @@ EnvironmentSample sampleEnvironment(vec2 u_14) {
     return EnvironmentSample(direction_17, _e119);
 }
 
-LightSample sampleSky(vec2 u_15) {
-    EnvironmentSample s_6 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_15);
-    s_6 = EnvironmentSample(_e6.direction, white);
+LightSample sampleSky(vec2 u_16) {
+    EnvironmentSample s_8 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
+    s_8 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_15);
-        s_6 = _e13;
+        EnvironmentSample _e13 = sampleEnvironment(u_16);
+        s_8 = _e13;
     }
-    vec3 _e15 = s_6.direction;
-    vec3 _e18 = s_6.light.radiance;
-    vec3 _e20 = s_6.direction;
+    vec3 _e15 = s_8.direction;
+    vec3 _e18 = s_8.light.radiance;
+    vec3 _e20 = s_8.direction;
     vec3 _e21 = sky(_e20);
-    float _e25 = s_6.light.pdf;
+    float _e25 = s_8.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_16) {
-    LightSample s_7 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
+    LightSample s_9 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (pick(_e15, (e_20.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_20, point_15, u_16);
-        s_7 = _e20;
+        LightSample _e20 = sampleSphere(e_20, point_15, u_17);
+        s_9 = _e20;
     }
     const bool _e22 = hasQuadLights;
     if (pick(_e22, (e_20.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_20, point_15, u_16);
-        s_7 = _e27;
+        LightSample _e27 = sampleQuad(e_20, point_15, u_17);
+        s_9 = _e27;
     }
     const bool _e29 = hasBoxLights;
     if (pick(_e29, (e_20.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_20, point_15, u_16);
-        s_7 = _e34;
+        LightSample _e34 = sampleBox(e_20, point_15, u_17);
+        s_9 = _e34;
     }
     const bool _e36 = hasPointLights;
     if (pick(_e36, (e_20.kind == 3.0), false)) {
         LightSample _e41 = samplePoint(e_20, point_15);
-        s_7 = _e41;
+        s_9 = _e41;
     }
     const bool _e43 = hasPointLights;
     if (pick(_e43, (e_20.kind == 4.0), false)) {
         LightSample _e48 = sampleSpot(e_20, point_15);
-        s_7 = _e48;
+        s_9 = _e48;
     }
     const bool _e50 = hasSuns;
     if (pick(_e50, (e_20.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_20, u_16);
-        s_7 = _e55;
+        LightSample _e55 = sampleDirectional(e_20, u_17);
+        s_9 = _e55;
     }
     const bool _e57 = hasSky;
     if (pick(_e57, (e_20.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_16);
-        s_7 = _e62;
+        LightSample _e62 = sampleSky(u_17);
+        s_9 = _e62;
     }
-    float _e65 = s_7.pdf;
-    float _e67 = s_7.distance_;
-    s_7.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
-    LightSample _e74 = s_7;
+    float _e65 = s_9.pdf;
+    float _e67 = s_9.distance_;
+    s_9.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
+    LightSample _e74 = s_9;
     return _e74;
 }
 
@@ -1510,8 +1529,8 @@ float indexRatio(float eta, float z) {
 }
 
 float reflectionBound(vec3 wo, float alpha) {
-    float s_18 = (1.0 + length(wo.xy));
-    float s2_ = (s_18 * s_18);
+    float s_20 = (1.0 + length(wo.xy));
+    float s2_ = (s_20 * s_20);
     float a2_ = (alpha * alpha);
     return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
 }
@@ -1520,22 +1539,22 @@ float stretched(vec3 w_1, float alpha_1) {
     return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
 }
 
-Outgoing outgoing(Surface s_8, vec3 wo_1) {
+Outgoing outgoing(Surface s_10, vec3 wo_1) {
     Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_7 = uint(s_8.code);
+    uint code_7 = uint(s_10.code);
     bool _e4 = isConductor(code_7);
     bool _e5 = isDielectric(code_7);
     o = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e16 = hasMetallicRoughness;
     if (_e16) {
         float _e19 = o.share;
-        float _e23 = specularShare(s_8.baseColor, s_8.metallic, wo_1.z);
+        float _e23 = specularShare(s_10.baseColor, s_10.metallic, wo_1.z);
         bool _e24 = isMetallicRoughness(code_7);
         o.share = pick(_e24, _e23, _e19);
     }
     const bool _e27 = hasGlass;
     if (_e27) {
-        float _e32 = indexRatio(s_8.eta.x, wo_1.z);
+        float _e32 = indexRatio(s_10.eta.x, wo_1.z);
         bool _e33 = isDielectric(code_7);
         o.ratio = pick(_e33, _e32, 1.0);
     }
@@ -1543,10 +1562,10 @@ Outgoing outgoing(Surface s_8, vec3 wo_1) {
     const bool _e39 = hasMetallicRoughness;
     const bool _e42 = hasGlass;
     if (pick(pick(_e37, true, _e39), true, _e42)) {
-        float _e46 = reflectionBound(wo_1, s_8.alpha);
+        float _e46 = reflectionBound(wo_1, s_10.alpha);
         bool _e47 = isDielectric(code_7);
         o.bound = pick(_e47, 1.0, _e46);
-        float _e52 = stretched(wo_1, s_8.alpha);
+        float _e52 = stretched(wo_1, s_10.alpha);
         o.stretched = _e52;
     }
     Outgoing _e53 = o;
@@ -1590,19 +1609,19 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin) {
     return pick(thin, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_9, float cosine_7, float ratio_2) {
+vec3 facetReflectance(Surface s_11, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_8 = uint(s_9.code);
+    uint code_8 = uint(s_11.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_9.baseColor, s_9.metallic);
+        vec3 _e12 = metallicRoughnessF0_(s_11.baseColor, s_11.metallic);
         vec3 _e13 = schlick(_e12, cosine_7);
         reflectance = _e13;
     }
     const bool _e15 = hasConductors;
     if (_e15) {
         vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_9.baseColor, s_9.eta, s_9.k, cosine_7);
+        vec3 _e20 = conductorReflectance(s_11.baseColor, s_11.eta, s_11.k, cosine_7);
         bool _e21 = isConductor(code_8);
         reflectance = pick(_e21, _e20, _e16);
     }
@@ -1625,19 +1644,19 @@ float singleScatteringAlbedo(float cosine_8, float alpha_3) {
     return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
 }
 
-vec3 compensation(Surface s_10, float cosine_9) {
-    uint code_9 = uint(s_10.code);
+vec3 compensation(Surface s_12, float cosine_9) {
+    uint code_9 = uint(s_12.code);
     bool _e8 = isDielectric(code_9);
     bool asked = pick(((code_9 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_9, s_10.alpha);
-    vec3 _e17 = facetReflectance(s_10, 1.0, 1.0);
+    float _e12 = singleScatteringAlbedo(cosine_9, s_12.alpha);
+    vec3 _e17 = facetReflectance(s_12, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_11, Outgoing o_1, vec3 wi) {
+FacetLobe evaluateFacets(Surface s_13, Outgoing o_1, vec3 wi) {
     vec3 passes = vec3(0.0);
     vec3 wo_5 = o_1.wo;
-    bool _e6 = isDielectric(uint(s_11.code));
+    bool _e6 = isDielectric(uint(s_13.code));
     const bool _e8 = hasGlass;
     bool crossing = pick(_e8, ((wo_5.z < 0.0) != (wi.z < 0.0)), false);
     vec3 m_1 = (wo_5 + (wi * pick(crossing, o_1.ratio, 1.0)));
@@ -1648,18 +1667,18 @@ FacetLobe evaluateFacets(Surface s_11, Outgoing o_1, vec3 wi) {
     float zo = abs(wo_5.z);
     float zi = abs(wi.z);
     bool faces_1 = pick((((oh * h_6.z) * wo_5.z) >= 0.0), (((ih * h_6.z) * wi.z) >= 0.0), false);
-    float _e52 = facetDensity(h_6, s_11.alpha);
+    float _e52 = facetDensity(h_6, s_13.alpha);
     float spread = (pick(crossing, (abs((oh * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_11, abs(oh), o_1.ratio);
+    vec3 _e60 = facetReflectance(s_13, abs(oh), o_1.ratio);
     passes = pick(crossing, (vec3(1.0) - _e60), _e60);
-    float _e69 = stretched(wi, s_11.alpha);
+    float _e69 = stretched(wi, s_13.alpha);
     float masked = (zi / max(((zi * o_1.stretched) + (zo * _e69)), 1e-20));
     float _e76 = passes.x;
     float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_1.ratio * o_1.ratio), 1.0));
     const bool _e86 = hasCompensation;
     if (_e86) {
         vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_11, zo);
+        vec3 _e88 = compensation(s_13, zo);
         passes = (_e87 * _e88);
     }
     vec3 _e90 = passes;
@@ -1675,23 +1694,23 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec4 evaluateBsdf(Surface s_12, Outgoing o_2, vec3 wi_1) {
+vec4 evaluateBsdf(Surface s_14, Outgoing o_2, vec3 wi_1) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_1.z, 0.0));
-    value = (vec4(s_12.baseColor, 1.0) * lambert);
+    value = (vec4(s_14.baseColor, 1.0) * lambert);
     dark = pick((o_2.wo.z < 0.0), true, (wi_1.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_10 = uint(s_12.code);
-        FacetLobe _e32 = evaluateFacets(s_12, o_2, wi_1);
+        uint code_10 = uint(s_14.code);
+        FacetLobe _e32 = evaluateFacets(s_14, o_2, wi_1);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_12.baseColor, s_12.metallic, _e32.cosine);
+            vec3 _e42 = metallicRoughnessDiffuse(s_14.baseColor, s_14.metallic, _e32.cosine);
             bool _e43 = isMetallicRoughness(code_10);
             base = pick(_e43, _e42, _e38);
         }
@@ -1706,31 +1725,31 @@ vec4 evaluateBsdf(Surface s_12, Outgoing o_2, vec3 wi_1) {
         bool _e68 = isDielectric(code_10);
         dark = pick(_e68, _e67, _e66);
     }
-    float _e71 = mirrorShare(s_12.reflectivity);
+    float _e71 = mirrorShare(s_14.reflectivity);
     vec4 _e74 = value;
     bool _e78 = dark;
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-vec3 sampleCosine(vec2 u_17) {
-    float radius_2 = sqrt(u_17.x);
-    float phi_2 = ((6.2831855 * u_17.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_17.x))));
+vec3 sampleCosine(vec2 u_18) {
+    float radius_2 = sqrt(u_18.x);
+    float phi_2 = ((6.2831855 * u_18.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_18.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_18) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_19) {
     float _e8 = stretched(wo_2, alpha_4);
     vec3 w_4 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_18.x) - 3.1415927);
-    float drop = (u_18.y * (1.0 + (bound * w_4.z)));
+    float phi_3 = ((6.2831855 * u_19.x) - 3.1415927);
+    float drop = (u_19.y * (1.0 + (bound * w_4.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_7 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_19) {
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_20) {
     float side_3 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_19);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_20);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
@@ -1744,27 +1763,27 @@ vec3 mirrored(vec3 wo_4) {
     return vec3(-(wo_4.xy), wo_4.z);
 }
 
-BsdfSample sampleLobe(Surface s_13, Outgoing o_4, vec3 u_20) {
+BsdfSample sampleLobe(Surface s_15, Outgoing o_4, vec3 u_21) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi_2 = vec3(0.0);
     float probability_1 = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_6 = o_4.wo;
-    float _e5 = mirrorShare(s_13.reflectivity);
+    float _e5 = mirrorShare(s_15.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_1 = ((u_20.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_20.xy);
+    float choice_1 = ((u_21.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_21.xy);
     drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_13.code);
+        uint code_11 = uint(s_15.code);
         bool _e29 = isDielectric(code_11);
         bool _e30 = isSmooth(code_11);
-        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_4, u_20.xy);
+        vec3 _e33 = sampleFacet(s_15.alpha, _e30, o_4, u_21.xy);
         float oh_1 = max(dot(wo_6, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_13, oh_1, o_4.ratio);
+        vec3 _e38 = facetReflectance(s_15, oh_1, o_4.ratio);
         bool crossing_1 = pick(_e29, (choice_1 >= _e38.x), false);
         wi_2 = (((2.0 * oh_1) * _e33) - wo_6);
         probability_1 = (base_2 * o_4.share);
@@ -1796,7 +1815,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_4, vec3 u_20) {
     }
     const bool _e116 = hasMirrorLayers;
     if (_e116) {
-        bool reflected = (u_20.z < _e5);
+        bool reflected = (u_21.z < _e5);
         vec3 _e121 = drawn.direction;
         vec3 _e122 = mirrored(wo_6);
         drawn.direction = pick(reflected, _e122, _e121);
@@ -1829,14 +1848,14 @@ float unitFloat(uint h_3) {
     return (float((h_3 >> 8u)) * 5.9604645e-8);
 }
 
-float nextHash(inout Sampler s_14) {
-    uint _e3 = s_14.key;
-    s_14.key = (_e3 + 1u);
-    uint _e7 = s_14.key;
-    uint _e9 = s_14.salt;
+float nextHash(inout Sampler s_16) {
+    uint _e3 = s_16.key;
+    s_16.key = (_e3 + 1u);
+    uint _e7 = s_16.key;
+    uint _e9 = s_16.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_14.sample_;
-    uint _e17 = s_14.place;
+    uint _e13 = s_16.sample_;
+    uint _e17 = s_16.place;
     uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;

@@ -90,7 +90,7 @@ var<workgroup> squares: array<vec3f, 128>;
 fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   var s = startSampler(pixel, sampleIndex, frame.seed);
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, next2d(&s));
+  let camera = cameraRay(filmPosition, lensPoint(&s));
   let rays = RayPair(camera.origin, noShape, 0.0, camera.direction, false, camera.direction, false, -1.0, noShape);
   return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
 }
@@ -303,7 +303,7 @@ fn toLocal(b: Basis, v: vec3f) -> vec3f {
   return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
 }
 
-override hasGlass = true;
+override hasGlass = false;
 
 // Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
 fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f) -> vec3f {
@@ -578,13 +578,14 @@ fn fetchBounds(i: u32) -> Bounds {
   return Bounds(t0.xyz, t0.w);
 }
 
-override hasQuads = true;
+override hasQuads = false;
 
 override hasBoxes = true;
 
-// What a scene may ask of the path kernel. Whoever makes a pipeline switches off what its scenes do not have, and the compiler
-// leaves that code out: integrator/path/features.ts. (A software rasteriser runs both sides of every branch, Windows' shader
-// compiler pays for every line, and a GPU for every register.) On WebGL2 these become `const` in the GLSL.
+// What a scene may ask of the path kernel. Whoever makes a program says what its scenes have (integrator/path/path-features.ts), and the
+// compiler leaves the rest out: a software rasteriser runs both sides of every branch, Windows' shader compiler pays for every line,
+// and a GPU for every register. On WebGL2 these become `const` in the GLSL. As they stand here they are what most scenes made of
+// shapes and lights need: the program that a page compiles first.
 // Kinds of shape, and boxes that do not lie along the axes.
 override hasSpheres = true;
 
@@ -734,7 +735,7 @@ fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
 
 override hasSky = true;
 
-override hasSuns = true;
+override hasSuns = false;
 
 // What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
 // before the sky and add to it.
@@ -801,7 +802,7 @@ fn skyLight(direction: vec3f) -> EnvironmentLight {
 const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
 
 // A sky with a map.
-override hasEnvironment = true;
+override hasEnvironment = false;
 
 fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
@@ -877,11 +878,11 @@ override hasSphereLights = true;
 // packed-scene/pack-emitters.ts has the same numbers.
 const sphereKind = 0.0;
 
-override hasQuadLights = true;
+override hasQuadLights = false;
 
 const quadKind = 1.0;
 
-override hasBoxLights = true;
+override hasBoxLights = false;
 
 const boxKind = 2.0;
 
@@ -1056,7 +1057,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   return estimate;
 }
 
-override hasPointLights = true;
+override hasPointLights = false;
 
 // glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
 fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
@@ -1412,9 +1413,9 @@ fn isConductor(code: u32) -> bool {
   return hasConductors & (kindOf(code) == conductor);
 }
 
-override hasMetallicRoughness = true;
+override hasMetallicRoughness = false;
 
-override hasConductors = true;
+override hasConductors = false;
 
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
 // its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
@@ -1532,7 +1533,7 @@ fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
   return reflectance;
 }
 
-override hasCompensation = true;
+override hasCompensation = false;
 
 // The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
 // in m, the half vector before it gets length 1.
@@ -1793,6 +1794,17 @@ fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
   return rayThroughLens(filmPosition, lensPoint);
 }
 
+// The second draw of a sample, from whichever camera: what comes after it is the same.
+fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
+  var u = vec2f(0.5);
+  if (hasLens) {
+    u = next2d(s);
+  } else {
+    skipGroup(s);
+  }
+  return u;
+}
+
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
@@ -1811,7 +1823,7 @@ fn pcg(x: u32) -> u32 {
   return (w >> 22u) ^ w;
 }
 
-override hasFilter = true;
+override hasFilter = false;
 
 // Inverse of the filter's distribution along one axis. Folded at the middle; the square root straightens the tail, where a filter that
 // ends at 0 has an inverse of infinite slope. pack-filter.ts makes the pieces and bounds their error.
@@ -1826,7 +1838,7 @@ fn filterAxis(u: f32) -> f32 {
 }
 
 // Cameras other than pinholes, filters other than the box.
-override hasLens = true;
+override hasLens = false;
 
 // The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
 // middle of the lens it is the pinhole's to the last digit.
@@ -1863,13 +1875,17 @@ fn concentricDisc(u: vec2f) -> vec2f {
 
 const pi0 = 3.14159265358979;
 
-override hasOtherProjections = true;
+override hasOtherProjections = false;
 
 struct CameraRay {
   origin: vec3f,
   direction: vec3f,
 }
 
+
+fn skipGroup(s: ptr<function, Sampler>) {
+  (*s).key = (*s).key + 1u;
+}
 
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl

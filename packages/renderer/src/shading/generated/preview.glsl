@@ -95,7 +95,7 @@ const uint noShape = 4294967295u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
-const bool hasOtherProjections = true;
+const bool hasOtherProjections = false;
 
 uniform highp sampler2D sceneTable;
 
