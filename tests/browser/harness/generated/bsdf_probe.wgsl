@@ -42,7 +42,7 @@ fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
     o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
   }
   if (hasGlass) {
-    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z), isDielectric(code));
+    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
   }
   if (hasConductors | hasMetallicRoughness | hasGlass) {
     o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
@@ -211,9 +211,13 @@ fn kindOf(code: u32) -> u32 {
 
 const metallicRoughness = 1u;
 
-// Index behind the boundary over the index on the side of a direction with this z.
-fn indexRatio(eta: f32, z: f32) -> f32 {
-  return select(eta, 1.0 / eta, z < 0.0);
+// Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
+fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {
+  return select(eta, 1.0 / eta, (z < 0.0) & !thin);
+}
+
+fn isThin(code: u32) -> bool {
+  return hasGlass & ((code & 7u) == 7u);
 }
 
 // Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
@@ -286,10 +290,6 @@ fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
     reflectance = select(reflectance, vec3f(glassReflectance(cosine, ratio, isThin(code))), isDielectric(code));
   }
   return reflectance;
-}
-
-fn isThin(code: u32) -> bool {
-  return hasGlass & ((code & 7u) == 7u);
 }
 
 // The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.

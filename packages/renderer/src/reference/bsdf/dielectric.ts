@@ -9,8 +9,8 @@ import { type BsdfSample, type BsdfSurface, DARK, type Evaluation, grey } from '
 export const LEAST_CONTRAST = 1e-3;
 
 export const flip = ([x, y, z]: Vec3): Vec3 => [x, y, -z];
-/** The index beyond the boundary over the one on wo's side. */
-export const indexRatio = (s: BsdfSurface, wo: Vec3): number => (wo[2] < 0 ? 1 / s.ior : s.ior);
+/** The index beyond the boundary over the one on wo's side. A thin pane has air on both sides. */
+export const indexRatio = (s: BsdfSurface, wo: Vec3): number => (wo[2] < 0 && !s.thin ? 1 / s.ior : s.ior);
 
 /** Walter et al. 2007, equations 20 (reflection) and 21 (transmission, divided by ratio² for radiance). */
 export function evaluateRoughGlass(s: BsdfSurface, wo: Vec3, wi: Vec3): Evaluation {

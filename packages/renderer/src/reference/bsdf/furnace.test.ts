@@ -84,6 +84,17 @@ describe('energy compensation', () => {
   });
 });
 
+test('a thin pane is alike from both sides, at grazing angles too', () => {
+  const pane = { ...glass(1.5, 0), thin: true };
+  for (const cosine of [0.01, 0.1, 0.5, 0.74, 1])
+    for (const choice of [0, 0.9999]) {
+      const outside = sampleBsdf(pane, directionOf(cosine), [0, 0, choice])!;
+      const inside = sampleBsdf(pane, directionOf(-cosine), [0, 0, choice])!;
+      expect(inside.pdf).toBeCloseTo(outside.pdf, 12);
+      expect(Math.abs(inside.direction[2])).toBeCloseTo(Math.abs(outside.direction[2]), 12);
+    }
+});
+
 test('a thin pane sums what runs to and fro between its faces: 2 R / (1 + R)', () => {
   for (const cosine of COSINES) {
     const r = dielectricFresnel(cosine, 1.5);

@@ -1524,8 +1524,8 @@ bool isMetallicRoughness(uint code_5) {
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-float indexRatio(float eta, float z) {
-    return pick((z < 0.0), (1.0 / eta), eta);
+float indexRatio(float eta, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta), eta);
 }
 
 float reflectionBound(vec3 wo, float alpha) {
@@ -1554,22 +1554,23 @@ Outgoing outgoing(Surface s_10, vec3 wo_1) {
     }
     const bool _e27 = hasGlass;
     if (_e27) {
-        float _e32 = indexRatio(s_10.eta.x, wo_1.z);
-        bool _e33 = isDielectric(code_7);
-        o.ratio = pick(_e33, _e32, 1.0);
+        bool _e32 = isThin(code_7);
+        float _e33 = indexRatio(s_10.eta.x, wo_1.z, _e32);
+        bool _e34 = isDielectric(code_7);
+        o.ratio = pick(_e34, _e33, 1.0);
     }
-    const bool _e37 = hasConductors;
-    const bool _e39 = hasMetallicRoughness;
-    const bool _e42 = hasGlass;
-    if (pick(pick(_e37, true, _e39), true, _e42)) {
-        float _e46 = reflectionBound(wo_1, s_10.alpha);
-        bool _e47 = isDielectric(code_7);
-        o.bound = pick(_e47, 1.0, _e46);
-        float _e52 = stretched(wo_1, s_10.alpha);
-        o.stretched = _e52;
+    const bool _e38 = hasConductors;
+    const bool _e40 = hasMetallicRoughness;
+    const bool _e43 = hasGlass;
+    if (pick(pick(_e38, true, _e40), true, _e43)) {
+        float _e47 = reflectionBound(wo_1, s_10.alpha);
+        bool _e48 = isDielectric(code_7);
+        o.bound = pick(_e48, 1.0, _e47);
+        float _e53 = stretched(wo_1, s_10.alpha);
+        o.stretched = _e53;
     }
-    Outgoing _e53 = o;
-    return _e53;
+    Outgoing _e54 = o;
+    return _e54;
 }
 
 float facetDensity(vec3 h_1, float alpha_2) {
@@ -1604,9 +1605,9 @@ float dielectricFresnel(float cosine_5, float ratio) {
     return pick((inside2_ > 0.0), (0.5 * ((across_5 * across_5) + (along_2 * along_2))), 1.0);
 }
 
-float glassReflectance(float cosine_6, float ratio_1, bool thin) {
+float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
     float _e3 = dielectricFresnel(cosine_6, ratio_1);
-    return pick(thin, ((2.0 * _e3) / (1.0 + _e3)), _e3);
+    return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
 vec3 facetReflectance(Surface s_11, float cosine_7, float ratio_2) {

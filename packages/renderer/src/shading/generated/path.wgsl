@@ -413,7 +413,7 @@ fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
     o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
   }
   if (hasGlass) {
-    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z), isDielectric(code));
+    o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
   }
   if (hasConductors | hasMetallicRoughness | hasGlass) {
     o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
@@ -1449,9 +1449,9 @@ const dielectricF0 = 0.04;
 
 const metallicRoughness = 1u;
 
-// Index behind the boundary over the index on the side of a direction with this z.
-fn indexRatio(eta: f32, z: f32) -> f32 {
-  return select(eta, 1.0 / eta, z < 0.0);
+// Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
+fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {
+  return select(eta, 1.0 / eta, (z < 0.0) & !thin);
 }
 
 // Visible normals that reflect below the horizon need not be sampled: this is how much of the lower half of their cap is left.
