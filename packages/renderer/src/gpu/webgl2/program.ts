@@ -33,9 +33,9 @@ function shader(gl: WebGL2RenderingContext, type: number, text: string): WebGLSh
   return s;
 }
 
-/** scripts/shaders.ts writes a switch as a constant. */
+/** scripts/shaders.ts writes a switch as a constant; in a built page there may be no spaces around the `=`. */
 function withoutSwitches(glsl: string, names: readonly string[]): string {
   let text = glsl;
-  for (const name of names) text = text.replace(`const bool ${name} = true;`, `const bool ${name} = false;`);
+  for (const name of names) text = text.replace(new RegExp(`(const bool ${name} ?= ?)true;`), '$1false;');
   return text;
 }
