@@ -74,6 +74,7 @@ export const en = {
   metres: (n: string) => `${n} m`,
   focusNeedsAperture: 'With an aperture of 0 everything is sharp',
   focusByClick: 'Click into the picture, or press O, to focus on what is there.',
+  stillHasNoLens: 'A CPU still has no lens.',
   noLensInPanorama: 'A panorama has no lens',
   noticeNothingInFocus: 'There is nothing there to focus on.',
   noticeCpuShowsClassic:

@@ -72,6 +72,7 @@ export const zhCN: Dictionary = {
   metres: (n) => `${n} 米`,
   focusNeedsAperture: '光圈为 0 时画面处处清晰，无需对焦',
   focusByClick: '点按画面中的物体，或按 O 键，即可对焦。',
+  stillHasNoLens: 'CPU 静帧不支持镜头景深。',
   noLensInPanorama: '全景相机没有镜头',
   noticeNothingInFocus: '这里没有可以对焦的物体。',
   noticeCpuShowsClassic:

@@ -24,6 +24,8 @@ const DISPOSED = new Error('The renderer was disposed of.');
  */
 export class CpuRenderer implements Renderer {
   readonly backend = 'cpu';
+  /** It has no path tracing, whatever the settings ask for. */
+  readonly drawnBy = 'classic';
   readonly canvas: HTMLCanvasElement;
   speed = 1;
   playing = false;

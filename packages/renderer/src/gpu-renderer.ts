@@ -75,6 +75,9 @@ export class GpuRenderer implements Renderer {
   get settings() {
     return this.#view.settings;
   }
+  get drawnBy(): Integrator {
+    return this.#view.settings.integrator;
+  }
   get stats() {
     return this.#figures.stats;
   }

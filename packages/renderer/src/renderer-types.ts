@@ -97,6 +97,11 @@ export interface Renderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;
   readonly settings: Readonly<RendererSettings>;
+  /**
+   * What really draws the picture: `settings.integrator`, but on the CPU always 'classic', which knows no indirect light, no lens and no
+   * materials but matte ones and mirrors.
+   */
+  readonly drawnBy: Integrator;
   readonly stats: FrameStats;
   readonly scene: Scene | null;
   /** The camera in use: the scene's own, possibly animated, until it is set; `resetCamera` goes back to the scene's. */
