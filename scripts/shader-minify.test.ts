@@ -51,7 +51,7 @@ describe('shaders in few letters are the same programs', () => {
 
 test.each(readdirSync(folder).filter((file) => file.endsWith('.wgsl')))('%s is still WGSL to a compiler', (file) => {
   const source = minifiedDeclarations(readFileSync(folder + file, 'utf8'), 'wgsl').join('');
-  const variables = source.replace(/override (\w+)=true;/g, 'var<private> $1:bool=true;');
+  const variables = source.replace(/override (\w+)=(true|false);/g, 'var<private> $1:bool=$2;');
   expect(translate({ from: 'wgsl', to: 'wgsl', source: variables }).length).toBeGreaterThan(100);
 });
 
