@@ -49,6 +49,7 @@ const PROGRAMS: readonly Program[] = [
       { entry: 'showMapped', stage: 'fragment' },
     ],
   },
+  { name: 'film_error', root: 'film/film_error', entries: [{ entry: 'filmError', stage: 'fragment' }] },
   { name: 'aov_view', root: 'display/aov_view', entries: [{ entry: 'showAov', stage: 'fragment' }] },
   {
     name: 'camera_probe',

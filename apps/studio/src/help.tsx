@@ -11,6 +11,7 @@ const keyRows = (t: Dictionary): readonly (readonly [readonly string[], string])
   [[t.keyNames.arrows, 'A', 'D'], t.keys.orbit],
   [[t.keyNames.shiftArrows], t.keys.pan],
   [['+', '−', 'W', 'S'], t.keys.dolly],
+  [['O'], t.keys.focus],
   [['R'], t.keys.reset],
   [['F'], t.keys.fullScreen],
   [['P'], t.keys.panel],

@@ -4,7 +4,7 @@ import type { Dictionary } from './i18n.ts';
 /** A sentence over the picture. It is a function of the dictionary, so that it follows the language. */
 export interface Notice {
   /** One notice a subject: a newer one takes the place of the older. */
-  readonly subject: 'backend' | 'cpu' | 'device' | 'file' | 'parameters' | 'error';
+  readonly subject: 'backend' | 'cpu' | 'device' | 'file' | 'focus' | 'parameters' | 'error' | 'path';
   readonly text: (dictionary: Dictionary) => string;
 }
 

@@ -1,10 +1,13 @@
 import { pushMove } from './camera-motion.ts';
+import { focusAt, pointAt } from './focus.ts';
 import { renderer } from './state.ts';
 
 /** Mouse, touch and pen on the picture: drag to orbit, right drag or two fingers to pan, wheel or pinch to dolly. */
 
 /** Degrees for a drag over the whole height of the picture. */
 const ORBIT_SPAN = 180;
+/** A press that moves less is a click and no drag, pixels. */
+const CLICK_SLACK = 4;
 
 interface Point {
   readonly x: number;
@@ -27,22 +30,33 @@ export function wheelDolly(event: Pick<WheelEvent, 'deltaY' | 'deltaMode' | 'ctr
   return Math.min(Math.max(pixels * (event.ctrlKey ? 0.01 : 0.0015), -0.5), 0.5);
 }
 
+/** Where on the stage, in shares of its width and height. */
+function placeOn(stage: HTMLElement, { clientX, clientY }: PointerEvent): [x: number, y: number] {
+  const { left, top, width, height } = stage.getBoundingClientRect();
+  return [(clientX - left) / width, (clientY - top) / height];
+}
+
 export function followPointers(stage: HTMLElement): void {
   const pointers = new Map<number, Point>();
   let panning = false;
+  /** Where the only finger or button went down, as long as it may become a click. */
+  let pressed: Point | null = null;
 
   stage.addEventListener('pointerdown', (event) => {
     if (pointers.size >= 2) return;
     panning = event.pointerType === 'mouse' && (event.button !== 0 || event.shiftKey);
     pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    pressed = pointers.size === 1 && !panning ? { x: event.clientX, y: event.clientY } : null;
     stage.setPointerCapture(event.pointerId);
     stage.dataset.dragging = panning ? 'pan' : 'orbit';
   });
 
   stage.addEventListener('pointermove', (event) => {
+    pointAt(placeOn(stage, event));
     const before = pointers.get(event.pointerId);
     if (!before) return;
     const after: Point = { x: event.clientX, y: event.clientY };
+    if (pressed && distance(pressed, after) > CLICK_SLACK) pressed = null;
     const height = stage.clientHeight;
     const [dx, dy] = [(after.x - before.x) / height, (after.y - before.y) / height];
     // So much of the page is as high as the camera's field of view, which is what shifts are counted in.
@@ -58,7 +72,12 @@ export function followPointers(stage: HTMLElement): void {
     pointers.delete(event.pointerId);
     if (pointers.size === 0) delete stage.dataset.dragging;
   };
-  stage.addEventListener('pointerup', lift);
+  stage.addEventListener('pointerup', (event) => {
+    if (pressed && pointers.has(event.pointerId)) focusAt(placeOn(stage, event));
+    pressed = null;
+    lift(event);
+  });
+  stage.addEventListener('pointerleave', () => pointAt(null));
   stage.addEventListener('pointercancel', lift);
   stage.addEventListener('contextmenu', (event) => event.preventDefault());
   stage.addEventListener(

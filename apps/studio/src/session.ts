@@ -1,8 +1,20 @@
 import { batch, effect } from '@preact/signals';
-import { type Backend, createRenderer, type FrameStats, type Renderer } from 'mirrorball';
+import { type Backend, type Camera, createRenderer, type FrameStats, focusOf, type Renderer } from 'mirrorball';
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { createCanvas, describePicture } from './stage.ts';
-import { playing, renderer, shown, speed, stats, switchingTo, time, viewMoved, wantedSettings } from './state.ts';
+import {
+  integrator,
+  lens,
+  playing,
+  renderer,
+  shown,
+  speed,
+  stats,
+  switchingTo,
+  time,
+  viewMoved,
+  wantedSettings,
+} from './state.ts';
 
 /** The life of a renderer in this page: opened, followed by the settings, replaced by one on another backend. */
 
@@ -166,11 +178,22 @@ export function followState(): void {
     if (renderer.value?.backend !== 'cpu') return dismiss('cpu');
     notify('cpu', (t) => (chosenCpu ? t.noticeCpuChosen : t.noticeCpuAlone));
   });
+  effect(() => {
+    if (renderer.value?.backend !== 'cpu' || integrator.value !== 'path') return dismiss('path');
+    notify('path', (t) => t.noticeCpuShowsClassic);
+  });
 }
 
 export function chooseBackend(backend: Backend): Promise<boolean> {
   chosenCpu = backend === 'cpu';
   return switchBackend(backend);
+}
+
+/** Nothing is written when nothing has changed, so that nothing is drawn again. */
+function takeLens(camera: Camera): void {
+  const { aperture = 0, projection } = camera;
+  const next = { aperture, focus: focusOf(camera), panorama: projection === 'equirectangular' };
+  if (JSON.stringify(next) !== JSON.stringify(lens.peek())) lens.value = next;
 }
 
 /** Takes the figures four times a second, and stops drawing while nobody can see it. */
@@ -181,6 +204,7 @@ export function followRenderer(): void {
     batch(() => {
       stats.value = { ...now.stats };
       time.value = now.time;
+      if (now.scene) takeLens(now.camera);
     });
   }, 250);
   document.addEventListener('visibilitychange', () => {

@@ -1,5 +1,6 @@
 import * as actions from './actions.ts';
 import { type HeldMove, holdMove, releaseMove, stopMotion } from './camera-motion.ts';
+import { focusHere } from './focus.ts';
 import { sceneIds } from './scene-files.ts';
 import { helpOpen, panelOpen } from './state.ts';
 
@@ -14,6 +15,7 @@ const once: Readonly<Record<string, () => void>> = {
   ']': () => actions.changeReflections(1),
   c: actions.nextComparison,
   f: () => void actions.toggleFullScreen(),
+  o: focusHere,
   r: actions.resetView,
   p: () => (panelOpen.value = !panelOpen.peek()),
   h: () => (helpOpen.value = !helpOpen.peek()),

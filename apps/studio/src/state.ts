@@ -27,6 +27,9 @@ export const switchingTo = signal<Backend | null>(null);
 /** Figures of the last frame, taken four times a second. */
 export const stats = signal<FrameStats | null>(null);
 
+/** The lens of the camera in use, and where it is sharp; taken with the figures. */
+export const lens = signal({ aperture: 0, focus: 0, panorama: false });
+
 // Settings of the renderer
 export const reflections = signal(10);
 export const lightSamples = signal(9);

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { figure } from './status-line.tsx';
+import { duration, figure } from './status-line.tsx';
 
 test('figures keep three digits', () => {
   expect([0, 0.4249, 4.2, 9.949, 9.96, 42.42, 99.6, 1234.5].map(figure)).toEqual([
@@ -13,4 +13,8 @@ test('figures keep three digits', () => {
     '1235',
   ]);
   expect(figure(Number.NaN)).toBe('–');
+});
+
+test('times read like a clock', () => {
+  expect([0, 7.9, 60, 725, 3725].map(duration)).toEqual(['0:00', '0:07', '1:00', '12:05', '1:02:05']);
 });

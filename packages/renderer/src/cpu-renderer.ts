@@ -1,4 +1,5 @@
 import { filmToSrgb } from './display/srgb.ts';
+import { NO_FIGURES } from './frame-figures.ts';
 import type { StillStart } from './reference/progressive.ts';
 import { renderStill } from './reference/reference-renderer.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
@@ -23,6 +24,8 @@ const DISPOSED = new Error('The renderer was disposed of.');
  */
 export class CpuRenderer implements Renderer {
   readonly backend = 'cpu';
+  /** It has no path tracing, whatever the settings ask for. */
+  readonly drawnBy = 'classic';
   readonly canvas: HTMLCanvasElement;
   speed = 1;
   playing = false;
@@ -40,6 +43,8 @@ export class CpuRenderer implements Renderer {
   #seen = '';
   #drawing = '';
   #shownRevision = -1;
+  /** Time spent on the samples of `#whole`, seconds. */
+  #wholeSeconds = 0;
 
   static async create(canvas: HTMLCanvasElement, options: RendererOptions): Promise<CpuRenderer> {
     return new CpuRenderer(canvas, await openStillScreen(canvas), options);
@@ -52,8 +57,7 @@ export class CpuRenderer implements Renderer {
     this.#view = new View(options.settings);
     this.#view.playing = false;
     const { width: canvasWidth, height: canvasHeight } = canvas;
-    const none = { fps: 0, frameMs: 0, samples: 0, mraysPerSecond: 0, filmWidth: 0, filmHeight: 0, time: 0 };
-    this.#stats = { backend: 'cpu', ...none, canvasWidth, canvasHeight };
+    this.#stats = { backend: 'cpu', ...NO_FIGURES, canvasWidth, canvasHeight };
   }
 
   get settings() {
@@ -141,9 +145,12 @@ export class CpuRenderer implements Renderer {
     const samples = (start?.samples ?? 0) + 1;
     const { width, height } = this.#filmSize();
     const started = performance.now();
+    const before = start ? this.#wholeSeconds : 0;
     const progress = (pixels: Float32Array<ArrayBuffer>, done: number) => {
       this.#film = { width, height, pixels };
-      this.#count(performance.now() - started, done, done === 1 ? samples : samples - 1);
+      const frameMs = performance.now() - started;
+      this.#count(frameMs, done, done === 1 ? samples : samples - 1);
+      this.#stats = { ...this.#stats, filmSeconds: before + frameMs / 1000 };
       this.#show();
       this.#options.onFrame?.(this.#stats);
     };
@@ -154,6 +161,7 @@ export class CpuRenderer implements Renderer {
       const film = await renderStill(this.#view.sceneNow(), this.#view.camera, still, width, height, progress, signal);
       this.#whole = { film, samples, of };
       progress(film, 1);
+      this.#wholeSeconds = this.#stats.filmSeconds;
     } finally {
       // Aborted, another picture is being drawn already.
       if (!signal.aborted) this.#drawing = '';

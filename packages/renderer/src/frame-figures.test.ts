@@ -7,6 +7,7 @@ const frame = (started: number, finished: number) => ({
   started,
   finished,
   samples: 1,
+  record: { busy: 0, relativeError: null },
   raysPerPixel: 50,
   filmWidth: 100,
   filmHeight: 100,

@@ -12,6 +12,8 @@ export interface DrawnFrame {
   readonly finished: number;
   /** Samples in each film pixel; 0 for the preview, which is not the integrator's picture. */
   readonly samples: number;
+  /** What is known of the film; the time spent on this frame is added to it. */
+  readonly record: { busy: number; readonly relativeError: number | null };
   readonly raysPerPixel: number;
   readonly filmWidth: number;
   readonly filmHeight: number;
@@ -21,7 +23,18 @@ export interface DrawnFrame {
   readonly time: number;
 }
 
-const NONE = { fps: 0, frameMs: 0, samples: 0, mraysPerSecond: 0, filmWidth: 0, filmHeight: 0, time: 0 };
+/** Before the first frame. */
+export const NO_FIGURES = {
+  fps: 0,
+  frameMs: 0,
+  samples: 0,
+  relativeError: null,
+  filmSeconds: 0,
+  mraysPerSecond: 0,
+  filmWidth: 0,
+  filmHeight: 0,
+  time: 0,
+};
 
 interface CountedFrame {
   readonly finished: number;
@@ -37,14 +50,14 @@ export class FrameFigures {
   #lastFinish = Number.NEGATIVE_INFINITY;
 
   constructor(backend: Backend, canvas: { readonly width: number; readonly height: number }) {
-    this.stats = { backend, ...NONE, canvasWidth: canvas.width, canvasHeight: canvas.height };
+    this.stats = { backend, ...NO_FIGURES, canvasWidth: canvas.width, canvasHeight: canvas.height };
   }
 
   /**
    * Sums over a second and not the last frame alone: a page often learns of two frames at once, and of the second one it cannot
    * tell when the device began it. Their sums are right all the same.
    */
-  count({ started, finished, raysPerPixel, ...frame }: DrawnFrame): FrameStats {
+  count({ started, finished, raysPerPixel, record, ...frame }: DrawnFrame): FrameStats {
     const busy = Math.max(finished - Math.max(started, this.#lastFinish), 0);
     const gap = finished - this.#lastFinish;
     // After a rest the time before the frame was begun does not count.
@@ -53,8 +66,14 @@ export class FrameFigures {
     const rays = frame.filmWidth * frame.filmHeight * raysPerPixel;
     const recent = this.#window.filter((earlier) => earlier.finished > finished - WINDOW_MS);
     this.#window = [...recent, { finished, busy, interval, rays }];
-    this.stats = { backend: this.stats.backend, ...frame, ...this.#averages() };
+    record.busy += busy;
+    this.stats = { backend: this.stats.backend, ...frame, ...figuresOf(record), ...this.#averages() };
     return this.stats;
+  }
+
+  /** News of a film between two frames, or after the last one. */
+  note(record: DrawnFrame['record'], samples: number): void {
+    this.stats = { ...this.stats, ...figuresOf(record), samples };
   }
 
   #averages(): Pick<FrameStats, 'fps' | 'frameMs' | 'mraysPerSecond'> {
@@ -73,3 +92,5 @@ export class FrameFigures {
     this.stats = { ...this.stats, fps: 0, canvasWidth: canvas.width, canvasHeight: canvas.height };
   }
 }
+
+const figuresOf = ({ busy, relativeError }: DrawnFrame['record']) => ({ relativeError, filmSeconds: busy / 1000 });

@@ -38,10 +38,10 @@ class FakeDevice implements Device {
     this.counts.textures++;
     return { width, height, write: () => {}, destroy: () => this.counts.textures-- };
   }
-  createFilm(width: number, height: number): FilmTexture {
+  createFilm(width: number, height: number, count = 1): FilmTexture {
     this.counts.textures++;
     const destroy = () => this.counts.textures--;
-    return { width, height, layers: [{ width, height, destroy }], destroy };
+    return { width, height, layers: Array.from({ length: count }, () => ({ width, height, destroy })), destroy };
   }
   draw(pass: Pass, _target: unknown, _resources: unknown, region?: Region): void {
     if (this.destroyed) throw new Error('drawn with a destroyed device');
@@ -287,5 +287,57 @@ describe('loss and the end', () => {
     renderer.dispose();
     await pass(1000);
     expect(events).toEqual([]);
+  });
+});
+
+describe('a long picture by paths', () => {
+  const long = async (device: FakeDevice) => {
+    const renderer = await started(device, { settings: { maxSamples: 8 } });
+    renderer.set({ integrator: 'path' });
+    await pass(1000);
+    return renderer;
+  };
+
+  test('its error is measured as samples double, once more at the end, and heard of when nothing is drawn any more', async () => {
+    const device = new FakeDevice();
+    const renderer = await long(device);
+    expect([device.count('path'), device.count('film error')]).toEqual([8, 3]);
+    const { relativeError, filmSeconds, fps } = renderer.stats;
+    expect([relativeError, fps]).toEqual([1, 0]);
+    expect(filmSeconds).toBeGreaterThan(0);
+    renderer.set({ integrator: 'classic', maxSamples: 2 });
+    await pass(500);
+    expect([renderer.stats.relativeError, device.count('film error')]).toEqual([null, 3]);
+  });
+
+  test('outlasts a look at another view, and goes on where it was', async () => {
+    const device = new FakeDevice();
+    const renderer = await long(device);
+    const { textures } = device.counts;
+    for (const view of ['depth', 'normal', 'picture'] as const) {
+      renderer.set({ view });
+      await pass(500);
+    }
+    expect([device.count('path'), renderer.stats.samples, renderer.stats.relativeError]).toEqual([8, 8, 1]);
+    expect(device.drawn.at(-1)!.pass).toBe('display');
+    renderer.set({ maxSamples: 10 });
+    await pass(500);
+    expect([device.count('path'), renderer.stats.samples]).toEqual([10, 10]);
+    // The table of colours for numbers stays.
+    expect(device.counts.textures).toBe(textures + 1);
+  });
+
+  test('begins anew when the world has changed meanwhile', async () => {
+    const device = new FakeDevice();
+    const renderer = await long(device);
+    const { textures } = device.counts;
+    renderer.set({ view: 'depth' });
+    await pass(500);
+    renderer.time = 1;
+    await pass(500);
+    renderer.set({ view: 'picture' });
+    await pass(500);
+    expect([device.count('path'), renderer.stats.samples]).toEqual([16, 8]);
+    expect(device.counts.textures).toBe(textures + 1);
   });
 });

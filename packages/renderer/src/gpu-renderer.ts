@@ -75,6 +75,9 @@ export class GpuRenderer implements Renderer {
   get settings() {
     return this.#view.settings;
   }
+  get drawnBy(): Integrator {
+    return this.#view.settings.integrator;
+  }
   get stats() {
     return this.#figures.stats;
   }
@@ -156,7 +159,7 @@ export class GpuRenderer implements Renderer {
       painter.refresh();
       return;
     }
-    if (view.revision !== painter.filmRevision && !moved) this.#lastChange = now;
+    if (view.worldRevision !== painter.filmWorld && !moved) this.#lastChange = now;
     const moving = view.moves || now - this.#lastChange < STILL_AFTER_MS;
     const reduced = view.settings.adaptive && moving;
     const changed = painter.changesByHand();

@@ -1,4 +1,6 @@
 /** Mirrorball: ray tracing in the browser. `createRenderer(canvas)`, `renderer.setScene(scene)`, `renderer.start()`. */
+
+export { depthAt } from './depth-at.ts';
 export type { ViewName } from './display/views.ts';
 export { DeviceError } from './gpu/device.ts';
 export { createRenderer } from './renderer.ts';

@@ -3,10 +3,12 @@
  * until there are enough, only shows it again when no more than the display has changed, and otherwise does nothing. It lives as
  * long as its device; what a lost device still had to do is forgotten with it.
  */
+import { FilmRecord } from './film/film-record.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
+import { contentOf, isAov } from './programs.ts';
 import type { FrameStats } from './renderer-types.ts';
-import type { Stages } from './stages.ts';
+import type { Shot, Stages } from './stages.ts';
 import type { View } from './view.ts';
 
 /** Frames that may be on the device at once: one being worked on, one waiting, so that it never idles and never lags. */
@@ -25,10 +27,11 @@ export class Painter {
   readonly stages: Stages;
   readonly #easel: Easel;
   #inFlight = 0;
-  /** What the film is to hold: the view's revision and whether by the whole integrator. */
-  #filmRevision = -1;
-  #filmComplete = false;
-  #filmTime = 0;
+  /** What the film holds or is being given. */
+  #record = NO_FILM;
+  /** Of the picture's film, laid aside while another view is looked at. */
+  #parked: FilmRecord | null = null;
+  #showsPicture = true;
   /** What the canvas shows. */
   #shownRevision = -1;
   #shownFilm = -1;
@@ -48,7 +51,11 @@ export class Painter {
   }
   /** The view's revision that the film holds or is being given. */
   get filmRevision(): number {
-    return this.#filmRevision;
+    return this.#record.revision;
+  }
+  /** The same, of `View.worldRevision`. */
+  get filmWorld(): number {
+    return this.#record.world;
   }
   /** The view's revision that the canvas shows, ignoring what only the display uses; -1: none. */
   get shownFilm(): number {
@@ -56,7 +63,7 @@ export class Painter {
   }
   /** Whether the film holds samples of the integrator and not the preview's. */
   get filmComplete(): boolean {
-    return this.#filmComplete;
+    return this.#record.complete;
   }
 
   /**
@@ -67,6 +74,7 @@ export class Painter {
     const { canvas } = this.#easel;
     if (canvas.width === 0 || canvas.height === 0) return;
     this.#keepPicture();
+    this.#turn();
     const size = this.#reserve(reduced);
     if (this.#outdated(size)) this.#begin(size);
     else if (this.#enough()) return this.#rest();
@@ -106,19 +114,55 @@ export class Painter {
 
   #outdated(size: { width: number; height: number }): boolean {
     const { film } = this.stages;
-    if (this.#filmRevision !== this.#easel.view.revision) return true;
-    if (this.#complete && !this.#filmComplete) return true;
+    if (this.#record.revision !== this.#easel.view.revision) return true;
+    if (this.#complete && !this.#record.complete) return true;
     return size.width !== film.width || size.height !== film.height;
   }
 
   #begin({ width, height }: { width: number; height: number }): void {
+    const { revision, worldRevision: world, time } = this.#easel.view;
+    if (this.#parked && this.#parked.world !== world) this.#discardParked();
+    this.stages.begin(this.#shot(), width, height);
+    this.#record = new FilmRecord({ revision, world, complete: this.#complete, time });
+  }
+
+  #shot(): Shot {
     const { view } = this.#easel;
     const { settings, camera } = view;
-    const raysPerPixel = view.raysPerPixel();
-    this.stages.begin({ scene: view.sceneNow(), camera, settings, raysPerPixel }, width, height);
-    this.#filmComplete = this.#complete;
-    this.#filmRevision = view.revision;
-    this.#filmTime = view.time;
+    return { scene: view.sceneNow(), camera, settings, raysPerPixel: view.raysPerPixel() };
+  }
+
+  /** From the picture to another view its film is laid aside, and gone on with later if the world is still the same. */
+  #turn(): void {
+    const { view } = this.#easel;
+    const showsPicture = !isAov(contentOf(view.settings));
+    if (showsPicture === this.#showsPicture) return;
+    this.#showsPicture = showsPicture;
+    if (!showsPicture) this.#park();
+    else if (this.#parked?.world === view.worldRevision) this.#takeParked(this.#parked);
+    else this.#discardParked();
+  }
+
+  #park(): void {
+    const { complete, world } = this.#record;
+    if (!complete || this.stages.film.samples === 0 || world !== this.#easel.view.worldRevision) return;
+    this.#parked = this.#record;
+    this.stages.park();
+  }
+
+  #takeParked(record: FilmRecord): void {
+    this.#record = record;
+    this.#parked = null;
+    record.revision = this.#easel.view.revision;
+    this.stages.takeParked(this.#shot());
+    this.#show();
+    this.#shownFilm = record.revision;
+    this.#note(record);
+  }
+
+  #discardParked(): void {
+    this.#parked = null;
+    this.stages.discardParked();
   }
 
   /** Whether the integrator that is wanted can draw. */
@@ -128,7 +172,7 @@ export class Painter {
 
   #enough(): boolean {
     const { film, device } = this.stages;
-    const most = this.#filmComplete ? Math.min(this.#easel.view.settings.maxSamples, device.maxFilmSamples) : 1;
+    const most = this.#record.complete ? Math.min(this.#easel.view.settings.maxSamples, device.maxFilmSamples) : 1;
     return film.samples >= most;
   }
 
@@ -136,6 +180,7 @@ export class Painter {
     const { view, figures, canvas } = this.#easel;
     if (view.shownRevision !== this.#shownRevision) this.#show();
     this.#shownRevision = view.shownRevision;
+    this.#measure(true);
     figures.rest(canvas);
   }
 
@@ -153,7 +198,7 @@ export class Painter {
 
   async #trace(unwanted: () => boolean): Promise<void> {
     const { controller, figures, onFrame } = this.#easel;
-    const revision = this.#filmRevision;
+    const { revision } = this.#record;
     const started = performance.now();
     // Taken when the sample is submitted: by the time that the device has finished it, the next frame may have been begun.
     let frame: Omit<DrawnFrame, 'finished'> | null = null;
@@ -162,6 +207,7 @@ export class Painter {
       this.#shownFilm = revision;
       this.#shownRevision = this.#easel.view.shownRevision;
       frame = { started, ...this.#frameNow() };
+      this.#measure(false);
     };
     this.#inFlight++;
     try {
@@ -169,24 +215,50 @@ export class Painter {
     } finally {
       this.#inFlight--;
     }
-    if (this.#dropped) this.#filmRevision = -1;
+    if (this.#dropped) this.#record.revision = -1;
     if (frame) onFrame(figures.count({ ...(frame as Omit<DrawnFrame, 'finished'>), finished: performance.now() }));
+  }
+
+  /** Now and then asks how far the film has come. The answer comes later, and no frame waits for it. */
+  #measure(last: boolean): void {
+    const record = this.#record;
+    const { samples } = this.stages.film;
+    const now = performance.now();
+    if (!record.complete || !record.isDue(samples, now, last)) return;
+    // A device that is lost meanwhile is heard of elsewhere.
+    record.take(samples, now, this.stages.measureError()).then(
+      () => record === this.#record && this.#note(record),
+      () => {},
+    );
+  }
+
+  #note(record: FilmRecord): void {
+    this.#easel.figures.note(record, this.#samples);
+  }
+
+  /** Samples of the integrator in the film. */
+  get #samples(): number {
+    return this.#record.complete ? this.stages.film.samples : 0;
   }
 
   #frameNow(): Omit<DrawnFrame, 'started' | 'finished'> {
     const { canvas, view } = this.#easel;
     const { film } = this.stages;
     return {
-      samples: this.#filmComplete ? film.samples : 0,
-      raysPerPixel: this.#filmComplete ? view.raysPerPixel() : view.previewRaysPerPixel(),
+      samples: this.#samples,
+      record: this.#record,
+      raysPerPixel: this.#record.complete ? view.raysPerPixel() : view.previewRaysPerPixel(),
       filmWidth: film.width,
       filmHeight: film.height,
       canvasWidth: canvas.width,
       canvasHeight: canvas.height,
-      time: this.#filmTime,
+      time: this.#record.time,
     };
   }
 }
+
+/** Before the first film. */
+const NO_FILM = new FilmRecord({ revision: -1, world: -1, complete: false, time: 0 });
 
 /** What the display does with the film, in a word to compare. */
 const lookOf = ({ settings: { exposure, toneMapping } }: View): string => `${exposure} ${toneMapping}`;

@@ -65,6 +65,13 @@ export interface FrameStats {
   readonly frameMs: number;
   /** Film samples accumulated in each pixel. */
   readonly samples: number;
+  /**
+   * Estimated error of the picture as a share of its brightness, of a recent number of samples: 0.02 is 2 %. What it means exactly is
+   * said in docs/path.md, "The error of a picture". Null where it is not known: without `path`, in other views, before two samples.
+   */
+  readonly relativeError: number | null;
+  /** Seconds that the device has worked on the film so far. */
+  readonly filmSeconds: number;
   /** Million rays in a second of the device's work: camera, mirror and shadow rays asked for; an upper bound as rays may end early. */
   readonly mraysPerSecond: number;
   readonly filmWidth: number;
@@ -90,6 +97,11 @@ export interface Renderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;
   readonly settings: Readonly<RendererSettings>;
+  /**
+   * What really draws the picture: `settings.integrator`, but on the CPU always 'classic', which knows no indirect light, no lens and no
+   * materials but matte ones and mirrors.
+   */
+  readonly drawnBy: Integrator;
   readonly stats: FrameStats;
   readonly scene: Scene | null;
   /** The camera in use: the scene's own, possibly animated, until it is set; `resetCamera` goes back to the scene's. */

@@ -6,6 +6,7 @@ import { AovDisplay, type Sight } from './display/aov-view.ts';
 import { Display, type Look } from './display/display.ts';
 import { EnvironmentTexture } from './environment-texture.ts';
 import { Film } from './film/film.ts';
+import { FilmError } from './film/film-error.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
@@ -36,7 +37,11 @@ const PREVIEW_PIXELS = 512 * 512;
 
 export class Stages {
   readonly device: Device;
-  readonly film: Film;
+  #film: Film;
+  /** The picture's, laid aside while another view is looked at. */
+  #parked: Film | null = null;
+  #filmError: FilmError | null = null;
+  #openingFilmError: Promise<void> | null = null;
   readonly #display: Display;
   #aovDisplay: AovDisplay | null = null;
   #openingAovDisplay: Promise<void> | null = null;
@@ -77,9 +82,35 @@ export class Stages {
     this.#display = display;
     this.#preview = preview;
     this.#pass = preview;
-    this.film = new Film(device);
+    this.#film = new Film(device);
     this.#frame = device.createUniforms(structSize('Frame'));
     this.#environment = new EnvironmentTexture(device);
+  }
+
+  get film(): Film {
+    return this.#film;
+  }
+
+  /** Lays the film aside with all that is in it, and takes an empty one. */
+  park(): void {
+    this.discardParked();
+    this.#parked = this.#film;
+    this.#film = new Film(this.device);
+  }
+
+  /** Goes on with the film that was laid aside, which was of this shot. The one in use until now is gone. */
+  takeParked(shot: Shot): void {
+    this.#film.destroy();
+    this.#film = this.#parked!;
+    this.#parked = null;
+    this.#pictured = null;
+    this.#aim(shot, this.#film.width, this.#film.height);
+  }
+
+  /** The film that was laid aside is of no use any more. */
+  discardParked(): void {
+    this.#parked?.destroy();
+    this.#parked = null;
   }
 
   /** Whether a sample has been begun whose last rows are not submitted yet. */
@@ -94,8 +125,23 @@ export class Stages {
 
   /** Compiles the subject's program, and what shows it, once. Call it when the first picture is on its way. */
   async ready(subject: Subject): Promise<void> {
-    const display = isAov(contentOfSubject(subject)) ? this.#aovReady() : this.#display.ready();
-    await Promise.all([this.#programs.ready(subject), display]);
+    const content = contentOfSubject(subject);
+    const display = isAov(content) ? this.#aovReady() : this.#display.ready();
+    await Promise.all([this.#programs.ready(subject), display, content === 'path' && this.#filmErrorReady()]);
+  }
+
+  #filmErrorReady(): Promise<void> {
+    this.#openingFilmError ??= FilmError.create(this.device).then((filmError) => {
+      this.#filmError = filmError;
+    });
+    return this.#openingFilmError;
+  }
+
+  /** The relative error of the film as it is now, when the device has worked it out; null where there is none to be had. */
+  async measureError(): Promise<number | null> {
+    const { film } = this;
+    if (this.#content !== 'path' || !this.#filmError || film.samples < 2) return null;
+    return this.#filmError.measure(film.current, film.width, film.height);
   }
 
   #aovReady(): Promise<void> {
@@ -112,8 +158,13 @@ export class Stages {
 
   /** Points the film at a new shot, empty, of this size in pixels. */
   begin(shot: Shot, width: number, height: number): void {
-    this.#shot = shot;
     this.film.restart(width, height);
+    this.#aim(shot, width, height);
+  }
+
+  /** Makes ready what the next samples need. */
+  #aim(shot: Shot, width: number, height: number): void {
+    this.#shot = shot;
     const { integrator } = shot.settings;
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
@@ -231,10 +282,11 @@ export class Stages {
 
   /** Puts the newest whole picture on the canvas; false when there is none. */
   show(look: Look): boolean {
-    const { picture } = this.film;
+    // A film just begun has no picture yet; then there is the one laid aside.
+    const picture = this.film.picture ?? this.#parked?.picture;
     if (!picture) return false;
     const { film, width, height } = picture;
-    if (this.#pictured) this.#aovDisplay!.show(film, width, height, this.#pictured);
+    if (this.#pictured && this.film.picture) this.#aovDisplay!.show(film, width, height, this.#pictured);
     else this.#display.show(film.layers[0]!, width, height, look);
     return true;
   }

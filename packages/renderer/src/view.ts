@@ -124,6 +124,8 @@ export function raysPerPixel(scene: Scene | null, settings: WorkSettings): numbe
 export class View {
   /** Grows whenever the film's content would change. */
   revision = 0;
+  /** The same but for the setting `view`: while it stays, a film of the picture is still good after a look at depths. */
+  worldRevision = 0;
   /** Grows whenever anything that is shown would change. */
   shownRevision = 0;
   /** Grows whenever somebody changes the world, not when its own time passes. */
@@ -186,8 +188,9 @@ export class View {
     );
     if (changed.length === 0) return;
     this.#settings = { ...this.#settings, ...settings };
-    if (changed.some((key) => !NOT_IN_FILM.has(key))) this.#changedByHand();
-    else this.shownRevision++;
+    const inFilm = changed.filter((key) => !NOT_IN_FILM.has(key));
+    if (inFilm.length === 0) this.shownRevision++;
+    else this.#changedByHand(inFilm.some((key) => key !== 'view'));
   }
 
   get time(): number {
@@ -233,12 +236,13 @@ export class View {
     this.#changedByHand();
   }
 
-  #changedByHand(): void {
+  #changedByHand(world = true): void {
     this.changesByHand++;
-    this.#filmChanged();
+    this.#filmChanged(world);
   }
 
-  #filmChanged(): void {
+  #filmChanged(world = true): void {
+    if (world) this.worldRevision++;
     this.revision++;
     this.shownRevision++;
   }

@@ -6,6 +6,7 @@ import { Menu } from '../controls/menu.tsx';
 import { en } from '../en.ts';
 import { dictionary } from '../i18n.ts';
 import { helpOpen, isStill, shownView } from '../state.ts';
+import { LensControls } from './lens-controls.tsx';
 import { Section } from './section.tsx';
 
 const viewNames = Object.keys(en.viewNames) as readonly ViewName[];
@@ -22,6 +23,7 @@ export function ViewSection() {
         onChange={(view) => (shownView.value = view)}
         idle={isStill.value ? t.stillShowsPicture : null}
       />
+      <LensControls />
       <div class="buttons">
         <Button id="reset-view" icon="reset" onClick={resetView}>
           {t.resetView}

@@ -1,4 +1,5 @@
 export { type CompiledAnimation, compileAnimation, sceneAt } from './animation.ts';
+export { focusOf } from './camera.ts';
 export type { EnvironmentMap } from './environment.ts';
 export { SCENE_LIMITS } from './limits.ts';
 export { formatPointer, parsePointer } from './pointer.ts';

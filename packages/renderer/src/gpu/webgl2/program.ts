@@ -33,10 +33,10 @@ function shader(gl: WebGL2RenderingContext, type: number, text: string): WebGLSh
   return s;
 }
 
-/** scripts/shaders.ts writes a switch as a constant. */
+/** scripts/shaders.ts writes a switch as a constant; in a built page there may be no spaces around the `=`. */
 function withSwitches(glsl: string, switches: Readonly<Record<string, boolean>>): string {
   let text = glsl;
   for (const [name, on] of Object.entries(switches))
-    text = text.replace(new RegExp(`^const bool ${name} = (true|false);`, 'm'), `const bool ${name} = ${on};`);
+    text = text.replace(new RegExp(`\bconst bool ${name} ?= ?(true|false);`), `const bool ${name}=${on};`);
   return text;
 }

@@ -241,9 +241,19 @@ class WebGl2Device implements Device {
   async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
     const gl = this.#gl;
     const pixels = new Float32Array(width * height * 4);
+    // By way of a buffer, which is read when it is ready: to read at once would stall the page until all that was drawn is done.
+    const buffer = gl.createBuffer();
     const framebuffer = this.#framebuffer([layer as unknown as GlTexture]);
-    gl.readPixels(x, y, width, height, gl.RGBA, gl.FLOAT, pixels);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, pixels.byteLength, gl.STREAM_READ);
+    gl.readPixels(x, y, width, height, gl.RGBA, gl.FLOAT, 0);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     gl.deleteFramebuffer(framebuffer);
+    await this.finished();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, pixels);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    gl.deleteBuffer(buffer);
     return pixels;
   }
 

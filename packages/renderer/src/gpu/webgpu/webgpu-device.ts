@@ -61,7 +61,7 @@ function describe(info: GPUAdapterInfo): string {
 }
 
 function switchesIn(wgsl: string, { switches = {} }: PassSource): Record<string, number> {
-  const there = Object.entries(switches).filter(([name]) => wgsl.includes(`override ${name} =`));
+  const there = Object.entries(switches).filter(([name]) => new RegExp(`\\boverride ${name} ?=`).test(wgsl));
   return Object.fromEntries(there.map(([name, on]) => [name, on ? 1 : 0]));
 }
 
