@@ -10,6 +10,7 @@ import { probeEnvironments } from './emitters/environments.ts';
 import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
+import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
 import { parity, pictureOf } from './parity.ts';
@@ -28,6 +29,8 @@ export const harness = {
   describeDevices,
   displayed,
   displayedView,
+  fuzz,
+  fuzzLeast,
   hardNames,
   hardPicture,
   headlessFilms,
