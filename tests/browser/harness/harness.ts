@@ -13,6 +13,7 @@ import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
+import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
@@ -36,6 +37,7 @@ export const harness = {
   headlessFilms,
   leaks,
   movedPicture,
+  orderAndParts,
   parity,
   pathFilm,
   pictureOf,
