@@ -17,12 +17,12 @@ for (const backend of backends)
       SEED,
       SCENES,
     ] as const);
+    const found: string[] = [];
     for (const one of bad) {
       const path = await keepScene(`fuzz-${one.index}`, one.scene, (name) => testInfo.outputPath(name));
       await testInfo.attach(`scene ${one.index}`, { path, contentType: 'application/json' });
-      const where = `scene ${one.index}, pixel ${one.pixel}, sample ${one.sample}`;
-      expect.soft(one.value, `${where}: red, green, blue`).toEqual('finite and not negative');
+      found.push(`scene ${one.index}, pixel ${one.pixel}, sample ${one.sample}: ${one.value.join(' ')}`);
     }
-    expect(bad).toHaveLength(0);
+    expect(found, 'scenes with samples that are no light').toEqual([]);
     expect(traced).toBe(SCENES);
   });
