@@ -1,5 +1,5 @@
 /**
- * Makes the pictures of README.md with the built studio: `npm run build`, then `npm run media`. `npm run media -- NAME …` makes
+ * Makes the pictures of README.md and docs/ with the built studio: `npm run build`, then `npm run media`. `npm run media -- NAME …` makes
  * only these. The same sources give the same files: fixed seeds, fixed times, and SwiftShader's arithmetic.
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -17,7 +17,7 @@ import { serveFolders } from './static-server.mjs';
 
 const folder = fileURLToPath(new URL('../docs/media', import.meta.url));
 
-type SceneId = 'cube-room' | 'mirror-blocks' | 'moving-shadows';
+type SceneId = 'cube-room' | 'mirror-blocks' | 'moving-shadows' | 'materials';
 /** One picture to take. */
 interface Shot {
   readonly scene: SceneId;
@@ -39,6 +39,7 @@ const stills: Readonly<Record<string, (shoot: Shooter) => Promise<Picture>>> = {
   'cube-room': (shoot) => shoot({ ...LARGE, scene: 'cube-room', time: 8.2 }),
   'mirror-blocks': (shoot) => shoot({ ...LARGE, scene: 'mirror-blocks', time: 1.3 }),
   'moving-shadows': (shoot) => shoot({ ...LARGE, scene: 'moving-shadows', time: 1.3 }),
+  materials: (shoot) => shoot({ scene: 'materials', time: 0, width: 640, height: 352, filmSamples: 64 }),
   reflections,
   penumbra,
 };

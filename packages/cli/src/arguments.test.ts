@@ -25,7 +25,9 @@ test('all options of render', () => {
     ...'render a.json -o out.exr --spp 1024 --size 640x360 --max-depth -1 --seed 7 --integrator path --time -1.5'.split(
       ' ',
     ),
-    ...'--frames 0-119 --fps 30 --region 1,2,3,4 --until-error 0.01 --until-time 60 --backend cpu --resume'.split(' '),
+    ...'--frames 0-119 --fps 30 --region 1,2,3,4 --until-error 0.01 --until-time 60 --backend cpu --resume --save-every 9'.split(
+      ' ',
+    ),
     ...'--half --bits 16 --exposure -2 --json'.split(' '),
   );
   expect(scene).toBe('a.json');
@@ -44,6 +46,7 @@ test('all options of render', () => {
     untilTime: 60,
     backend: 'cpu',
     resume: true,
+    saveEvery: 9,
     half: true,
     bits: '16',
     exposure: -2,
@@ -53,7 +56,15 @@ test('all options of render', () => {
 
 test('what is left out', () => {
   const { options } = parse('render', 'a.json', '-o', 'x.png');
-  const rest = { size: { width: 1280, height: 720 }, seed: 0, time: 0, fps: 24, backend: 'auto', bits: '8' };
+  const rest = {
+    size: { width: 1280, height: 720 },
+    seed: 0,
+    saveEvery: 60,
+    time: 0,
+    fps: 24,
+    backend: 'auto',
+    bits: '8',
+  };
   expect(options).toEqual({ output: 'x.png', ...rest });
 });
 

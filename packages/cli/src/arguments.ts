@@ -43,6 +43,8 @@ export interface RenderOptions extends OutputOptions {
   readonly untilTime?: number;
   readonly backend: BackendChoice;
   readonly resume?: boolean;
+  /** Seconds; 0: never. */
+  readonly saveEvery: number;
 }
 export interface MergeOptions extends OutputOptions {
   readonly output: string;
@@ -113,7 +115,12 @@ function addRender(program: Command, actions: Actions): void {
     .addOption(option('--fps <n>', 'frames a second').argParser(positive(1e6)).default(24))
     .addOption(option('--until-error <e>', 'stop when the estimated error is below').argParser(positive(1e6)))
     .addOption(option('--until-time <s>', 'stop after so many seconds a picture').argParser(positive(1e9)))
-    .addOption(option('--resume', 'go on from what an interrupted run saved'));
+    .addOption(option('--resume', 'go on from what an interrupted run saved'))
+    .addOption(
+      option('--save-every <s>', 'save the samples so far every so many seconds, 0 = never')
+        .argParser(real(0, 1e9))
+        .default(60),
+    );
   pictureOptions(command).addOption(json());
   command.action((scene: string, options: RenderOptions) => actions.render(scene, options));
 }

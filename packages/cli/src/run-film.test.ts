@@ -2,6 +2,7 @@ import type { FilmSums, FilmTracer, TraceOptions } from 'mirrorball/headless';
 import { expect, test } from 'vitest';
 import { AccumulatedFilm, BLOCK } from './accumulated-film.ts';
 import { type FilmGoal, runFilm } from './run-film.ts';
+import type { Savings } from './savings.ts';
 
 const PIXELS = 7;
 const quiet = { update: () => {}, stop: () => {} };
@@ -14,12 +15,13 @@ class FakeTracer implements FilmTracer {
   during: (sample: number) => void | Promise<void> = () => {};
   async begin() {}
   dispose() {}
-  async trace(first: number, count: number, onto: FilmSums | null, { signal }: TraceOptions = {}) {
+  async trace(first: number, count: number, onto: FilmSums | null, { signal, onProgress }: TraceOptions = {}) {
     this.traced.push([first, count]);
     const sums = onto?.slice() ?? new Float32Array(PIXELS * 4);
     for (let s = first; s < first + count && !signal?.aborted; s++) {
       for (let i = 0; i < sums.length; i++) sums[i]! += i % 4 === 3 ? 1 : ((s * 37 + i * 11) % 101) / 101;
       await this.during(s);
+      onProgress?.(s - first + 1);
     }
     return sums;
   }
@@ -82,6 +84,19 @@ test('holes in what is held are filled, and nothing is traced twice', async () =
   ]);
   await run(new FakeTracer(), film, to(BLOCK + 9));
   expect(film.ranges).toEqual([{ first: 0, last: BLOCK + 9 }]);
+});
+
+test('saved again and again on the way, also within a block: the same film, bit for bit', async () => {
+  const whole = new AccumulatedFilm(PIXELS);
+  await run(new FakeTracer(), whole, to(3 * BLOCK + 4));
+  const film = new AccumulatedFilm(PIXELS);
+  const saved: number[] = [];
+  const savings: Savings = { due: () => true, save: async () => void saved.push(film.samples) };
+  const tracer = new FakeTracer();
+  expect(await runFilm(tracer, film, to(3 * BLOCK + 4), never, quiet, savings)).toBe('all samples');
+  expect(film.closed).toEqual(whole.closed);
+  expect(saved.slice(0, 4)).toEqual([1, 3, 5, 7]);
+  expect(saved.at(-1)).toBe(3 * BLOCK + 5);
 });
 
 test('what was traced before a failure stays', async () => {

@@ -4,6 +4,7 @@ import { type AccumulatedFilm, BLOCK } from './accumulated-film.ts';
 import { startClock } from './clock.ts';
 import type { Progress } from './progress.ts';
 import { missingFrom, type SampleRange } from './sample-ranges.ts';
+import { noSavings, type Savings } from './savings.ts';
 
 export interface FilmGoal {
   readonly wanted: SampleRange;
@@ -15,6 +16,12 @@ export interface FilmGoal {
 /** Why a film got no more samples. */
 export type Ending = 'all samples' | 'error reached' | 'time over' | 'interrupted';
 
+/**
+ * A trace stops for saving when so many samples are on their way: one of them is whole, so that the film does get on however long a
+ * sample takes.
+ */
+const LEAST_BEFORE_SAVING = 2;
+
 /** The tracer has begun the film's job already. What is traced stays in the film when this rejects. */
 export async function runFilm(
   tracer: FilmTracer,
@@ -22,6 +29,7 @@ export async function runFilm(
   goal: FilmGoal,
   interrupted: AbortSignal,
   progress: Progress,
+  savings: Savings = noSavings,
 ): Promise<Ending> {
   const clock = startClock(goal.untilTime, interrupted);
   try {
@@ -31,10 +39,10 @@ export async function runFilm(
         // However short the time is, one sample there will be.
         const signal = film.samples > 0 ? clock.signal : interrupted;
         const until = film.samples > 0 ? end : next;
-        await addSamples(tracer, film, next, until, signal, progress);
+        next += await addSamples(tracer, film, next, until, signal, progress, savings);
         const ending = endingNow(film, goal, interrupted, clock.signal);
         if (ending) return ending;
-        next = until + 1;
+        if (savings.due()) await savings.save();
       }
       film.close();
     }
@@ -46,7 +54,10 @@ export async function runFilm(
 
 const blockEnd = (sample: number): number => sample - (sample % BLOCK) + BLOCK - 1;
 
-/** Goes on with the film's open block when it ends just before `first`, else begins one. */
+/**
+ * Goes on with the film's open block when it ends just before `first`, else begins one. Gives how many samples were added: fewer than
+ * asked for when the signal came, or when it is time to save the film.
+ */
 async function addSamples(
   tracer: FilmTracer,
   film: AccumulatedFilm,
@@ -54,7 +65,8 @@ async function addSamples(
   last: number,
   signal: AbortSignal,
   progress: Progress,
-): Promise<void> {
+  savings: Savings,
+): Promise<number> {
   let { open } = film;
   if (open && open.first + open.sums[3]! !== first) {
     film.close();
@@ -62,10 +74,23 @@ async function addSamples(
   }
   const held = film.samples;
   const error = film.error();
-  const onProgress = (samples: number) => progress.update(held + samples, error);
-  const sums: FilmSums = await tracer.trace(first, last - first + 1, open?.sums ?? null, { signal, onProgress });
-  film.put(open?.first ?? first, sums);
+  const pause = new AbortController();
+  const stop = () => pause.abort();
+  const onProgress = (samples: number) => {
+    progress.update(held + samples, error);
+    if (samples >= LEAST_BEFORE_SAVING && savings.due()) stop();
+  };
+  if (signal.aborted) stop();
+  signal.addEventListener('abort', stop);
+  try {
+    const options = { signal: pause.signal, onProgress };
+    const sums: FilmSums = await tracer.trace(first, last - first + 1, open?.sums ?? null, options);
+    film.put(open?.first ?? first, sums);
+  } finally {
+    signal.removeEventListener('abort', stop);
+  }
   progress.update(film.samples, film.error());
+  return film.samples - held;
 }
 
 function endingNow(film: AccumulatedFilm, goal: FilmGoal, interrupted: AbortSignal, clock: AbortSignal): Ending | null {

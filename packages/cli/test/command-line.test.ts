@@ -151,6 +151,34 @@ describe(`films, by ${backend}`, () => {
     expect(readdirSync(folder).filter((name) => name.endsWith('.tmp'))).toEqual([]);
   });
 
+  test('kill -KILL leaves what was saved on the way; --resume ends with the film of an undisturbed run, bit for bit', async () => {
+    const args = `render cube-room --backend ${backend} ${SMALL} --json --save-every 0.1 -o k.exr`;
+    const killed = await mirrorball(`${args} --spp 1000000`, (stdout, child) => {
+      if (stdout.includes('"saved"') && !child.killed) child.kill('SIGKILL');
+    });
+    expect([killed.code, existsSync(inFolder('k.exr'))]).toEqual([null, false]);
+    const { events } = await mirrorball('info k.exr.part --json');
+    const held = Number(String(events[0]!.samples).split('-').at(-1)) + 1;
+    expect(held).toBeGreaterThan(0);
+    const spp = `--spp ${held + 7}`;
+    const resumed = await mirrorball(`${args} ${spp} --resume`);
+    expect(resumed.events.find(({ event }) => event === 'start')).toMatchObject({ held });
+    expect((await render(`${spp} -o l.exr`)).code).toBe(0);
+    expect(bytesOf('k.exr').equals(bytesOf('l.exr'))).toBe(true);
+    expect(existsSync(inFolder('k.exr.part'))).toBe(false);
+    for (const name of readdirSync(folder).filter((file) => file.endsWith('.tmp'))) rmSync(inFolder(name));
+  });
+
+  test('what was saved on the way goes when the picture is there, and --save-every 0 saves nothing', async () => {
+    const saves = (ended: Awaited<ReturnType<typeof render>>) => ended.events.filter(({ event }) => event === 'saved');
+    const often = await render('--spp 40 --json --save-every 0.001 -o m.npy');
+    expect(saves(often).length).toBeGreaterThan(0);
+    const never = await render('--spp 40 --json --save-every 0 -o n.npy');
+    expect(saves(never)).toEqual([]);
+    expect(bytesOf('m.npy').equals(bytesOf('n.npy'))).toBe(true);
+    expect(existsSync(inFolder('m.npy.part'))).toBe(false);
+  });
+
   test('Ctrl+C ends with 130, and a part of another picture is refused', async () => {
     const args = `render cube-room --backend cpu ${SMALL} --spp 1000000 --json -o c.png`;
     expect((await mirrorball(args, killedOnTheWay('SIGINT'))).code).toBe(130);
@@ -233,6 +261,28 @@ describe(`films, by ${backend}`, () => {
     );
     expect(events.at(-1)).toMatchObject({ ending: 'error reached', samples: 64 });
   });
+});
+
+test.skipIf(!dawn)(`paths: 256 samples are four times 64, and a picture is its parts${why}`, async () => {
+  const render = (args: string) => mirrorball(`render materials --backend webgpu --size 24x16 ${args}`);
+  expect((await render('--spp 256 -o long.npy')).code).toBe(0);
+  const ranges = ['192-255', '0-63', '128-191', '64-127'];
+  for (const range of ranges) expect((await render(`--samples ${range} -o q${range}.part`)).code).toBe(0);
+  const files = ranges.map((range) => `q${range}.part`).join(' ');
+  expect((await mirrorball(`merge ${files} -o short.npy`)).code).toBe(0);
+  const long = pixelsOf('long.npy');
+  expect(largestDifference(pixelsOf('short.npy'), long)).toBeLessThanOrEqual(1e-6);
+  const union = new Float32Array(long.length).fill(Number.NaN);
+  for (const [x, y, width, height] of [
+    [11, 0, 13, 16],
+    [0, 0, 11, 16],
+  ] as const) {
+    expect((await render(`--spp 256 --region ${x},${y},${width},${height} -o r.npy`)).code).toBe(0);
+    const part = pixelsOf('r.npy');
+    for (let row = 0; row < height; row++)
+      union.set(part.subarray(row * width * 3, (row + 1) * width * 3), ((y + row) * 24 + x) * 3);
+  }
+  expect(Array.from(union)).toEqual(Array.from(long));
 });
 
 /** The tolerances of the browser's parity test: rounding moves edges, and nothing else. */

@@ -5,7 +5,7 @@ import { AOV_LAYERS, type AovContent, createAovPass } from './integrator/aov/aov
 import { createClassicPass } from './integrator/classic/classic.ts';
 import { PATH_LAYERS } from './integrator/path/path.ts';
 import { pathFeatures } from './integrator/path/path-features.ts';
-import { PathPrograms } from './integrator/path/path-programs.ts';
+import { PathPrograms, type ProgramPlan } from './integrator/path/path-programs.ts';
 import type { RendererSettings } from './renderer-types.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
 
@@ -41,10 +41,10 @@ export class Programs {
   readonly #passes = new Map<Content, Pass>();
   readonly #compiling = new Map<Content, Promise<void>>();
 
-  /** `exact`: path programs are made for exactly what is asked of them, whenever that changes. */
-  constructor(device: Device, exact: boolean) {
+  /** `plan`: which path programs are made. */
+  constructor(device: Device, plan: ProgramPlan) {
     this.#device = device;
-    this.#paths = new PathPrograms(device, exact);
+    this.#paths = new PathPrograms(device, plan);
   }
 
   /** The program for this subject; undefined when it is not compiled yet. */

@@ -12,6 +12,7 @@ import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { drawPath } from './integrator/path/path.ts';
+import type { ProgramPlan } from './integrator/path/path-programs.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
@@ -67,18 +68,17 @@ export class Stages {
   readonly #warm = new Set<Pass>();
 
   /**
-   * Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. `exact`: path programs are made for
-   * exactly what is asked of them, whenever that changes.
+   * Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. `plan`: which path programs are made.
    */
-  static async open(device: Device, exact = false): Promise<Stages> {
+  static async open(device: Device, plan: ProgramPlan = 'two'): Promise<Stages> {
     const [display, preview] = await Promise.all([Display.create(device), createPreviewPass(device)]);
     device.attach();
-    return new Stages(device, display, preview, exact);
+    return new Stages(device, display, preview, plan);
   }
 
-  private constructor(device: Device, display: Display, preview: Pass, exact: boolean) {
+  private constructor(device: Device, display: Display, preview: Pass, plan: ProgramPlan) {
     this.device = device;
-    this.#programs = new Programs(device, exact);
+    this.#programs = new Programs(device, plan);
     this.#display = display;
     this.#preview = preview;
     this.#pass = preview;

@@ -10,8 +10,10 @@ import { probeEnvironments } from './emitters/environments.ts';
 import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
+import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
+import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
@@ -28,11 +30,14 @@ export const harness = {
   describeDevices,
   displayed,
   displayedView,
+  fuzz,
+  fuzzLeast,
   hardNames,
   hardPicture,
   headlessFilms,
   leaks,
   movedPicture,
+  orderAndParts,
   parity,
   pathFilm,
   pictureOf,

@@ -19,6 +19,7 @@ import { startProgress } from '../progress.ts';
 import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
 import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
+import { noSavings, type Savings, startSavings } from '../savings.ts';
 import { requireSceneFile } from '../scene-source.ts';
 import { duration, percent, type Terminal } from '../terminal.ts';
 import { software } from '../version.ts';
@@ -84,10 +85,11 @@ async function renderFrame(run: Run, frame: Frame): Promise<void> {
   const part = await partFor(run, frame, partFile);
   const held = part.film.samples;
   const job = jobOf(run, frame);
+  const savings = savingsOf(run, frame, part, partFile);
   let traced: Traced;
   let aovs: WithAovs | null = null;
   try {
-    traced = await trace(run, frame, part, job);
+    traced = await trace(run, frame, part, job, savings);
     const films = traced.ending === 'interrupted' ? null : await aovsOf(run, frame, part, job);
     if (films === 'interrupted') traced = { ...traced, ending: films };
     else if (films) aovs = { names: options.aov!, films, job };
@@ -98,7 +100,7 @@ async function renderFrame(run: Run, frame: Frame): Promise<void> {
   }
   if (traced.ending === 'interrupted') interruption.check(await save(part, held, partFile));
   const files = frame.output ? await writeFilm(frame.output, part, options, aovs) : [];
-  if (options.resume && partFile !== frame.output) await rm(partFile!, { force: true });
+  if ((options.resume || savings.wrote) && partFile !== frame.output) await rm(partFile!, { force: true });
   report(run, frame, part, traced, files);
 }
 
@@ -124,7 +126,9 @@ async function partFor(
       return part;
     }
     if (partFile !== frame.output)
-      terminal.note(`${partFile} is there from an interrupted run; --resume would go on from it.`);
+      terminal.note(
+        `${partFile} is there from an interrupted run; --resume would go on from it, and this run replaces it.`,
+      );
   }
   const film = new AccumulatedFilm(area.width * area.height);
   const texts = { Title: scene.name, Software: software, Scene: writeScene(scene) };
@@ -144,6 +148,7 @@ async function trace(
   frame: Frame,
   part: Part,
   job: FilmJob,
+  savings: Savings,
 ): Promise<Traced> {
   const { film } = part;
   const held = film.samples;
@@ -162,11 +167,42 @@ async function trace(
     untilTime,
   });
   try {
-    const ending = await runFilm(tracer, film, goal, interruption.signal, progress);
+    const ending = await runFilm(tracer, film, goal, interruption.signal, progress, savings);
     return { ending, seconds: (performance.now() - started) / 1000, held };
   } finally {
     progress.stop();
   }
+}
+
+/**
+ * Writes the part file now and then. A disk that is full then is told of and does not end the render, which may well be through before
+ * anything is needed of it.
+ */
+function savingsOf(
+  { options, terminal }: Run,
+  frame: Frame,
+  part: Part,
+  partFile?: string,
+): Savings & { readonly wrote: boolean } {
+  if (!partFile || options.saveEvery === 0) return { ...noSavings, wrote: false };
+  let wrote = false;
+  const savings = startSavings(options.saveEvery, async () => {
+    try {
+      await writePart(partFile, part);
+      wrote = true;
+      const samples = formatRanges(part.film.ranges);
+      terminal.event('saved', { picture: frame.name, part: partFile, samples });
+    } catch (error) {
+      terminal.event('not saved', { picture: frame.name, part: partFile, message: (error as Error).message });
+      terminal.note(`The samples so far could not be saved: ${(error as Error).message}`);
+    }
+  });
+  return {
+    ...savings,
+    get wrote() {
+      return wrote;
+    },
+  };
 }
 
 /** Null when none are wanted. */

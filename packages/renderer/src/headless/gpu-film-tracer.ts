@@ -1,6 +1,7 @@
 /** Traces films on a GPU device with the same stages that draw on a canvas. */
 import { FrameController } from '../frame-controller.ts';
 import { type Device, DeviceError } from '../gpu/device.ts';
+import type { ProgramPlan } from '../integrator/path/path-programs.ts';
 import { Stages } from '../stages.ts';
 import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
 import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOptions } from './film-tracer.ts';
@@ -24,9 +25,12 @@ export class GpuFilmTracer implements FilmTracer {
   #job: FilmJob | null = null;
   #rays = 0;
 
-  /** Takes the device for good. Rejects with `DeviceError` when it cannot run the integrator. */
-  static async create(device: Device): Promise<GpuFilmTracer> {
-    const stages = await Stages.open(device, true);
+  /**
+   * Takes the device for good. Rejects with `DeviceError` when it cannot run the integrator. `programs`: of the path integrator.
+   * `exact` ones trace fastest; `one` for everything suits many small films, each of another scene.
+   */
+  static async create(device: Device, programs: ProgramPlan = 'exact'): Promise<GpuFilmTracer> {
+    const stages = await Stages.open(device, programs);
     return new GpuFilmTracer(device, stages);
   }
 

@@ -126,3 +126,22 @@ test('of too many emissive shapes the strongest are kept, and every light', () =
   expect(emitterOfShape.has('s16')).toBe(false);
   expect(emitterOfShape.has('s17')).toBe(true);
 });
+
+test('a sun too small to be a disc is a point at infinity; any other has a radiance in 32 bits', () => {
+  const sun = (angle: number) => {
+    const light = {
+      type: 'directional',
+      direction: [0, -1, 0],
+      irradiance: 1e6,
+      color: [1e3, 1e3, 1e3],
+      angle,
+    } as const;
+    const { emitters } = emittersOf(lampsAsShapes(testScene({}, { light })), EYE, () => 0);
+    return { area: emitters[0]!.area as number, radiance: (emitters[0]!.radiance as readonly number[])[0]! };
+  };
+  for (const angle of [0, 5e-324, 1e-20, 0.99e-5]) expect(sun(angle)).toEqual({ area: 0, radiance: 1e9 });
+  for (const angle of [1e-5, 1e-3, 90]) {
+    expect(sun(angle).area).toBeGreaterThan(0);
+    expect(Math.fround(sun(angle).radiance)).toBeLessThan(1e30);
+  }
+});

@@ -42,6 +42,9 @@ const RADIANS = Math.PI / 180;
 /** Where the falloff of a spot has no width its outer cosine is less than the inner by this. */
 const NARROWEST_FALLOFF = 1e-6;
 
+/** Degrees. Directions of 32-bit floats do not tell a smaller disc from a point, and its radiance would grow without bounds. */
+const NARROWEST_DISC = 1e-5;
+
 const mean = ([r, g, b]: Color) => (r + g + b) / 3;
 const isBlack = (color: Color) => Math.max(...color) <= 0;
 
@@ -101,14 +104,15 @@ function spotEmitter(light: SpotLight): EmitterValues {
 /** A disc of half angle a that gives the irradiance E has the radiance E / (π sin² a). */
 function directionalEmitter(light: DirectionalLight): EmitterValues {
   const irradiance = timesColor(light.irradiance, light.color);
-  const half = (light.angle / 2) * RADIANS;
+  const angle = light.angle < NARROWEST_DISC ? 0 : light.angle;
+  const half = (angle / 2) * RADIANS;
   const sine = Math.sin(half);
   return {
     ...NOTHING,
     kind: EMITTER_KIND.directional,
     u: normalize(light.direction),
     radius: Math.cos(half),
-    radiance: light.angle === 0 ? irradiance : timesColor(1 / (Math.PI * sine ** 2), irradiance),
+    radiance: angle === 0 ? irradiance : timesColor(1 / (Math.PI * sine ** 2), irradiance),
     area: 4 * Math.PI * Math.sin(half / 2) ** 2,
     power: mean(irradiance),
     reach: sine,

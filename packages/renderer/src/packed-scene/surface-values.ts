@@ -50,8 +50,11 @@ function isSmooth({ type, roughness, thin, ior }: Material): boolean {
 /** Beer–Lambert's coefficient, 1 / metre: `attenuationColor` is what is left after `attenuationDistance`. */
 function absorption({ attenuationColor, attenuationDistance }: Material): Color {
   if (attenuationDistance === 0) return [0, 0, 0];
-  const one = (share: number) => -Math.log(Math.max(share, LEAST_SHARE)) / attenuationDistance;
+  const one = (share: number) =>
+    Math.min(-Math.log(Math.max(share, LEAST_SHARE)) / attenuationDistance, MOST_ABSORPTION);
   return [one(attenuationColor[0]), one(attenuationColor[1]), one(attenuationColor[2])];
 }
 /** A share of nothing would absorb without bounds. */
 const LEAST_SHARE = 1e-6;
+/** Nothing is left after any length that a shape may have; and infinity, times a length of 0, would be no number. */
+const MOST_ABSORPTION = 1e30;

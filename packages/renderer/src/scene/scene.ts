@@ -174,7 +174,7 @@ export interface DirectionalLight {
   /** Multiplies `color`: W / m² on a surface that faces it. */
   readonly irradiance: number;
   readonly color: Color;
-  /** Angular diameter, degrees; 0 = a point at infinity, 0.53 = the sun. Not seen by camera and mirrors when 0. */
+  /** Angular diameter, degrees; 0 (and what is below 1e-5) = a point at infinity, not seen by camera and mirrors; 0.53 = the sun. */
   readonly angle: number;
 }
 export type Light = SphereLight | QuadLight | PointLight | SpotLight | DirectionalLight;

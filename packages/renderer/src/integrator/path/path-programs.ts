@@ -1,12 +1,16 @@
 /**
  * The path programs of one device. A page, where scenes come and go and nothing may be compiled while somebody watches, makes two
- * once and for all; whoever renders without a window makes one for exactly what a scene needs.
+ * once and for all; whoever renders without a window makes one for exactly what a scene needs, or, with many small films of many
+ * scenes to come, one for everything.
  */
 import type { Device, Pass } from '../../gpu/device.ts';
 import { COMMON_FEATURES, FEATURES, type Feature } from '../../shading/features.ts';
 import { createPathPass } from './path.ts';
 
 export type Features = ReadonlySet<Feature>;
+
+/** Which programs are made: the two of a page, one for each set of needs, or only the one that has everything. */
+export type ProgramPlan = 'two' | 'exact' | 'one';
 
 /** Compiles and runs in a fraction of the time. */
 const COMMON: Features = new Set(COMMON_FEATURES);
@@ -17,14 +21,13 @@ const keyOf = (features: Features) => FEATURES.map((feature) => (features.has(fe
 
 export class PathPrograms {
   readonly #device: Device;
-  readonly #exact: boolean;
+  readonly #plan: ProgramPlan;
   readonly #compiling = new Map<string, Promise<Pass>>();
   readonly #made: { features: Features; pass: Pass }[] = [];
 
-  /** `exact`: a program for each set of needs instead of two for all. */
-  constructor(device: Device, exact: boolean) {
+  constructor(device: Device, plan: ProgramPlan) {
     this.#device = device;
-    this.#exact = exact;
+    this.#plan = plan;
   }
 
   /** The program with the least that draws what these needs ask for; undefined when there is none yet. */
@@ -35,11 +38,13 @@ export class PathPrograms {
 
   /** Resolves when `get` has a program for these needs. */
   async ready(needs: Features): Promise<void> {
-    if (this.#exact) await this.#compile(needs);
-    else if (covers(COMMON, needs)) {
-      await this.#compile(COMMON);
-      this.#compile(ALL).catch(() => {}); // heard when a scene asks for it
-    } else await Promise.all([this.#compile(ALL), this.#compile(COMMON)]);
+    if (this.#plan === 'exact') await this.#compile(needs);
+    else if (this.#plan === 'one') await this.#compile(ALL);
+    else {
+      const [first, second] = covers(COMMON, needs) ? [COMMON, ALL] : [ALL, COMMON];
+      await this.#compile(first);
+      this.#compile(second).catch(() => {}); // heard when a scene asks for it
+    }
   }
 
   #compile(features: Features): Promise<Pass> {
