@@ -12,7 +12,7 @@ const LEAST_FILM_SAMPLES = 1024;
  * Samples of one call, where calls may add many: few enough for the first of them on a fast GPU, and always the same ones together,
  * since their sums are rounded together.
  */
-const BATCH = 64;
+const BATCH = 256;
 /** Calls that may wait on the device: it never idles, and an interruption is heard soon. */
 const MOST_IN_FLIGHT = 4;
 

@@ -211,11 +211,17 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k) {
     vec3 difference = (((eta_1 * eta_1) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k) * k)));
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 a = mix(((eta_1 * k) / larger), larger, greaterThan(difference, vec3(0.0)));
-    vec3 across = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_3) * a)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_3) * a)) + vec3(1e-20)));
-    vec3 sum = ((cosine2_ * a2PlusB2_) + vec3((sine2_ * sine2_)));
-    vec3 part = (((2.0 * cosine_3) * sine2_) * a);
-    return ((0.5 * across) * (vec3(1.0) + (((sum - part) + vec3(1e-20)) / ((sum + part) + vec3(1e-20)))));
+    vec3 smaller = ((eta_1 * k) / larger);
+    vec3 a = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
+    vec3 b = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b * b) + vec3(1e-20));
+    vec3 acrossFar = (a + vec3(cosine_3));
+    vec3 acrossNear = (a - vec3(cosine_3));
+    vec3 across = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a * cosine_3) + vec3(sine2_));
+    vec3 alongNear = ((a * cosine_3) - vec3(sine2_));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
 vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_1, float cosine_4) {
@@ -442,12 +448,12 @@ void main() {
     vec4 fragment = gl_FragCoord;
     uvec2 pixel = uvec2(fragment.xy);
     vec4 a_1 = texelFetch(questions, ivec2(uvec2((2u * pixel.x), pixel.y)), 0);
-    vec4 b = texelFetch(questions, ivec2(uvec2(((2u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 b_1 = texelFetch(questions, ivec2(uvec2(((2u * pixel.x) + 1u), pixel.y)), 0);
     Surface _e23 = fetchSurface(uint(a_1.w));
-    uint asked_1 = uint(b.w);
+    uint asked_1 = uint(b_1.w);
     Outgoing _e27 = outgoing(_e23, a_1.xyz);
-    BsdfSample _e29 = sampleLobe(_e23, _e27, b.xyz);
-    vec4 _e35 = evaluateBsdf(_e23, _e27, pick((asked_1 == evaluation), b.xyz, _e29.direction));
+    BsdfSample _e29 = sampleLobe(_e23, _e27, b_1.xyz);
+    vec4 _e35 = evaluateBsdf(_e23, _e27, pick((asked_1 == evaluation), b_1.xyz, _e29.direction));
     if ((asked_1 == evaluation)) {
         _fs2p_location0 = _e35;
         return;

@@ -332,12 +332,18 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
   let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
   // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
   let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least);
-  let a = select(eta * k / larger, larger, difference > vec3f(0.0));
-  // least: an index of 0, or of 1 along the surface, is no division by 0.
-  let across = (a2PlusB2 + cosine2 - 2.0 * cosine * a + least) / (a2PlusB2 + cosine2 + 2.0 * cosine * a + least);
-  let sum = cosine2 * a2PlusB2 + sine2 * sine2;
-  let part = 2.0 * cosine * sine2 * a;
-  return 0.5 * across * (1.0 + (sum - part + least) / (sum + part + least));
+  let smaller = eta * k / larger;
+  let a = select(smaller, larger, difference > vec3f(0.0));
+  let b = select(larger, smaller, difference > vec3f(0.0));
+  // Sums of squares, not multiplied out: rounding never takes them below 0. least: an index of 1 along the surface is no 0 / 0.
+  let b2 = b * b + least;
+  let acrossFar = a + cosine;
+  let acrossNear = a - cosine;
+  let across = (acrossNear * acrossNear + b2) / (acrossFar * acrossFar + b2);
+  let alongFar = a * cosine + sine2;
+  let alongNear = a * cosine - sine2;
+  let b2cosine2 = b2 * cosine2 + least;
+  return 0.5 * across * (1.0 + (alongNear * alongNear + b2cosine2) / (alongFar * alongFar + b2cosine2));
 }
 
 const least = 1e-20;

@@ -37,6 +37,6 @@ function shader(gl: WebGL2RenderingContext, type: number, text: string): WebGLSh
 function withSwitches(glsl: string, switches: Readonly<Record<string, boolean>>): string {
   let text = glsl;
   for (const [name, on] of Object.entries(switches))
-    text = text.replace(new RegExp(`\bconst bool ${name} ?= ?(true|false);`), `const bool ${name}=${on};`);
+    text = text.replace(new RegExp(`\\bconst bool ${name} ?= ?(true|false);`), `const bool ${name}=${on};`);
   return text;
 }

@@ -645,11 +645,17 @@ vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
     vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 a = mix(((eta * k) / larger), larger, greaterThan(difference, vec3(0.0)));
-    vec3 across_3 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine) * a)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine) * a)) + vec3(1e-20)));
-    vec3 sum = ((cosine2_ * a2PlusB2_) + vec3((sine2_ * sine2_)));
-    vec3 part = (((2.0 * cosine) * sine2_) * a);
-    return ((0.5 * across_3) * (vec3(1.0) + (((sum - part) + vec3(1e-20)) / ((sum + part) + vec3(1e-20)))));
+    vec3 smaller = ((eta * k) / larger);
+    vec3 a = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
+    vec3 b_1 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_1 * b_1) + vec3(1e-20));
+    vec3 acrossFar = (a + vec3(cosine));
+    vec3 acrossNear = (a - vec3(cosine));
+    vec3 across_3 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a * cosine) - vec3(sine2_));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across_3) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
 vec3 conductorReflectance(vec3 baseColor, vec3 eta_1, vec3 k_1, float cosine_1) {

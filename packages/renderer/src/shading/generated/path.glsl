@@ -1584,11 +1584,17 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k_1) {
     vec3 difference = (((eta_1 * eta_1) - (k_1 * k_1)) - vec3(sine2_1));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 a_4 = mix(((eta_1 * k_1) / larger_1), larger_1, greaterThan(difference, vec3(0.0)));
-    vec3 across_4 = ((((a2PlusB2_ + vec3(cosine2_)) - ((2.0 * cosine_3) * a_4)) + vec3(1e-20)) / (((a2PlusB2_ + vec3(cosine2_)) + ((2.0 * cosine_3) * a_4)) + vec3(1e-20)));
-    vec3 sum = ((cosine2_ * a2PlusB2_) + vec3((sine2_1 * sine2_1)));
-    vec3 part = (((2.0 * cosine_3) * sine2_1) * a_4);
-    return ((0.5 * across_4) * (vec3(1.0) + (((sum - part) + vec3(1e-20)) / ((sum + part) + vec3(1e-20)))));
+    vec3 smaller = ((eta_1 * k_1) / larger_1);
+    vec3 a_4 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_7 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_7 * b_7) + vec3(1e-20));
+    vec3 acrossFar = (a_4 + vec3(cosine_3));
+    vec3 acrossNear = (a_4 - vec3(cosine_3));
+    vec3 across_4 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_4 * cosine_3) + vec3(sine2_1));
+    vec3 alongNear = ((a_4 * cosine_3) - vec3(sine2_1));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
 vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_2, float cosine_4) {
