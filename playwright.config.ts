@@ -9,8 +9,9 @@ export default defineConfig({
   outputDir: 'test-results',
   preserveOutput: 'failures-only',
   globalSetup: './tests/browser/global-setup.ts',
-  // One at a time: SwiftShader uses every core already, and two pages at once would only time out.
-  workers: 1,
+  // Two files at a time: a page waits for half of its time. What has a bar in seconds is marked @alone, and the test command runs it
+  // by itself.
+  workers: 2,
   timeout: 90_000,
   // A busy machine may drop a frame or a click; what fails twice is broken. Such a test is reported as flaky, not hidden.
   retries: process.env.CI ? 1 : 0,

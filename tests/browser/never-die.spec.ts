@@ -20,7 +20,7 @@ async function whatIsShown(page: Page) {
 }
 
 for (const backend of backends) {
-  test.describe(`a lost device (${backend})`, () => {
+  test.describe(`a lost device (${backend})`, { tag: '@alone' }, () => {
     test.beforeEach(({ page }) => hookGpu(page));
 
     test('the same picture is back within two seconds, time and again', async ({ page, openStudio }) => {

@@ -4,7 +4,7 @@ import { expectPicture, expectState, quick, rendererState, setHidden, settled, s
 
 test.use({ viewport: { width: 480, height: 320 } });
 for (const backend of backends)
-  test.describe(`the page stays responsive (${backend})`, () => {
+  test.describe(`the page stays responsive (${backend})`, { tag: '@alone' }, () => {
     test.beforeEach(({ page }) => hookGpu(page));
 
     test('while it starts, and never more than two frames are waited for', async ({ page, openStudio }) => {
