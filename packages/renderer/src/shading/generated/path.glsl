@@ -252,6 +252,8 @@ const bool hasPlanes = true;
 
 const bool hasGlass = false;
 
+const bool hasManyLights = true;
+
 const bool hasSuns = false;
 
 const bool hasSky = true;
@@ -265,8 +267,6 @@ const bool hasSphereLights = true;
 const bool hasQuadLights = false;
 
 const bool hasBoxLights = false;
-
-const bool hasManyLights = true;
 
 const bool hasPointLights = false;
 
@@ -844,10 +844,6 @@ bool isThin(uint code_2) {
     return pick(_e2, ((code_2 & 7u) == 7u), false);
 }
 
-int emitterOf(float code_3) {
-    return ((int(code_3) >> 6u) - 1);
-}
-
 Emitter fetchEmitter(uint i_13) {
     vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
     vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
@@ -855,6 +851,22 @@ Emitter fetchEmitter(uint i_13) {
     vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
     vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
     return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
+}
+
+int emitterOf(float code_3) {
+    return ((int(code_3) >> 6u) - 1);
+}
+
+Emitter emitterAt(uint i_14, Emitter only) {
+    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+    emitter = only;
+    const bool _e4 = hasManyLights;
+    if (_e4) {
+        Emitter _e5 = fetchEmitter(i_14);
+        emitter = _e5;
+    }
+    Emitter _e6 = emitter;
+    return _e6;
 }
 
 bool isOnDisc(Emitter e, vec3 direction_6) {
@@ -1130,45 +1142,45 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_8, PairHit hit, Surface s_5, vec3 outward) {
+vec3 foundLight(Path p_8, PairHit hit, Surface s_5, vec3 outward, Emitter only_1) {
     vec3 found_6 = vec3(0.0);
-    uint i_14 = 0u;
+    uint i_15 = 0u;
     bool escaped = (hit.shape == noShape);
     vec3 direction_15 = p_8.rays.direction;
     bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_15) > 0.0), false);
-    int _e20 = emitterOf(s_5.code);
+    int _e21 = emitterOf(s_5.code);
     found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
-    bool weighed = pick(escaped, true, (_e20 >= 0));
-    uint _e32 = frame.emitterCount;
-    if (pick(weighed, (_e32 > 0u), false)) {
+    bool weighed = pick(escaped, true, (_e21 >= 0));
+    uint _e33 = frame.emitterCount;
+    if (pick(weighed, (_e33 > 0u), false)) {
         vec3 emission = found_6;
         found_6 = vec3(0.0);
-        i_14 = pick(escaped, 0u, uint(max(_e20, 0)));
+        i_15 = pick(escaped, 0u, uint(max(_e21, 0)));
         while(true) {
-            uint _e45 = i_14;
-            Emitter _e46 = fetchEmitter(_e45);
-            FarLight _e47 = farLight(_e46, direction_15);
-            float _e51 = shapePdf(_e46, p_8.rays.point, direction_15, hit.t, outward);
-            float density = pick(escaped, _e47.pdf, _e51);
-            float _e58 = probabilityOf(_e46, p_8.rays.point, p_8.litSide, p_8.total);
-            float pdf_3 = (density * _e58);
-            vec3 radiance = pick(escaped, _e47.radiance, emission);
-            vec3 _e62 = found_6;
-            float _e64 = misWeight(p_8.pdf, pdf_3);
-            found_6 = (_e62 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e64)));
-            uint _e73 = i_14;
-            i_14 = (_e73 + 1u);
-            const bool _e76 = hasSky;
-            const bool _e78 = hasSuns;
-            uint _e83 = i_14;
-            uint _e86 = frame.emitterCount;
-            if (pick(pick(!(pick(_e76, true, _e78)), true, !(escaped)), true, (_e83 >= _e86))) {
+            uint _e46 = i_15;
+            Emitter _e47 = emitterAt(_e46, only_1);
+            FarLight _e48 = farLight(_e47, direction_15);
+            float _e52 = shapePdf(_e47, p_8.rays.point, direction_15, hit.t, outward);
+            float density = pick(escaped, _e48.pdf, _e52);
+            float _e59 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.total);
+            float pdf_3 = (density * _e59);
+            vec3 radiance = pick(escaped, _e48.radiance, emission);
+            vec3 _e63 = found_6;
+            float _e65 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e63 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e65)));
+            uint _e74 = i_15;
+            i_15 = (_e74 + 1u);
+            const bool _e77 = hasSky;
+            const bool _e79 = hasSuns;
+            uint _e84 = i_15;
+            uint _e87 = frame.emitterCount;
+            if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
                 break;
             }
         }
     }
-    vec3 _e89 = found_6;
-    return _e89;
+    vec3 _e90 = found_6;
+    return _e90;
 }
 
 uint pascalW2_(uint x_12) {
@@ -1202,7 +1214,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
-    uint i_15 = 0u;
+    uint i_16 = 0u;
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
@@ -1210,7 +1222,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     if (pick(_e14, (_e17 > 1u), false)) {
         rest = u_4;
         while(true) {
-            uint _e30 = i_15;
+            uint _e30 = i_16;
             Emitter _e31 = fetchEmitter(_e30);
             float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
             float _e33 = total_1;
@@ -1220,16 +1232,16 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
             float _e39 = rest;
             bool take = (_e39 < share_1);
             uint _e41 = chosen;
-            uint _e42 = i_15;
+            uint _e42 = i_16;
             chosen = pick(take, _e42, _e41);
             float _e44 = chosenWeight;
             chosenWeight = pick(take, _e32, _e44);
             float _e46 = rest;
             float _e53 = rest;
             rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_15;
-            i_15 = (_e59 + 1u);
-            uint _e61 = i_15;
+            uint _e59 = i_16;
+            i_16 = (_e59 + 1u);
+            uint _e61 = i_16;
             uint _e64 = frame.emitterCount;
             if ((_e61 >= _e64)) {
                 break;
@@ -1868,9 +1880,9 @@ float nextHash(inout Sampler s_16) {
     return _e21;
 }
 
-bool isFlat(uint i_16) {
+bool isFlat(uint i_17) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_16 >= _e4);
+    return (i_17 >= _e4);
 }
 
 void meetSurface(inout Path p_9, PairHit hit_1) {
@@ -1890,53 +1902,54 @@ void meetSurface(inout Path p_9, PairHit hit_1) {
         vec3 _e47 = p_9.throughput;
         p_9.throughput = (_e47 * exp((-(_e10.absorption) * pick(inside_4, hit_1.t, 0.0))));
     }
-    vec3 _e57 = p_9.radiance;
-    vec3 _e59 = p_9.throughput;
-    Path _e60 = p_9;
-    vec3 _e61 = foundLight(_e60, hit_1, _e10, _e20);
-    p_9.radiance = (_e57 + (_e59 * _e61));
+    Emitter _e57 = fetchEmitter(0u);
+    vec3 _e59 = p_9.radiance;
+    vec3 _e61 = p_9.throughput;
+    Path _e62 = p_9;
+    vec3 _e63 = foundLight(_e62, hit_1, _e10, _e20, _e57);
+    p_9.radiance = (_e59 + (_e61 * _e63));
     vec3 litSide = pick(_e13, vec3(0.0), _e29.normal);
-    vec3 _e69 = next3d(p_9.sampler_);
     vec3 _e71 = next3d(p_9.sampler_);
-    EmitterChoice _e73 = chooseEmitter(point_16, litSide, _e69.z);
-    Emitter _e75 = fetchEmitter(_e73.index);
-    LightSample _e77 = sampleEmitter(_e75, point_16, _e69.xy);
-    float lightPdf = (_e77.pdf * _e73.probability);
-    Outgoing _e81 = outgoing(_e10, _e32);
-    vec3 _e83 = toLocal(_e29, _e77.direction);
-    vec4 _e84 = evaluateBsdf(_e10, _e81, _e83);
-    bool alone = pick(_e77.delta, true, pick((_e75.shape < 0.0), (_e77.distance_ < 1e30), false));
-    float _e95 = misWeight(lightPdf, _e84.w);
-    float lightWeight = (pick(alone, 1.0, _e95) / lightPdf);
-    BsdfSample _e99 = sampleLobe(_e10, _e81, _e71);
-    vec4 _e101 = evaluateBsdf(_e10, _e81, _e99.direction);
-    BsdfSample _e102 = completed(_e99, _e101);
-    vec3 _e104 = toWorld(_e29, _e102.direction);
-    uint _e107 = p_9.depth;
-    uint _e110 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e107 != _e110), false);
-    vec3 _e114 = p_9.throughput;
-    vec3 contribution = (((_e114 * _e84.xyz) * _e77.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((_e84.xyz * _e77.radiance), vec3(0.0))), false);
+    vec3 _e73 = next3d(p_9.sampler_);
+    EmitterChoice _e75 = chooseEmitter(point_16, litSide, _e71.z);
+    Emitter _e77 = emitterAt(_e75.index, _e57);
+    LightSample _e79 = sampleEmitter(_e77, point_16, _e71.xy);
+    float lightPdf = (_e79.pdf * _e75.probability);
+    Outgoing _e83 = outgoing(_e10, _e32);
+    vec3 _e85 = toLocal(_e29, _e79.direction);
+    vec4 _e86 = evaluateBsdf(_e10, _e83, _e85);
+    bool alone = pick(_e79.delta, true, pick((_e77.shape < 0.0), (_e79.distance_ < 1e30), false));
+    float _e97 = misWeight(lightPdf, _e86.w);
+    float lightWeight = (pick(alone, 1.0, _e97) / lightPdf);
+    BsdfSample _e101 = sampleLobe(_e10, _e83, _e73);
+    vec4 _e103 = evaluateBsdf(_e10, _e83, _e101.direction);
+    BsdfSample _e104 = completed(_e101, _e103);
+    vec3 _e106 = toWorld(_e29, _e104.direction);
+    uint _e109 = p_9.depth;
+    uint _e112 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e109 != _e112), false);
+    vec3 _e116 = p_9.throughput;
+    vec3 contribution = (((_e116 * _e86.xyz) * _e79.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((_e86.xyz * _e79.radiance), vec3(0.0))), false);
     p_9.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e136 = p_9.throughput;
-    vec3 throughput = (_e136 * _e102.weight);
-    float _e139 = max3_(throughput);
-    uint _e145 = p_9.depth;
-    float survival = pick((_e145 < rouletteDepth), 1.0, min((_e139 / 0.33333334), 0.95));
-    float _e155 = max3_(throughput);
-    float _e160 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(goesOn, (_e102.pdf > 0.0), false), (_e155 > 0.0), false), (_e160 < survival), false);
+    vec3 _e138 = p_9.throughput;
+    vec3 throughput = (_e138 * _e104.weight);
+    float _e141 = max3_(throughput);
+    uint _e147 = p_9.depth;
+    float survival = pick((_e147 < rouletteDepth), 1.0, min((_e141 / 0.33333334), 0.95));
+    float _e157 = max3_(throughput);
+    float _e162 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(goesOn, (_e104.pdf > 0.0), false), (_e157 > 0.0), false), (_e162 < survival), false);
     p_9.throughput = (throughput / vec3(survival));
-    uint _e168 = p_9.depth;
-    p_9.depth = (_e168 + 1u);
-    p_9.pdf = pick(_e102.delta, 0.0, _e102.pdf);
+    uint _e170 = p_9.depth;
+    p_9.depth = (_e170 + 1u);
+    p_9.pdf = pick(_e104.delta, 0.0, _e104.pdf);
     p_9.litSide = litSide;
-    p_9.total = _e73.total;
-    bool _e178 = isFlat(shape);
-    bool solid = !(_e178);
-    uint lightShape = pick((_e75.shape >= 0.0), uint(max(_e75.shape, 0.0)), noShape);
-    p_9.rays = RayPair(point_16, shape, (1e-5 * length(point_16)), _e104, pick(solid, (dot(_e104, _e20) < 0.0), false), _e77.direction, pick(solid, (dot(_e77.direction, _e20) < 0.0), false), pick(lit_1, _e77.distance_, -1.0), lightShape);
+    p_9.total = _e75.total;
+    bool _e180 = isFlat(shape);
+    bool solid = !(_e180);
+    uint lightShape = pick((_e77.shape >= 0.0), uint(max(_e77.shape, 0.0)), noShape);
+    p_9.rays = RayPair(point_16, shape, (1e-5 * length(point_16)), _e106, pick(solid, (dot(_e106, _e20) < 0.0), false), _e79.direction, pick(solid, (dot(_e79.direction, _e20) < 0.0), false), pick(lit_1, _e79.distance_, -1.0), lightShape);
     return;
 }
 

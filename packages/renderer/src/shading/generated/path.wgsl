@@ -219,14 +219,15 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     let inside = isGlass & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
-  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, outward);
+  let only = fetchEmitter(0u);
+  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, outward, only);
 
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(basis.normal, vec3f(0.0), isGlass);
   let uLight = next3d(&(*p).sampler);
   let uBsdf = next3d(&(*p).sampler);
   let choice = chooseEmitter(point, litSide, uLight.z);
-  let emitter = fetchEmitter(choice.index);
+  let emitter = emitterAt(choice.index, only);
   let light = sampleEmitter(emitter, point, uLight.xy);
   let lightPdf = light.pdf * choice.probability;
   let o = outgoing(surface, wo);
@@ -305,8 +306,17 @@ fn toLocal(b: Basis, v: vec3f) -> vec3f {
 
 override hasGlass = false;
 
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+}
+
 // Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
-fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f) -> vec3f {
+fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
   let escaped = hit.shape == noShape;
   let direction = p.rays.direction;
   let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
@@ -319,7 +329,7 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f) -> vec3f {
     found = vec3f(0.0);
     var i = select(u32(max(own, 0)), 0u, escaped);
     loop {
-      let e = fetchEmitter(i);
+      let e = emitterAt(i, only);
       let far = farLight(e, direction);
       let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward), far.pdf, escaped);
       let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.total);
@@ -368,13 +378,13 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
   return choice;
 }
 
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+// `only`: fetched before, when the program is for scenes with one.
+fn emitterAt(i: u32, only: Emitter) -> Emitter {
+  var emitter = only;
+  if (hasManyLights) {
+    emitter = fetchEmitter(i);
+  }
+  return emitter;
 }
 
 // A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
@@ -690,6 +700,34 @@ struct Basis {
 }
 
 
+struct Emitter {
+  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  radius: f32,
+  // other edge of a quad
+  v: vec3f,
+  // cosine of the inner angle of a spot
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+}
+
+
 // Index of the emitter that a shape is, from -1 for none.
 fn emitterOf(code: f32) -> i32 {
   return (i32(code) >> 6u) - 1;
@@ -746,34 +784,6 @@ struct FarLight {
 
 
 const skyKind = 6.0;
-
-struct Emitter {
-  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
-  position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
-  kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
-  u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
-  radius: f32,
-  // other edge of a quad
-  v: vec3f,
-  // cosine of the inner angle of a spot
-  cosInner: f32,
-  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
-  radiance: vec3f,
-  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
-  area: f32,
-  // row of the shape that rays meet; -1: none, only light sampling finds it
-  shape: f32,
-  // 1: a quad that shines to the side of u x v only
-  oneSided: f32,
-  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
-  power: f32,
-  // radius of the bounding sphere; of directional light: sine of half the angular diameter
-  reach: f32,
-}
-
 
 const directionalKind = 5.0;
 
