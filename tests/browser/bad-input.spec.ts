@@ -75,7 +75,7 @@ for (const backend of backends)
     await expectPicture(page);
     await page.evaluate(() => Object.assign(window, { sceneBefore: window.mirrorball.renderer!.scene }));
     const { draws } = await hooks(page);
-    const { time } = (await rendererState(page))!;
+    const { time } = await rendererState(page);
 
     const files: Given[] = [
       ...brokenFiles(),
@@ -142,7 +142,7 @@ test('junk by the API throws a TypeError and changes nothing', async ({ page, op
   });
   expect(answers).toEqual([...Array(13).fill('TypeError'), 'RangeError', 'RangeError']);
   await page.waitForTimeout(100);
-  const { stats: _, ...after } = (await rendererState(page))!;
+  const { stats: _, ...after } = await rendererState(page);
   expect(before).toMatchObject(after);
   await expectPicture(page);
 });

@@ -122,7 +122,7 @@ test.describe('on a phone', () => {
   test('the scene’s middle square fits into what the controls leave', async ({ page, openStudio }) => {
     await openStudio(address);
     await expectPicture(page);
-    const framing = async () => (await rendererState(page))!.settings.framing!;
+    const framing = async () => (await rendererState(page)).settings.framing!;
     const folded = await framing();
     expect(folded.height * 700).toBeCloseTo(390, 0);
     await page.getByRole('button', { name: 'Show controls' }).tap();
@@ -139,7 +139,7 @@ test.describe('on a phone', () => {
     const devtools = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number) =>
       devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: 300 }] });
-    const eye = async () => (await rendererState(page))!.camera.eye;
+    const eye = async () => (await rendererState(page)).camera.eye;
     const start = await eye();
     await touch('touchStart', 120);
     for (const x of [140, 170, 200]) await touch('touchMove', x);

@@ -67,7 +67,7 @@ test('shortcuts: scenes, reflections, comparison, play, step', async ({ page }) 
   }
   await page.keyboard.press('1');
   await expect(page.getByRole('img', { name: scenes[0]!.en })).toBeVisible();
-  const { maxReflections } = (await rendererState(page))!.settings;
+  const { maxReflections } = (await rendererState(page)).settings;
   await page.keyboard.press(']');
   await expectState(page, (state) => state.settings.maxReflections, maxReflections + 1);
   await page.keyboard.press('[');
@@ -77,7 +77,7 @@ test('shortcuts: scenes, reflections, comparison, play, step', async ({ page }) 
   await page.keyboard.press('c');
   await page.keyboard.press('c');
   await expectState(page, (state) => state.settings.comparison, null);
-  const { time } = (await rendererState(page))!;
+  const { time } = await rendererState(page);
   await page.keyboard.press('.');
   await expectState(page, (state) => Math.round((state.time - time) * 60), 1);
   await page.keyboard.press('Space');
@@ -88,7 +88,7 @@ test('shortcuts: scenes, reflections, comparison, play, step', async ({ page }) 
 
 test('the view moves by keys and comes back', async ({ page }) => {
   await page.locator('main canvas').first().focus();
-  const camera = async () => (await rendererState(page))!.camera;
+  const camera = async () => (await rendererState(page)).camera;
   const start = await camera();
   for (const key of ['ArrowLeft', 'Shift+ArrowUp', '+']) {
     const before = await camera();

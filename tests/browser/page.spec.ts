@@ -121,7 +121,7 @@ for (const backend of backends) {
 
     test('motion: play, pause, step, speed, time', async ({ page }) => {
       await expectState(page, (state) => state.playing, false);
-      const start = (await rendererState(page))!.time;
+      const start = (await rendererState(page)).time;
       await page.getByRole('button', { name: 'Step 1/60 s' }).click();
       await expectState(page, (state) => Math.round((state.time - start) * 60), 1);
       await choose(page, 'Speed', '2×');
@@ -135,7 +135,7 @@ for (const backend of backends) {
     });
 
     test('view: orbit, pan and dolly by mouse, then back', async ({ page }) => {
-      const eye = async () => (await rendererState(page))!.camera.eye;
+      const eye = async () => (await rendererState(page)).camera.eye;
       const start = await eye();
       await page.mouse.move(200, 300);
       await page.mouse.down();

@@ -63,7 +63,7 @@ for (const backend of backends)
       await page.waitForTimeout(200);
       const { draws } = await hooks(page);
       await page.waitForTimeout(300);
-      expect((await rendererState(page))!.stats.fps).toBe(0);
+      expect((await rendererState(page)).stats.fps).toBe(0);
       const before = await page.evaluate(() => window.gpuHooks.presented);
       await page.evaluate(() => window.mirrorball.renderer!.set({ exposure: -2 }));
       await soon(() => page.evaluate(() => window.gpuHooks.presented)).toBe(before + 1);
@@ -78,10 +78,10 @@ for (const backend of backends)
       await setHidden(page, true);
       await page.waitForTimeout(150);
       const { draws } = await hooks(page);
-      const { time } = (await rendererState(page))!;
+      const { time } = await rendererState(page);
       await page.waitForTimeout(400);
       expect((await hooks(page)).draws).toBe(draws);
-      expect((await rendererState(page))!.time).toBe(time);
+      expect((await rendererState(page)).time).toBe(time);
       await setHidden(page, false);
       await expectState(page, (state) => state.time > time, true);
       expect((await hooks(page)).draws).toBeGreaterThan(draws);

@@ -17,14 +17,15 @@ export const quick = { scale: 0.25, reflections: 3, samples: 1 } as const;
 export const coarse = { ...quick, scale: 0.1 } as const;
 
 type RendererState = Pick<Renderer, 'backend' | 'settings' | 'stats' | 'camera' | 'time' | 'playing' | 'speed'>;
-/** What the page's renderer says of itself at this moment; null while there is none. */
-export function rendererState(page: Page): Promise<RendererState | null> {
-  return page.evaluate(() => {
+/** What the page's renderer says of itself at this moment, or as soon as there is one: after a loss it may be away for a while. */
+export async function rendererState(page: Page): Promise<RendererState> {
+  const state = await page.waitForFunction(() => {
     const { renderer } = (window as unknown as { mirrorball: { renderer: Renderer | null } }).mirrorball;
     if (!renderer) return null;
     const { backend, settings, stats, camera, time, playing, speed } = renderer;
     return { backend, settings: { ...settings }, stats: { ...stats }, camera, time, playing, speed };
   });
+  return (await state.jsonValue()) as RendererState;
 }
 
 /** Asks until the answer is as wished. Playwright's own pauses grow to a second, which is longer than most things here take. */
@@ -33,10 +34,7 @@ export const soon = <Value>(ask: () => Promise<Value>, message?: string) =>
 
 /** Waits until one property of the renderer's state is as wished: `await expectState(page, (s) => s.playing, false)`. */
 export async function expectState<Value>(page: Page, read: (state: RendererState) => Value, wanted: Value) {
-  await soon(async () => {
-    const state = await rendererState(page);
-    return state && read(state);
-  }).toEqual(wanted);
+  await soon(async () => read(await rendererState(page))).toEqual(wanted);
 }
 
 /** A view that glides on after the hand has left it moves in each frame; one that is the same for so many stands still. */

@@ -70,7 +70,7 @@ export class Stages {
   /**
    * Resolves when a first picture can be drawn; `ready` tells when the whole integrator can. `plan`: which path programs are made.
    */
-  static async open(device: Device, plan: ProgramPlan = 'two'): Promise<Stages> {
+  static async open(device: Device, plan: ProgramPlan = 'three'): Promise<Stages> {
     const [display, preview] = await Promise.all([Display.create(device), createPreviewPass(device)]);
     device.attach();
     return new Stages(device, display, preview, plan);

@@ -1,7 +1,8 @@
 /**
- * The path programs of one device. A page, where scenes come and go and nothing may be compiled while somebody watches, makes two
- * once and for all; whoever renders without a window makes one for exactly what a scene needs, or, with many small films of many
- * scenes to come, one for everything.
+ * The path programs of one device. A page, where scenes come and go and nothing may be compiled while somebody watches, makes three
+ * once and for all: for exactly what its first scene needs, which is there soonest, then for most scenes, then for everything.
+ * Whoever renders without a window makes one for exactly what each scene needs, or, with many small films of many scenes to come, one
+ * for everything.
  */
 import type { Device, Pass } from '../../gpu/device.ts';
 import { COMMON_FEATURES, FEATURES, type Feature } from '../../shading/features.ts';
@@ -9,8 +10,8 @@ import { createPathPass } from './path.ts';
 
 export type Features = ReadonlySet<Feature>;
 
-/** Which programs are made: the two of a page, one for each set of needs, or only the one that has everything. */
-export type ProgramPlan = 'two' | 'exact' | 'one';
+/** Which programs are made: the three of a page, one for each set of needs, or only the one that has everything. */
+export type ProgramPlan = 'three' | 'exact' | 'one';
 
 /** Compiles and runs in a fraction of the time. */
 const COMMON: Features = new Set(COMMON_FEATURES);
@@ -38,13 +39,15 @@ export class PathPrograms {
 
   /** Resolves when `get` has a program for these needs. */
   async ready(needs: Features): Promise<void> {
-    if (this.#plan === 'exact') await this.#compile(needs);
+    if (this.#plan === 'exact' || this.#compiling.has(keyOf(needs))) await this.#compile(needs);
     else if (this.#plan === 'one') await this.#compile(ALL);
-    else {
-      const [first, second] = covers(COMMON, needs) ? [COMMON, ALL] : [ALL, COMMON];
-      await this.#compile(first);
-      this.#compile(second).catch(() => {}); // heard when a scene asks for it
-    }
+    else if (this.#compiling.size === 0) {
+      await this.#compile(needs);
+      // One after the other, so that neither delays what the page draws for long. Failures are heard when a scene asks for them.
+      this.#compile(COMMON)
+        .finally(() => this.#compile(ALL))
+        .catch(() => {});
+    } else if (!this.get(needs)) await this.#compile(covers(COMMON, needs) ? COMMON : ALL);
   }
 
   #compile(features: Features): Promise<Pass> {
