@@ -108,6 +108,24 @@ describe('a moving picture', () => {
   });
 });
 
+describe('samples of a still film', () => {
+  test('fill a frame, never more, by powers of two (seed 73)', () => {
+    const random = seededRandom(73);
+    expect(new FrameController().samplesPerFrame(512 * 512, 60, 64), 'before anything is known').toBe(1);
+    for (let k = 0; k < 300; k++) {
+      const perPixel = 10 ** between(random, -9, -4);
+      const controller = new FrameController();
+      for (const pixels of [1e5, 4e5, 2e5]) controller.measured(pixels, perPixel * pixels);
+      const pixels = Math.ceil(between(random, 1e4, 4e6));
+      const count = controller.samplesPerFrame(pixels, 60, 64);
+      expect(Math.log2(count) % 1).toBe(0);
+      expect(count).toBeLessThanOrEqual(64);
+      if (count > 1) expect(count * pixels * perPixel).toBeLessThan(1000 / 60);
+      if (count < 64) expect(2 * count * pixels * perPixel).toBeGreaterThan((0.79 * 1000) / 60);
+    }
+  });
+});
+
 describe('submits', () => {
   test('before anything is known they are small', () => {
     expect(new FrameController().rowsPerSubmit(512)).toBe(512);

@@ -94,6 +94,14 @@ export class FrameController {
     return oneUp && fits < down + 0.5 / STEPS ? this.#scale : down;
   }
 
+  /** How many samples of a still film of so many pixels one frame has time for: a power of two, 1 … `most`. */
+  samplesPerFrame(pixels: number, targetFps: number, most: number): number {
+    const cost = this.cost;
+    if (!cost) return 1;
+    const affordable = ((SHARE * 1000) / targetFps - cost.fixed) / (cost.perPixel * pixels);
+    return 2 ** Math.floor(Math.log2(Math.max(Math.min(affordable, most), 1)));
+  }
+
   /** Rows of this width that one submit may have. */
   rowsPerSubmit(width: number): number {
     const cost = this.cost;

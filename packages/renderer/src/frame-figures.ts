@@ -14,6 +14,7 @@ export interface DrawnFrame {
   readonly samples: number;
   /** What is known of the film; the time spent on this frame is added to it. */
   readonly record: { busy: number; readonly relativeError: number | null };
+  /** Of all samples that this frame added. */
   readonly raysPerPixel: number;
   readonly filmWidth: number;
   readonly filmHeight: number;

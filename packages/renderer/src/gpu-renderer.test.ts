@@ -18,6 +18,8 @@ class FakeDevice implements Device {
   /** And each row of it. */
   rowMs = 0;
   compileMs: Record<string, number> = {};
+  /** Whether one call may add many samples. */
+  addsMany = false;
   lose: (reason: string) => void = () => {};
   readonly lost = new Promise<string>((resolve) => {
     this.lose = resolve;
@@ -27,7 +29,7 @@ class FakeDevice implements Device {
   async createPass({ label }: PassSource): Promise<Pass> {
     this.counts.programsMade++;
     await pause(this.compileMs[label] ?? 0);
-    return { label, addsMany: false };
+    return { label, addsMany: this.addsMany };
   }
   attach(): void {}
   createUniforms() {
@@ -123,6 +125,29 @@ describe('a still picture', () => {
     renderer.set({ toneMapping: 'agx' });
     await pass(100);
     expect(device.drawn.slice(before).map((draw) => draw.pass)).toEqual(['display', 'display']);
+  });
+
+  test('where a call may add many samples, a frame adds as many as it has time for, and a film at most doubles', async () => {
+    const samplesAfterEachFrame = async (submitMs: number, maxSamples: number) => {
+      const device = new FakeDevice();
+      device.addsMany = true;
+      device.submitMs = submitMs;
+      const samples: number[] = [];
+      const renderer = await started(device, {
+        settings: { maxSamples },
+        onFrame: (stats) => samples.push(stats.samples),
+      });
+      await pass(1500);
+      renderer.dispose();
+      return samples;
+    };
+    const fast = await samplesAfterEachFrame(1, 300);
+    expect(fast.slice(0, 6)).toEqual([0, 1, 2, 4, 8, 16]);
+    expect(fast.at(-1)).toBe(300);
+    const steps = fast.slice(1).map((count, k) => count - fast[k]!);
+    expect(Math.max(...steps)).toBeLessThanOrEqual(64);
+    const slow = await samplesAfterEachFrame(40, 300);
+    expect(slow.slice(0, 6)).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
   test('exposure takes hold while samples are still added', async () => {

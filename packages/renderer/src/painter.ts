@@ -14,6 +14,9 @@ import type { View } from './view.ts';
 /** Frames that may be on the device at once: one being worked on, one waiting, so that it never idles and never lags. */
 const MOST_IN_FLIGHT = 2;
 
+/** Samples of one frame, where a call may add many. */
+const MOST_PER_FRAME = 64;
+
 /** What a painter shares with those before and after it. */
 export interface Easel {
   readonly canvas: { readonly width: number; readonly height: number };
@@ -171,9 +174,23 @@ export class Painter {
   }
 
   #enough(): boolean {
-    const { film, device } = this.stages;
-    const most = this.#record.complete ? Math.min(this.#easel.view.settings.maxSamples, device.maxFilmSamples) : 1;
-    return film.samples >= most;
+    return this.stages.film.samples >= this.#most;
+  }
+
+  /** Samples that the film is to have. */
+  get #most(): number {
+    return this.#record.complete
+      ? Math.min(this.#easel.view.settings.maxSamples, this.stages.device.maxFilmSamples)
+      : 1;
+  }
+
+  /** Samples of the next frame. The first picture comes with one; a film at most doubles, so that one sees it get better. */
+  #samplesOfFrame(): number {
+    const { film, addsMany } = this.stages;
+    if (!addsMany || film.samples === 0) return 1;
+    const { controller, view } = this.#easel;
+    const most = Math.min(MOST_PER_FRAME, film.samples, this.#most - film.samples);
+    return controller.samplesPerFrame(film.width * film.height, view.settings.targetFps, most);
   }
 
   #rest(): void {
@@ -199,6 +216,7 @@ export class Painter {
   async #trace(unwanted: () => boolean): Promise<void> {
     const { controller, figures, onFrame } = this.#easel;
     const { revision } = this.#record;
+    const count = this.#samplesOfFrame();
     const started = performance.now();
     // Taken when the sample is submitted: by the time that the device has finished it, the next frame may have been begun.
     let frame: Omit<DrawnFrame, 'finished'> | null = null;
@@ -206,12 +224,12 @@ export class Painter {
       this.#show();
       this.#shownFilm = revision;
       this.#shownRevision = this.#easel.view.shownRevision;
-      frame = { started, ...this.#frameNow() };
+      frame = { started, ...this.#frameNow(count) };
       this.#measure(false);
     };
     this.#inFlight++;
     try {
-      this.#dropped = !(await this.stages.addSamples(1, controller, submitted, unwanted));
+      this.#dropped = !(await this.stages.addSamples(count, controller, submitted, unwanted));
     } finally {
       this.#inFlight--;
     }
@@ -241,13 +259,13 @@ export class Painter {
     return this.#record.complete ? this.stages.film.samples : 0;
   }
 
-  #frameNow(): Omit<DrawnFrame, 'started' | 'finished'> {
+  #frameNow(added: number): Omit<DrawnFrame, 'started' | 'finished'> {
     const { canvas, view } = this.#easel;
     const { film } = this.stages;
     return {
       samples: this.#samples,
       record: this.#record,
-      raysPerPixel: this.#record.complete ? view.raysPerPixel() : view.previewRaysPerPixel(),
+      raysPerPixel: added * (this.#record.complete ? view.raysPerPixel() : view.previewRaysPerPixel()),
       filmWidth: film.width,
       filmHeight: film.height,
       canvasWidth: canvas.width,
