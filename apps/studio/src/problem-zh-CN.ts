@@ -13,6 +13,18 @@ const listed = (names: string): string => names.replace(/ (?:or|and) (?=")|, (?=
 const allowedForms: readonly Form[] = [
   [/^(?:.*: )?a number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
   [/^(?:.*: )?a whole number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的整数`],
+  [
+    /^one number of .*: from (\S+) to (\S+) and not nearer to 0 than (\S+)$/,
+    (low, high, least) => `${low} 到 ${high} 之间、绝对值不小于 ${least} 的数`,
+  ],
+  [
+    /: a list of three numbers, each from (\S+) to (\S+) and not nearer to 0 than (\S+)$/,
+    (low, high, least) => `由三个数组成的列表，每个数在 ${low} 到 ${high} 之间，绝对值不小于 ${least}`,
+  ],
+  [
+    /: a list of (\d+) numbers, each from (\S+) to (\S+)$/,
+    (count, low, high) => `由 ${count} 个数组成的列表，每个数在 ${low} 到 ${high} 之间`,
+  ],
   [/^one number of .*: from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
   [
     /: a list of three numbers, each from (\S+) to (\S+)$/,
@@ -34,6 +46,13 @@ const allowedForms: readonly Form[] = [
     (endings, last) =>
       `全景图片的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"`,
   ],
+  [
+    /^the name of a file with triangles, (.*) or (\S+), from the folder of the scene on/,
+    (endings, last) =>
+      `三角形网格的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"`,
+  ],
+  [/^the last row 0 0 0 1$/, () => '最后一行 0 0 0 1'],
+  [/^three columns that do not lie in one plane$/, () => '不在同一平面内的三列'],
   [/^nothing, as it belongs to an "image" and the sky has none$/, () => '不写，因为它属于 "image"，而天空没有图片'],
   [/^the metal: (.*), or an object with (.*)$/, (metals, names) => `${listed(metals)}，或含有 ${listed(names)} 的对象`],
   [/: an object whose "type" is (.*)$/, (names) => `"type" 为 ${listed(names)} 之一的对象`],
@@ -47,6 +66,7 @@ const allowedForms: readonly Form[] = [
   [/^at least one shape or a visible light$/, () => '至少一个形体或一个可见的光源'],
   [/^at most (\d+) of this type$/, (most) => `这种形体最多 ${most} 个`],
   [/^a material; this scene has none yet$/, () => '一种材质，而此场景还没有定义材质'],
+  [/^a mesh; this scene has none yet$/, () => '一个网格，而此场景还没有定义网格'],
   [/^one of (.*) and (\d+) more$/, (names, more) => `${listed(names)} 或另外 ${more} 个名称之一`],
   [/^one of (.*)$/, (names) => `${listed(names)} 之一`],
   [/^a material of another type than "dielectric"$/, () => '"dielectric" 以外的材质'],
@@ -92,6 +112,8 @@ const foundForms: readonly Form[] = [
   [/^(\d+) shapes of type (".*")$/, (count, type) => `${count} 个 ${type} 形体`],
   [/^more than (\d+) names$/, (most) => `超过 ${most} 个名称`],
   [/^the name (".*")$/, (name) => `名称 ${name}`],
+  [/^the last row (.*)$/, (row) => `最后一行 ${row}`],
+  [/^columns that lie in one plane$/, () => '在同一平面内的三列'],
   [/^the dielectric material (".*")$/, (name) => `透光的材质 ${name}`],
   [/^the shining material (".*")$/, (name) => `发光的材质 ${name}`],
   [/^u = (\[.*\]) and v = (\[.*\]), which span no area$/, (u, v) => `u = ${u} 与 v = ${v}，围不成面积`],

@@ -1,6 +1,9 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { cubeMesh } from '../../../tests/fixtures/meshes/solids.ts';
+import { testScene } from '../../../tests/fixtures/scenes.ts';
 import { type Device, DeviceError, type FilmTexture, type Pass, type PassSource, type Region } from './gpu/device.ts';
 import { GpuRenderer } from './gpu-renderer.ts';
+import { UntraceableSceneError } from './packed-scene/refuse-meshes.ts';
 import type { RendererOptions } from './renderer-types.ts';
 import { builtInScenes } from './scene/built-in/index.ts';
 
@@ -365,4 +368,13 @@ describe('a long picture by paths', () => {
     expect([device.count('path'), renderer.stats.samples]).toEqual([16, 8]);
     expect(device.counts.textures).toBe(textures + 1);
   });
+});
+
+test('a scene with meshes, which kernels cannot trace yet, is refused, and the one before stays', async () => {
+  const renderer = await started(new FakeDevice());
+  const at = { translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1] } as const;
+  const cube = { type: 'mesh', mesh: 'cube', material: 'white', ...at } as const;
+  const scene = testScene({ cube }, {}, { meshes: { cube: { data: cubeMesh() } } });
+  await expect(renderer.setScene(scene)).rejects.toThrow(UntraceableSceneError);
+  expect(renderer.scene).toBe(scenes[0]);
 });

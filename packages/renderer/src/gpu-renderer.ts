@@ -1,9 +1,11 @@
 import { FrameController } from './frame-controller.ts';
 import { FrameFigures } from './frame-figures.ts';
 import { type Device, DeviceError } from './gpu/device.ts';
+import { refuseMeshes } from './packed-scene/refuse-meshes.ts';
 import { Painter } from './painter.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
+import { requireScene } from './scene-file/require-scene.ts';
 import { Stages } from './stages.ts';
 import { View } from './view.ts';
 
@@ -116,7 +118,9 @@ export class GpuRenderer implements Renderer {
   }
 
   async setScene(scene: Scene): Promise<void> {
-    this.#view.setScene(scene);
+    const good = requireScene(scene);
+    refuseMeshes(good);
+    this.#view.setScene(good);
     this.#workChanged();
     const wanted = this.#view.revision;
     const { canvas } = this;

@@ -99,6 +99,7 @@ export function moved(original: Scene, scale: number, by: number): Scene {
     if (s.type === 'sphere') return { ...s, center: place(s.center), radius: s.radius * scale };
     if (s.type === 'box') return { ...s, center: place(s.center), size: stretch(s.size) };
     if (s.type === 'plane') return { ...s, point: place(s.point) };
+    if (s.type === 'mesh') throw new Error('Meshes are not moved here.');
     return { ...s, corner: place(s.corner), u: stretch(s.u), v: stretch(s.v) };
   };
   const map = <T>(things: Readonly<Record<string, T>>, change: (thing: T) => T): Record<string, T> =>

@@ -3,7 +3,7 @@
  * (more emissive shapes than a loop should run over) still shines, and is found by rays that happen to meet it.
  */
 import { radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
-import type { Color, DirectionalLight, Light, QuadLight, Shape, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
+import type { Color, DirectionalLight, LampShape, Light, QuadLight, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
 import { packEnvironment } from './pack-environment.ts';
 import type { StructValues } from './write-struct.ts';
@@ -143,7 +143,7 @@ function lightEmitter(light: Light): EmitterValues {
   }
 }
 
-function shapeEmitter(shape: Exclude<Shape, { type: 'plane' }>, radiance: Color): EmitterValues {
+function shapeEmitter(shape: LampShape, radiance: Color): EmitterValues {
   if (shape.type === 'sphere') return sphereEmitter(shape.center, shape.radius, radiance);
   return shape.type === 'box' ? boxEmitter(shape.center, shape.size, radiance) : quadEmitter(shape, radiance);
 }
@@ -168,8 +168,8 @@ function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
   const found: Found[] = [];
   for (const [name, shape] of Object.entries(scene.shapes)) {
     const { emission } = scene.materials[shape.material]!;
-    // A plane has no area to sample; scene files with such a lamp are refused.
-    if (shape.type === 'plane' || lightOfShape.has(name) || isBlack(emission)) continue;
+    // A plane has no area to sample; scene files with such a lamp are refused. Rays find the light of meshes by themselves.
+    if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
     found.push({ values: shapeEmitter(shape, emission), shape: name });
   }
   return found.sort((a, b) => (b.values.power as number) - (a.values.power as number));

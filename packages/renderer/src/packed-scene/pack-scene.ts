@@ -7,6 +7,7 @@ import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLig
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
+import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
 export interface PackedScene {
@@ -60,6 +61,7 @@ export interface PackOptions {
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
+  refuseMeshes(scene);
   const { reuse, reach = AT_EYE, leastRows = 1 } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
@@ -138,6 +140,8 @@ function shapeValues(shape: Shape, eye: Vec3): ShapeValues {
       return planeValues(shape, eye);
     case 'quad':
       return quadValues(shape, eye);
+    case 'mesh':
+      throw new UntraceableSceneError(shape.mesh);
   }
 }
 

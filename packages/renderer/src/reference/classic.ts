@@ -4,9 +4,9 @@
  */
 import type { Comparison, Framing, Panel } from '../renderer-types.ts';
 import type { Camera, Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
-import { add, addScaled, reflect, scale, subtract } from '../scene/vec3.ts';
+import { add, addScaled, dot, reflect, scale, subtract } from '../scene/vec3.ts';
 import { type CameraFrame, cameraFrame, rayThrough, sampleOffset } from './camera.ts';
-import { closestHit, surfaceAt } from './cast.ts';
+import { closestHit, type SurfaceHit, surfaceAt } from './cast.ts';
 import { halo } from './halo.ts';
 import { hashOfSample } from './hash.ts';
 import { BLACK, type PreparedScene, prepareScene } from './prepare.ts';
@@ -79,12 +79,12 @@ export function tracePath(tracer: ClassicTracer, cameraRay: Ray, panel: Panel, h
   let weight = 1;
   let L = BLACK;
   for (let reflection = 0; reflection <= panel.maxReflections; reflection++) {
-    const { t, shape, light } = closestHit(scene, ray);
+    const { t, shape, light, spot } = closestHit(scene, ray);
     L = addScaled(L, halo(scene, ray, t), weight);
     if (light !== null) return addScaled(L, light.diffuse, weight * light.radiance);
     if (shape === null) return addScaled(L, skyColor(scene.sky, ray.direction), weight);
 
-    const hit = surfaceAt(shape, ray, t);
+    const hit = surfaceAt(shape, ray, t, spot);
     const { reflectivity } = shape.material;
     if (reflectivity < 1) {
       const context = { scene, eye, lightSamples: panel.lightSamples, hash, reflection };
@@ -92,10 +92,15 @@ export function tracePath(tracer: ClassicTracer, cameraRay: Ray, panel: Panel, h
     }
     weight *= reflectivity;
     if (weight < MIN_WEIGHT) break;
-    const mirrored = reflect(ray.direction, hit.geometricNormal);
-    ray = rayLeaving(shape, hit.point, hit.outwardNormal, mirrored, eye);
+    ray = rayLeaving(hit, mirrored(ray.direction, hit), eye);
   }
   return L;
+}
+
+/** A bent normal may send the mirror ray into the surface; then the true one mirrors. */
+function mirrored(direction: Vec3, { shadingNormal, geometricNormal }: SurfaceHit): Vec3 {
+  const bent = reflect(direction, shadingNormal);
+  return dot(bent, geometricNormal) > 0 ? bent : reflect(direction, geometricNormal);
 }
 
 /** One film sample of pixel (i, j), j from the top. */

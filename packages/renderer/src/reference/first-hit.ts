@@ -6,7 +6,7 @@ import type { PixelFilter } from '../packed-scene/pack-filter.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Camera, Color, Integrator, Scene, Vec3 } from '../scene/scene.ts';
 import { sceneSeenBy } from '../scene/seen-by.ts';
-import { dot, negate, subtract } from '../scene/vec3.ts';
+import { dot, subtract } from '../scene/vec3.ts';
 import { conductorFresnel } from './bsdf/fresnel.ts';
 import { mapColor } from './bsdf/surface.ts';
 import { type CameraFrame, cameraFrame, rayThrough, sampleOffset } from './camera.ts';
@@ -60,6 +60,7 @@ export function prepareFirstHit(scene: Scene, settings: FirstHitSettings): First
     box: [...prepared.boxes],
     plane: [...prepared.planes],
     quad: [...prepared.quads],
+    mesh: [...prepared.meshes],
   };
   Object.entries(seen.shapes).forEach(([name, shape], index) => {
     const material = seen.materials[shape.material]!;
@@ -107,14 +108,15 @@ export function traceFirstHit(
 ): { readonly hit: FirstHit | null; readonly closeness: number } {
   const { ray, place } = rayOf(tracer, i, j, sample);
   const closeness = 1 / (1 + (place[0] - 0.5) ** 2 + (place[1] - 0.5) ** 2);
-  const { t, shape } = closestHit(tracer.scene, ray);
+  const { t, shape, spot } = closestHit(tracer.scene, ray);
   if (shape === null) return { hit: null, closeness };
-  const { point, outwardNormal } = surfaceAt(shape, ray, t);
+  const { point, outwardNormal, shadingNormal, baseColor } = surfaceAt(shape, ray, t, spot);
   const fromBack = dot(outwardNormal, ray.direction) > 0;
   const { id, front, back } = tracer.shapes.get(shape)!;
   const hit = {
-    albedo: fromBack ? back : front,
-    normal: fromBack ? negate(outwardNormal) : outwardNormal,
+    albedo:
+      baseColor === shape.material.baseColor ? (fromBack ? back : front) : albedoOf({ ...shape.material, baseColor }),
+    normal: shadingNormal,
     geometricNormal: outwardNormal,
     place: subtract(point, tracer.camera.eye),
     id,

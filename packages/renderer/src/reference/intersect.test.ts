@@ -11,7 +11,7 @@ import { testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import type { Shape, Vec3 } from '../scene/scene.ts';
 import { add, addScaled, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNormal } from './intersect.ts';
-import { type PreparedBox, type PreparedShape, prepareScene } from './prepare.ts';
+import { type PreparedAnalytic, type PreparedBox, prepareScene } from './prepare.ts';
 import { cameraRay, type Ray, rayLeaving } from './ray.ts';
 
 const RAYS = 10_000;
@@ -25,11 +25,11 @@ const SETTINGS = [
 ];
 const roundingOf = ({ size, offset }: { size: number; offset: number }) => 4e-15 * (size + offset);
 
-function prepared(shape: Shape): PreparedShape {
+function prepared(shape: Shape): PreparedAnalytic {
   const scene = prepareScene(testScene({ it: shape }, {}, { materials: { white: testMaterial() } }));
   return [...scene.spheres, ...scene.boxes, ...scene.planes, ...scene.quads][0]!;
 }
-function intersect(shape: PreparedShape, ray: Ray): number {
+function intersect(shape: PreparedAnalytic, ray: Ray): number {
   if (shape.type === 'sphere') return intersectSphere(shape, ray);
   if (shape.type === 'box') return intersectBox(shape, ray);
   return shape.type === 'plane' ? intersectPlane(shape, ray) : intersectQuad(shape, ray);
@@ -41,11 +41,11 @@ const slant = (direction: Vec3, normal: Vec3) => 1 / Math.abs(dot(direction, nor
 function ensure(holds: boolean, otherwise: string): void {
   if (!holds) expect.fail(otherwise);
 }
-function expectMiss(shape: PreparedShape, ray: Ray): void {
+function expectMiss(shape: PreparedAnalytic, ray: Ray): void {
   const t = intersect(shape, ray);
   ensure(t === Infinity, `hit at ${t} and not missed`);
 }
-function expectHit(shape: PreparedShape, ray: Ray, t: number, normal: Vec3, tolerance: number): void {
+function expectHit(shape: PreparedAnalytic, ray: Ray, t: number, normal: Vec3, tolerance: number): void {
   const found = intersect(shape, ray);
   ensure(Math.abs(found - t) <= tolerance, `hit at ${found} and not ${t}`);
   const n = outwardNormal(shape, ray, found);
@@ -96,7 +96,11 @@ describe('sphere', () => {
 
 test('a grazing ray into a sphere meets its far side, though rounding has put the start outside', () => {
   const sphere = prepared({ type: 'sphere', center: [0, 0, 0], radius: 1, material: 'white' });
-  const ray = rayLeaving(sphere, [1 + 1e-15, 0, 0], [1, 0, 0], normalize([-1e-9, 1, 0]), [0, 0, 0]);
+  const ray = rayLeaving(
+    { shape: sphere, point: [1 + 1e-15, 0, 0], outwardNormal: [1, 0, 0], triangle: -1 },
+    normalize([-1e-9, 1, 0]),
+    [0, 0, 0],
+  );
   expect(ray.inward).toBe(true);
   expect(intersect(sphere, ray)).toBeLessThan(1e-8);
 });

@@ -7,7 +7,7 @@
  */
 import type { Vec3 } from '../scene/scene.ts';
 import { addScaled, dot, negate, normalize, subtract } from '../scene/vec3.ts';
-import type { Ball, PreparedBox, PreparedPlane, PreparedQuad, PreparedShape } from './prepare.ts';
+import type { Ball, PreparedAnalytic, PreparedBox, PreparedPlane, PreparedQuad } from './prepare.ts';
 import type { Ray } from './ray.ts';
 
 /** Picks from the two ends of the stretch that a ray has inside a convex shape. What starts inside cannot but meet the far end. */
@@ -121,7 +121,7 @@ function boxNormal(box: PreparedBox, ray: Ray, t: number): Vec3 {
 }
 
 /** The unit geometric normal where `ray` meets `shape` at t: to the outside of a solid, as given for a flat shape. */
-export function outwardNormal(shape: PreparedShape, ray: Ray, t: number): Vec3 {
+export function outwardNormal(shape: PreparedAnalytic, ray: Ray, t: number): Vec3 {
   switch (shape.type) {
     case 'sphere':
       return normalize(subtract(addScaled(ray.origin, ray.direction, t), shape.center));

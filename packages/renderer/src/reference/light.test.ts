@@ -93,7 +93,11 @@ function visibleShares(
     const points = samplePoints(64, lightRandoms(hashOfSample(3, 5, 0, seed), 0, 0));
     const visible = points.filter((offset) => {
       const toPoint = subtract(addScaled(center, offset, radius), point);
-      const ray = rayLeaving(scene.planes[0]!, point, [0, 1, 0], normalize(toPoint), eye);
+      const ray = rayLeaving(
+        { shape: scene.planes[0]!, point, outwardNormal: [0, 1, 0], triangle: -1 },
+        normalize(toPoint),
+        eye,
+      );
       return !occluded(scene, ray, length(toPoint));
     });
     return visible.length / points.length;

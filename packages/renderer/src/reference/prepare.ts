@@ -14,6 +14,7 @@ import type {
   Vec3,
 } from '../scene/scene.ts';
 import { cross, dot, normalize, rotate, scale } from '../scene/vec3.ts';
+import { type PreparedMesh, prepareMesh } from './mesh/mesh.ts';
 
 export interface PreparedMaterial extends Material {
   /** e of docs/classic.md: the exponent of the highlight. */
@@ -53,14 +54,16 @@ export interface PreparedQuad {
   readonly toT: Vec3;
   readonly material: PreparedMaterial;
 }
-export type PreparedShape = PreparedSphere | PreparedBox | PreparedPlane | PreparedQuad;
+export type PreparedAnalytic = PreparedSphere | PreparedBox | PreparedPlane | PreparedQuad;
+export type PreparedShape = PreparedAnalytic | PreparedMesh;
 
-/** Shapes by kind, each kind in the order of the file. Rays test the kinds in the order given here. */
+/** Shapes by kind, each kind in the order of the file. Rays test the kinds in the order given here (planes after quads). */
 export interface PreparedScene {
   readonly spheres: readonly PreparedSphere[];
   readonly boxes: readonly PreparedBox[];
   readonly planes: readonly PreparedPlane[];
   readonly quads: readonly PreparedQuad[];
+  readonly meshes: readonly PreparedMesh[];
   readonly lights: readonly SphereLight[];
   readonly visibleLights: readonly SphereLight[];
   readonly sky: Sky;
@@ -116,6 +119,7 @@ export function prepareScene(scene: Scene): PreparedScene {
   const boxes: PreparedBox[] = [];
   const planes: PreparedPlane[] = [];
   const quads: PreparedQuad[] = [];
+  const meshes: PreparedMesh[] = [];
   const materials = new Map(Object.entries(scene.materials).map(([name, m]) => [name, prepareMaterial(m)]));
   for (const [name, shape] of Object.entries(scene.shapes)) {
     const material = materials.get(shape.material);
@@ -123,11 +127,12 @@ export function prepareScene(scene: Scene): PreparedScene {
     if (shape.type === 'sphere') spheres.push(prepareSphere(shape, material));
     else if (shape.type === 'box') boxes.push(prepareBox(shape, material));
     else if (shape.type === 'plane') planes.push(preparePlane(shape, material));
-    else quads.push(prepareQuad(shape, material));
+    else if (shape.type === 'quad') quads.push(prepareQuad(shape, material));
+    else meshes.push(prepareMesh(shape, material, scene));
   }
   const lights = sphereLights(scene);
   const visibleLights = lights.filter((light) => light.visible);
-  return { spheres, boxes, planes, quads, lights, visibleLights, sky: scene.sky, camera: scene.camera };
+  return { spheres, boxes, planes, quads, meshes, lights, visibleLights, sky: scene.sky, camera: scene.camera };
 }
 
 export const BLACK: Color = [0, 0, 0];

@@ -13,6 +13,8 @@ export interface Ray {
   readonly eye: Vec3;
   /** The shape whose surface the ray leaves; null for a camera ray. */
   readonly leaving: PreparedShape | null;
+  /** Which triangle of a mesh it is, else −1. */
+  readonly leavingTriangle: number;
   /** Whether the ray goes into `leaving`: away from its outward normal. */
   readonly inward: boolean;
 }
@@ -26,17 +28,27 @@ export const cameraRay = (eye: Vec3, direction: Vec3): Ray => ({
   tMin: 0,
   eye,
   leaving: null,
+  leavingTriangle: -1,
   inward: false,
 });
 
-/** A mirror or shadow ray that leaves `shape` at `origin`, where the shape's normal to the outside is `outwardNormal`. */
-export function rayLeaving(shape: PreparedShape, origin: Vec3, outwardNormal: Vec3, direction: Vec3, eye: Vec3): Ray {
+/** The point that a ray leaves: what surfaceAt (cast.ts) tells of it. */
+export interface Start {
+  readonly shape: PreparedShape;
+  readonly point: Vec3;
+  readonly outwardNormal: Vec3;
+  readonly triangle: number;
+}
+
+/** A mirror or shadow ray that leaves a surface. */
+export function rayLeaving({ shape, point: origin, outwardNormal, triangle }: Start, direction: Vec3, eye: Vec3): Ray {
   return {
     origin,
     direction,
     tMin: T_MIN_SCALE * length(subtract(origin, eye)),
     eye,
     leaving: shape,
+    leavingTriangle: triangle,
     inward: !(dot(direction, outwardNormal) > 0),
   };
 }

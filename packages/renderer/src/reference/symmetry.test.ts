@@ -1,5 +1,7 @@
 import { describe, expect, test } from 'vitest';
+import { displacedSphere } from '../../../../tests/fixtures/meshes/landscapes.ts';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
+import { placementOf, toMatrix } from '../scene/placement.ts';
 import type { Camera, Scene, Shape, SphereLight, Vec3 } from '../scene/scene.ts';
 import { rotate, scale, subtract } from '../scene/vec3.ts';
 import { type ClassicSettings, traceClassic } from './classic.ts';
@@ -17,6 +19,14 @@ const room: Scene = testScene(
     },
     floor: { type: 'plane', point: [0, 0, 0], normal: [0, 1, 0], material: 'gloss' },
     panel: { type: 'quad', corner: [-1.6, 0.2, -1.5], u: [0.9, 0.1, 0.4], v: [-0.1, 1.2, 0.2], material: 'blue' },
+    stone: {
+      type: 'mesh',
+      mesh: 'rock',
+      translation: [0.1, 0.3, 0.9],
+      rotation: [10, 70, -30],
+      scale: [0.4, 0.25, 0.3],
+      material: 'gloss',
+    },
     shell: { type: 'box', center: [0, 1.9, 0], size: [5, 4, 7], rotation: [0, 0, 0], material: 'blue' },
   },
   {
@@ -43,6 +53,7 @@ const room: Scene = testScene(
       gloss: testMaterial({ baseColor: [0.7, 0.6, 0.4], reflectivity: 0.3 }),
       blue: testMaterial({ baseColor: [0.2, 0.4, 0.8], specular: 0.2, roughness: 0.6 }),
     },
+    meshes: { rock: { data: displacedSphere({ triangles: 300 }) } },
     sky: { horizon: [9, 9, 9], zenith: [9, 9, 9] },
   },
 );
@@ -70,6 +81,11 @@ function moveShape(shape: Shape, { point, vector, factor, rotation }: Similarity
       return { ...shape, point: point(shape.point), normal: vector(shape.normal) };
     case 'quad':
       return { ...shape, corner: point(shape.corner), u: vector(shape.u), v: vector(shape.v) };
+    case 'mesh': {
+      const { x, y, z, origin } = placementOf(shape);
+      const moved = { x: vector(x), y: vector(y), z: vector(z), origin: point(origin) };
+      return { ...shape, translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1], matrix: toMatrix(moved) };
+    }
   }
 }
 const moveLight = (light: SphereLight, { point, factor }: Similarity): SphereLight => ({

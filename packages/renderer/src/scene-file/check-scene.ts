@@ -1,11 +1,13 @@
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { Camera, Light, Material, Scene, Shape, Vec3 } from '../scene/scene.ts';
+import { fromMatrix, isSolid } from '../scene/placement.ts';
+import type { Camera, Light, Material, Matrix4, Scene, Shape, Vec3 } from '../scene/scene.ts';
+import { SHAPE_TYPES } from '../scene/shape-types.ts';
 import { cameraFault, isDirection, spansPlane } from '../scene/well-formed.ts';
 import type { FaultyPlaces } from './faulty-places.ts';
 import { nearest, type Path, type ProblemList, quote } from './problem.ts';
 
 /** The parts of a scene that refer to one another, or that tracks point into. */
-export type Sections = Pick<Scene, 'camera' | 'sky' | 'materials' | 'shapes' | 'lights'>;
+export type Sections = Pick<Scene, 'camera' | 'sky' | 'materials' | 'meshes' | 'shapes' | 'lights'>;
 
 /** Checks what a scene must keep beyond the form of its parts; passes over parts that are faulty in themselves. */
 export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: ProblemList): void {
@@ -13,8 +15,11 @@ export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: Prob
   if (!faulty.touches('shapes') && !faulty.touches('lights')) checkNotEmpty(scene, problems);
   const shapes = Object.entries(scene.shapes).filter(([name]) => !faulty.has('shapes', name));
   checkCounts(shapes, problems);
+  const materials = Object.keys(scene.materials);
+  const meshes = Object.keys(scene.meshes ?? {});
   for (const [name, shape] of shapes) {
-    if (!faulty.has('materials')) checkMaterial(name, shape.material, Object.keys(scene.materials), problems);
+    if (!faulty.has('materials')) checkReference(name, 'material', shape.material, materials, problems);
+    if (shape.type === 'mesh' && !faulty.has('meshes')) checkReference(name, 'mesh', shape.mesh, meshes, problems);
     checkForm(name, shape, problems);
     if (shape.type !== 'plane' || faulty.has('materials') || faulty.has('materials', shape.material)) continue;
     const material = Object.hasOwn(scene.materials, shape.material) ? scene.materials[shape.material] : undefined;
@@ -45,27 +50,49 @@ function checkNotEmpty({ shapes, lights }: Sections, problems: ProblemList): voi
 }
 
 function checkCounts(shapes: readonly (readonly [string, Shape])[], problems: ProblemList): void {
-  for (const type of ['sphere', 'box', 'plane', 'quad'] as const) {
+  for (const type of SHAPE_TYPES) {
     const count = shapes.filter(([, shape]) => shape.type === type).length;
     const most = SCENE_LIMITS[type];
     if (count > most) problems.add(['shapes'], `${count} shapes of type "${type}"`, `at most ${most} of this type`);
   }
 }
 
-function checkMaterial(shape: string, material: string, names: readonly string[], problems: ProblemList): void {
-  if (names.includes(material)) return;
+/** Whether the scene has the material or mesh that a shape names. */
+function checkReference(
+  shape: string,
+  kind: 'material' | 'mesh',
+  wanted: string,
+  names: readonly string[],
+  problems: ProblemList,
+): void {
+  if (names.includes(wanted)) return;
   const some = names.slice(0, 8).map((name) => quote(name));
   const more = names.length > 8 ? ` and ${names.length - 8} more` : '';
-  const listed = names.length === 0 ? 'a material; this scene has none yet' : `one of ${some.join(', ')}${more}`;
-  const meant = nearest(material, names);
+  const listed = names.length === 0 ? `a ${kind}; this scene has none yet` : `one of ${some.join(', ')}${more}`;
+  const meant = nearest(wanted, names);
   const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
-  const message = `The shape ${quote(shape)} uses the material ${quote(material)}, which this scene does not have; it needs ${listed}.${hint}`;
-  problems.add(['shapes', shape, 'material'], `the name ${quote(material)}`, listed, message);
+  const message = `The shape ${quote(shape)} uses the ${kind} ${quote(wanted)}, which this scene does not have; it needs ${listed}.${hint}`;
+  problems.add(['shapes', shape, kind], `the name ${quote(wanted)}`, listed, message);
 }
 
 function checkForm(name: string, shape: Shape, problems: ProblemList): void {
   if (shape.type === 'plane') checkDirection(['shapes', name, 'normal'], shape.normal, problems);
   if (shape.type === 'quad') checkSides(['shapes', name], `The quad ${quote(name)}`, shape, problems);
+  if (shape.type === 'mesh' && shape.matrix) checkMatrix(name, shape.matrix, problems);
+}
+
+const LAST_ROW = [0, 0, 0, 1];
+
+function checkMatrix(name: string, matrix: Matrix4, problems: ProblemList): void {
+  const path = ['shapes', name, 'matrix'];
+  const last = matrix.slice(12);
+  if (last.some((x, column) => x !== LAST_ROW[column])) {
+    const message = `The last row of the matrix of ${quote(name)} is ${last.join(' ')}, where it must be 0 0 0 1; the matrix is given row by row.`;
+    problems.add(path, `the last row ${last.join(' ')}`, 'the last row 0 0 0 1', message);
+  } else if (!isSolid(fromMatrix(matrix))) {
+    const message = `The matrix of ${quote(name)} makes the mesh flat: its first three columns are zero or lie in one plane.`;
+    problems.add(path, 'columns that lie in one plane', 'three columns that do not lie in one plane', message);
+  }
 }
 
 function checkLight(name: string, light: Light, problems: ProblemList): void {

@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import type { EnvironmentMap } from '../scene/environment.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
+import type { MeshSource } from '../scene/mesh.ts';
 import type { Scene, Track } from '../scene/scene.ts';
 import { checkScene } from './check-scene.ts';
 import { TrackChecker } from './check-track.ts';
@@ -46,6 +47,20 @@ export function withMap(scene: Scene, map: EnvironmentMap, checked = isParsedSce
   return whole;
 }
 
+/** The scene with the content of its meshes, as `withMap` of the sky's. */
+export function withMeshes(
+  scene: Scene,
+  meshes: Readonly<Record<string, MeshSource>>,
+  checked = isParsedScene(scene),
+): Scene {
+  // The arrays themselves cannot be frozen.
+  const frozen = Object.entries(meshes).map(([name, mesh]) => [name, Object.freeze({ ...mesh })] as const);
+  const all = Object.freeze(Object.assign(Object.create(null), Object.fromEntries(frozen)));
+  const whole: Scene = Object.freeze({ ...scene, meshes: all });
+  if (checked) parsedScenes.add(whole);
+  return whole;
+}
+
 function reportFailure(error: unknown, problems: ProblemList): void {
   if (error instanceof TooManyValues) {
     const most = `at most ${SCENE_LIMITS.fileValues} values`;
@@ -86,6 +101,7 @@ function readScene(input: unknown, problems: ProblemList): Scene | null {
     camera: still.camera,
     sky: still.sky,
     materials: names(still.materials),
+    ...(still.meshes === undefined ? {} : { meshes: names(still.meshes) }),
     shapes: names(still.shapes),
     lights: names(still.lights),
   };

@@ -1,6 +1,8 @@
-import { type EnvironmentMap, environmentFault, lacksMap } from '../scene/environment.ts';
-import type { Scene, Sky } from '../scene/scene.ts';
-import { isParsedScene, parseScene, withMap } from './parse-scene.ts';
+import { lacksMap } from '../scene/environment.ts';
+import { lacksData } from '../scene/mesh.ts';
+import type { Scene } from '../scene/scene.ts';
+import { asInText, withContent } from './content.ts';
+import { isParsedScene, parseScene } from './parse-scene.ts';
 
 /** So many problems stand in the message. */
 const MOST_TOLD = 5;
@@ -13,40 +15,17 @@ export function requireScene(given: unknown): Scene {
   if (isParsedScene(given)) return loaded(given);
   if (typeof given === 'string')
     throw new TypeError('A scene is wanted, not its text: give what parseScene(text) returns.');
-  const { rest, map, unnamed } = withoutMap(given);
-  const parsed = parseScene(rest);
-  if (parsed.ok) return loaded(map === undefined ? parsed.scene : attached(parsed.scene, map, unnamed));
+  const parsed = parseScene(asInText(given));
+  if (parsed.ok) return loaded(withContent(parsed.scene, given as Scene));
   const told = parsed.problems.slice(0, MOST_TOLD).map(({ path, message }) => `${path || '(whole scene)'}: ${message}`);
   const more = parsed.problems.length - told.length;
   throw new TypeError(['This is no scene.', ...told, ...(more > 0 ? [`And ${more} more.`] : [])].join('\n'));
 }
 
 function loaded(scene: Scene): Scene {
-  if (!lacksMap(scene.sky)) return scene;
-  throw new TypeError(
-    `The sky's image "${scene.sky.image}" has not been loaded: give what loadImages(scene, readFile) returns.`,
-  );
-}
-
-/** Any name will do while the form of the scene is checked. */
-const NO_FILE = 'memory.hdr';
-
-/** What `parseScene` reads, and the sky's map, which it does not; with a name for a map that has no file. */
-function withoutMap(given: unknown): { rest: unknown; map?: unknown; unnamed?: boolean } {
-  const sky = (given as Partial<Scene> | null | undefined)?.sky;
-  if (sky?.map === undefined) return { rest: given };
-  const { map, image, ...others } = sky as Sky;
-  return {
-    rest: { ...(given as Scene), sky: { ...others, image: image ?? NO_FILE } },
-    map,
-    unnamed: image === undefined,
-  };
-}
-
-function attached(scene: Scene, map: unknown, unnamed?: boolean): Scene {
-  const fault = typeof map === 'object' && map !== null ? environmentFault(map as EnvironmentMap) : 'no content';
-  if (fault !== null) throw new TypeError(`This is no scene.\n/sky/map: the map has ${fault}.`);
-  const { image, ...others } = scene.sky;
-  const named = { ...scene, sky: unnamed ? others : { ...others, image } };
-  return withMap(named, map as EnvironmentMap, true);
+  const advice = 'has not been loaded: give what loadFiles(scene, readFile) returns.';
+  if (lacksMap(scene.sky)) throw new TypeError(`The sky's image "${scene.sky.image}" ${advice}`);
+  for (const [name, mesh] of Object.entries(scene.meshes ?? {}))
+    if (lacksData(mesh)) throw new TypeError(`The mesh "${name}" of "${mesh.file}" ${advice}`);
+  return scene;
 }

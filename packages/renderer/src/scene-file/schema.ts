@@ -3,8 +3,23 @@ import { CAMERA_DEFAULTS, PROJECTIONS } from '../scene/camera.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import { METALS } from '../scene/metals.ts';
 import type { Color, MaterialType, Sky } from '../scene/scene.ts';
+import { SHAPE_TYPES } from '../scene/shape-types.ts';
 import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
-import { choice, color, direction, integer, kind, number, object, point, share, text, triple } from './values.ts';
+import { mesh, shape } from './shape-schema.ts';
+import {
+  choice,
+  color,
+  direction,
+  fileName,
+  integer,
+  kind,
+  number,
+  object,
+  point,
+  share,
+  text,
+  triple,
+} from './values.ts';
 
 /** The structure of a scene file, with its defaults: the one source for reading, writing and the editors' JSON Schema. */
 
@@ -44,14 +59,7 @@ const camera = object('the camera: an object with "eye" and "target"', {
 
 export const imageRule =
   'the name of a file with a picture of all around, .hdr, .exr, .npy or .pfm, from the folder of the scene on, with "/" between folders';
-const image = v.pipe(
-  v.string(imageRule),
-  v.maxLength(1000, imageRule),
-  // No address, no path from the root, no control character. (JSON Schema has no flag for letters of either size.)
-  // biome-ignore lint/suspicious/noControlCharactersInRegex: it is what is refused
-  v.regex(/^(?!\/)[^\\:\u0000-\u001f]+\.(?:[hH][dD][rR]|[eE][xX][rR]|[nN][pP][yY]|[pP][fF][mM])$/, imageRule),
-  v.description(imageRule),
-);
+const image = fileName(imageRule, ['hdr', 'exr', 'npy', 'pfm']);
 
 const skyRule = 'the sky: one colour [red, green, blue], or an object with "horizon" and "zenith", or with "image"';
 const skyFields = {
@@ -140,41 +148,6 @@ const material = v.pipe(
   v.transform((m) => ({ ...m, roughness: m.roughness ?? naturalRoughness(m.type) })),
 );
 
-const materialName = text('the name of a material of this scene', SCENE_LIMITS.nameLength);
-const shapeTypes = '"sphere", "box", "plane" or "quad"';
-const shape = v.variant(
-  'type',
-  [
-    object('a sphere: an object', {
-      type: kind('sphere'),
-      center: point('the centre'),
-      radius: number('the radius in metres', SMALLEST, LARGEST),
-      material: materialName,
-    }),
-    object('a box: an object', {
-      type: kind('box'),
-      center: point('the centre'),
-      size: triple('the lengths of the three sides, metres', SMALLEST, LARGEST),
-      rotation: v.optional(triple('the turn about X, then Y, then Z, degrees', -1e6, 1e6), [0, 0, 0]),
-      material: materialName,
-    }),
-    object('a plane: an object', {
-      type: kind('plane'),
-      point: point('a point of the plane'),
-      normal: direction('the direction across the plane'),
-      material: materialName,
-    }),
-    object('a quad: an object', {
-      type: kind('quad'),
-      corner: point('one corner'),
-      u: point('the way from the corner along one side'),
-      v: point('the way from the corner along the other side'),
-      material: materialName,
-    }),
-  ],
-  (issue) => (issue.expected === 'Object' ? `a shape: an object whose "type" is ${shapeTypes}` : shapeTypes),
-);
-
 const seen = (what: string) => v.optional(flag(what), true);
 const sphereLight = object('a light: an object', {
   type: kind('sphere'),
@@ -258,7 +231,7 @@ const render = object(renderRule, {
 });
 
 const versionRule = 'the version of the file format, which is 1';
-const shapeCount = SCENE_LIMITS.sphere + SCENE_LIMITS.box + SCENE_LIMITS.plane + SCENE_LIMITS.quad;
+const shapeCount = SHAPE_TYPES.reduce((sum, type) => sum + SCENE_LIMITS[type], 0);
 const tracksRule = `the animation: a list of at most ${SCENE_LIMITS.track} tracks`;
 const still = {
   $schema: v.optional(text('the address of the JSON Schema, for editors', 2000)),
@@ -268,6 +241,7 @@ const still = {
   camera,
   sky: v.optional(sky, [0, 0, 0]),
   materials: v.optional(named('the materials', material, SCENE_LIMITS.material), {}),
+  meshes: v.optional(named('the meshes', mesh, SCENE_LIMITS.meshSource)),
   shapes: v.optional(named('the shapes', shape, shapeCount), {}),
   lights: v.optional(named('the lights', light, SCENE_LIMITS.light), {}),
   render: v.optional(render, {}),

@@ -38,6 +38,25 @@ export function triple(what: string, min: number, max: number) {
   return schema as unknown as v.GenericSchema<Triple, Triple>;
 }
 
+/** A list of so many numbers, each from `min` to `max`. */
+export function numbers(what: string, count: number, min: number, max: number) {
+  const allowed = `${what}: a list of ${count} numbers, each from ${short(min)} to ${short(max)}`;
+  const one = `one number of ${what}: from ${short(min)} to ${short(max)}`;
+  const item = v.pipe(v.number(one), v.minValue(min, one), v.maxValue(max, one));
+  return v.pipe(v.array(item, allowed), v.length(count, allowed), v.description(allowed));
+}
+
+/** A list of three numbers of either sign, whose size is from `least` to `most`. */
+export function factors(what: string, least: number, most: number) {
+  const range = `from ${short(-most)} to ${short(most)} and not nearer to 0 than ${short(least)}`;
+  const allowed = `${what}: a list of three numbers, each ${range}`;
+  const one = `one number of ${what}: ${range}`;
+  const far = v.check((x: number) => Math.abs(x) >= least, one);
+  const item = v.pipe(v.number(one), v.minValue(-most, one), v.maxValue(most, one), far);
+  const schema = v.pipe(v.array(item, allowed), v.length(3, allowed), v.description(allowed));
+  return schema as unknown as v.GenericSchema<Triple, Triple>;
+}
+
 const FARTHEST = 1e9;
 export const point = (what: string) => triple(`${what}, metres`, -FARTHEST, FARTHEST);
 export const direction = (what: string) => triple(what, -FARTHEST, FARTHEST);
@@ -48,6 +67,14 @@ export const share = (what: string) => number(what, 0, 1);
 export function text(what: string, max: number) {
   const allowed = `${what}: a text of at most ${short(max)} characters`;
   return v.pipe(v.string(allowed), v.maxLength(max, allowed), v.description(allowed));
+}
+
+/** The name of a file with one of these endings, which the rule tells: no address, no path from the root, no control character. */
+export function fileName(rule: string, endings: readonly string[]) {
+  // JSON Schema has no flag for letters of either size.
+  const letters = (ending: string) => ending.replace(/[a-z]/g, (letter) => `[${letter}${letter.toUpperCase()}]`);
+  const pattern = new RegExp(`^(?!\\/)[^\\\\:\\u0000-\\u001f]+\\.(?:${endings.map(letters).join('|')})$`);
+  return v.pipe(v.string(rule), v.maxLength(1000, rule), v.regex(pattern, rule), v.description(rule));
 }
 
 /** One of these words. */

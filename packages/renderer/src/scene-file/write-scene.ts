@@ -1,3 +1,4 @@
+import type { MeshSource } from '../scene/mesh.ts';
 import type { Scene, Sky } from '../scene/scene.ts';
 import { naturalRoughness, sceneSchema } from './schema.ts';
 import { entryOf, optionOfType, type SchemaTree, treeOf, unwrap } from './schema-tree.ts';
@@ -17,6 +18,7 @@ export function writeScene(scene: Scene, schema?: string): string {
     ...scene,
     sky,
     materials: Object.fromEntries(materials),
+    ...(scene.meshes ? { meshes: writtenMeshes(scene.meshes) } : {}),
   };
   return `${format(withoutDefaults(treeOf(sceneSchema), file), '', 0)}\n`;
 }
@@ -29,6 +31,16 @@ function writtenSky({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sk
   if (image === undefined) return same ? horizon : { horizon, zenith };
   const colours = same && Math.max(...horizon) === 0 ? {} : { horizon, zenith };
   return { ...colours, image, ...(scale === 1 ? {} : { scale }), ...(rotation === 0 ? {} : { rotation }) };
+}
+
+/** As `writtenSky`, of triangles. */
+function writtenMeshes(meshes: Readonly<Record<string, MeshSource>>): object {
+  const written = Object.entries(meshes).map(([name, { data: _, ...source }]) => {
+    if (source.file === undefined)
+      throw new TypeError(`The mesh "${name}" has no file: give it the name that the file will have.`);
+    return [name, source] as const;
+  });
+  return Object.fromEntries(written);
 }
 
 function withoutDefaults(schema: SchemaTree, value: unknown): unknown {
@@ -53,8 +65,9 @@ const LINE = 100;
 /** JSON with every value on one line that fits there; what lies directly in the file or a section gets its own lines. */
 function format(value: unknown, indent: string, depth: number): string {
   const line = inline(value);
-  const short = depth > 1 || (depth === 1 && Array.isArray(value) && typeof value[0] === 'number');
-  if (typeof value !== 'object' || value === null || (short && indent.length + line.length <= LINE)) return line;
+  const numbers = Array.isArray(value) && typeof value[0] === 'number';
+  const short = depth > 1 && indent.length + line.length <= LINE;
+  if (typeof value !== 'object' || value === null || short || numbers) return line;
   const inner = `${indent}  `;
   const isList = Array.isArray(value);
   const parts = isList

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { goodScene } from '../scene-file/broken/good-scene.ts';
 import { parseScene } from '../scene-file/parse-scene.ts';
 import { compileAnimation, sceneAt } from './animation.ts';
-import type { DirectionalLight, Plane, Quad, QuadLight, Scene, Sphere, Vec3 } from './scene.ts';
+import type { DirectionalLight, MeshShape, Plane, Quad, QuadLight, Scene, Sphere, Vec3 } from './scene.ts';
 import { cameraFault } from './well-formed.ts';
 
 function sceneWith(...animation: unknown[]): Scene {
@@ -97,6 +97,12 @@ describe('a moment between good keys that would be impossible is mended', () => 
     const { floor, panel } = sceneAt(scene, 1).shapes;
     expect((floor as Plane).normal).toEqual([0, 1, 0] satisfies Vec3);
     expect((panel as Quad).v).toEqual([0, 1, 0] satisfies Vec3);
+  });
+  test('a mesh that is turned inside out', () => {
+    const scene = sceneWith(between('/shapes/stone/scale', [1, 1, 1], [-1, 1, 1]));
+    expect((sceneAt(scene, 1).shapes.stone as MeshShape).scale).toEqual([1e-6, 1, 1] satisfies Vec3);
+    expect((sceneAt(scene, 1 + 1e-9).shapes.stone as MeshShape).scale).toEqual([-1e-6, 1, 1] satisfies Vec3);
+    expect((sceneAt(scene, 1.5).shapes.stone as MeshShape).scale).toEqual([-0.5, 1, 1] satisfies Vec3);
   });
   test('a sun that turns over, and a quad light that closes', () => {
     const lights = {

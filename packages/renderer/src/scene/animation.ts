@@ -1,7 +1,7 @@
 import { type CompiledTrack, compileTrack, evaluateTrack } from './keyframes.ts';
 import type { Camera, Scene, Vec3 } from './scene.ts';
 import { type AnimationTarget, resolveTarget } from './targets.ts';
-import { isDirection, mendCamera, spansPlane } from './well-formed.ts';
+import { isDirection, mendCamera, mendScale, spansPlane } from './well-formed.ts';
 
 /** A scene with its tracks made ready: gives the scene at any time (seconds, finite). */
 export type CompiledAnimation = (time: number) => Scene;
@@ -97,5 +97,6 @@ function mend(now: Item, { section, rest }: MovingItem): Item {
   if (!straight(now.normal)) return { ...now, normal: rest.normal! };
   if (!straight(now.direction)) return { ...now, direction: rest.direction! };
   if (now.type === 'quad' && !spansPlane(now.u as Vec3, now.v as Vec3)) return { ...now, u: rest.u!, v: rest.v! };
+  if (now.type === 'mesh') return { ...now, scale: mendScale(now.scale as Vec3) };
   return now;
 }

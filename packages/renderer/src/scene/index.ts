@@ -2,6 +2,10 @@ export { type CompiledAnimation, compileAnimation, sceneAt } from './animation.t
 export { focusOf } from './camera.ts';
 export type { EnvironmentMap } from './environment.ts';
 export { SCENE_LIMITS } from './limits.ts';
+export type * from './mesh.ts';
+export { triangleCount, vertexCount } from './mesh.ts';
+export { type Bounds, meshBounds, placedBounds } from './mesh-bounds.ts';
+export { type Placement, placementOf } from './placement.ts';
 export { formatPointer, parsePointer } from './pointer.ts';
 export type * from './scene.ts';
 export { type AnimationTarget, resolveTarget } from './targets.ts';

@@ -7,8 +7,14 @@ export const SCENE_LIMITS = {
   box: 128,
   plane: 32,
   quad: 64,
+  mesh: 32_768,
   light: 16,
   material: 352,
+  /** Meshes that shapes may name. */
+  meshSource: 4096,
+  /** Of all meshes of a scene together: whole numbers up to here are exact in the 32-bit floats of kernels' tables. */
+  meshVertices: 2 ** 24,
+  meshTriangles: 2 ** 24,
   track: 1024,
   keysPerTrack: 4096,
   nameLength: 200,

@@ -36,5 +36,32 @@ export interface MorphTarget {
   readonly tangents?: Float32Array;
 }
 
+/**
+ * A mesh that shapes of the scene place in the world, as often as they like. Like the sky's image: a scene that has been read from a
+ * text names the file, and `loadFiles` adds the content; one made by a program may have content without a file.
+ */
+export interface MeshSource {
+  /** Name of a .ply, .obj or .stl file, from the scene file's folder on. */
+  readonly file?: string;
+  /** Of a file with parts (an .obj file has one for each of its materials): the name of the one that is meant. Default: all as one. */
+  readonly part?: string;
+  /** How normals come about; `data` has them as this says. Default: `auto`. */
+  readonly shading?: MeshShading;
+  readonly data?: Mesh;
+}
+/** `auto`: the file's normals, else flat. `smooth`: the file's, else made by blending those of the triangles. `flat`: none. */
+export type MeshShading = 'auto' | 'smooth' | 'flat';
+
+export const MESH_SHADINGS = ['auto', 'smooth', 'flat'] as const satisfies readonly MeshShading[];
+
+/** What the names of files that hold meshes end in: mesh-file/ reads them. */
+export const MESH_ENDINGS = ['ply', 'obj', 'stl'] as const;
+
+/** A mesh with content, whatever it came from. */
+export type LoadedMesh = MeshSource & { readonly data: Mesh };
+
+/** Whether it has not been loaded. */
+export const lacksData = ({ data }: MeshSource): boolean => data === undefined;
+
 export const triangleCount = (mesh: Mesh): number => mesh.indices.length / 3;
 export const vertexCount = (mesh: Mesh): number => mesh.positions.length / 3;

@@ -2,10 +2,11 @@
  * What a scene is: plain, immutable data. No GPU, no DOM, no functions.
  *
  * World: right-handed, +Y up, metres, seconds, degrees. Colours are linear Rec.709.
- * Everything that can be pointed at has a name: `shapes`, `materials` and `lights` are maps from name to thing,
+ * Everything that can be pointed at has a name: `shapes`, `meshes`, `materials` and `lights` are maps from name to thing,
  * in the order of the file; those that `parseScene` gives inherit nothing. The file format (`scene-file/`) is this structure with its defaults left out.
  */
 import type { EnvironmentMap } from './environment.ts';
+import type { MeshSource } from './mesh.ts';
 
 export type Vec3 = readonly [x: number, y: number, z: number];
 /** Linear Rec.709 red, green, blue. Not limited to 1. */
@@ -36,7 +37,7 @@ export type Projection = 'perspective' | 'orthographic' | 'equirectangular';
 export interface Sky {
   readonly horizon: Color;
   readonly zenith: Color;
-  /** Name of the file that holds `map`; a scene that has been read from a text names it before it is loaded (`loadImages`). */
+  /** Name of the file that holds `map`; a scene that has been read from a text names it before it is loaded (`loadFiles`). */
   readonly image?: string;
   /** The image's content. A scene made by a program may have it without a file. */
   readonly map?: EnvironmentMap;
@@ -114,8 +115,32 @@ export interface Quad extends ShapeBase {
   readonly u: Vec3;
   readonly v: Vec3;
 }
-export type Shape = Sphere | Box | Plane | Quad;
+/**
+ * Triangles of `Scene.meshes`, placed. A point of the mesh is first moved by `matrix`, then scaled, turned as a box is, and translated;
+ * placement.ts has all of it as one matrix.
+ */
+export interface MeshShape extends ShapeBase {
+  readonly type: 'mesh';
+  /** Name of a mesh of the same scene. */
+  readonly mesh: string;
+  readonly translation: Vec3;
+  /** Degrees about X, then Y, then Z, as `Box.rotation`. */
+  readonly rotation: Vec3;
+  /** Along the axes that the mesh has before it is turned; negative = mirrored. */
+  readonly scale: Vec3;
+  /** Instead of the three, or before them: a 4 × 4 matrix row by row, for column vectors; its last row is 0 0 0 1. */
+  readonly matrix?: Matrix4;
+  /** Name of a node that carries the mesh: all of the above then counts from there. No scene has nodes yet. */
+  readonly node?: string;
+}
+/** Sixteen numbers, row by row. */
+export type Matrix4 = readonly number[];
+/** Shapes that a formula describes. */
+export type AnalyticShape = Sphere | Box | Plane | Quad;
+export type Shape = AnalyticShape | MeshShape;
 export type ShapeType = Shape['type'];
+/** Shapes whose light can be sampled. Others that shine are found only by rays that happen to meet them. */
+export type LampShape = Sphere | Box | Quad;
 
 /**
  * A spherical light; the one kind that the classic integrator knows. A sample point at distance d lights a surface with
@@ -222,6 +247,8 @@ export interface Scene {
   readonly camera: Camera;
   readonly sky: Sky;
   readonly materials: Readonly<Record<string, Material>>;
+  /** Left out: none. */
+  readonly meshes?: Readonly<Record<string, MeshSource>>;
   readonly shapes: Readonly<Record<string, Shape>>;
   readonly lights: Readonly<Record<string, Light>>;
   readonly animation: readonly Track[];

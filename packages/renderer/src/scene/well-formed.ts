@@ -23,6 +23,17 @@ export function cameraFault(camera: Pick<Camera, 'eye' | 'target' | 'up'>): 'tar
   return spansPlane(view, camera.up) ? null : 'up';
 }
 
+/** Scales nearer to 0 than this would make a mesh flat. */
+export const SMALLEST_SCALE = 1e-6;
+
+/** The scale itself, or, at the instant when it goes through 0, the least that is none. */
+export const mendScale = (scale: Vec3): Vec3 =>
+  scale.some((s) => Math.abs(s) < SMALLEST_SCALE)
+    ? (scale.map((s) =>
+        Math.abs(s) < SMALLEST_SCALE ? (s < 0 ? -SMALLEST_SCALE : SMALLEST_SCALE) : s,
+      ) as unknown as Vec3)
+    : scale;
+
 /** Whether it points anywhere: the normal of a plane, the direction of a light. */
 export const isDirection = (direction: Vec3): boolean => length(direction) >= SHORTEST;
 

@@ -2,7 +2,7 @@
 import { choiceProbabilities } from '../../../../packages/renderer/src/reference/light/choose.ts';
 import type { Emitter } from '../../../../packages/renderer/src/reference/light/emitter.ts';
 import { emitterOfLight, emitterOfShape } from '../../../../packages/renderer/src/reference/light/from-scene.ts';
-import type { Color, Light, Scene, Shape, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import type { Color, LampShape, Light, Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import { length } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { inCube, type Random, randomDirection, seededRandom } from '../../../fixtures/random.ts';
 import { testLight, testMaterial, testScene } from '../../../fixtures/scenes.ts';
@@ -45,7 +45,7 @@ function crowd(random: Random): { scene: Scene; emitters: Emitter[] } {
     { type: 'directional', direction: inCube(random, 1), irradiance: 0.1, color, angle: 20 },
   ];
   // Emitters are sorted by power: strongest first.
-  const shapes: Exclude<Shape, { type: 'plane' }>[] = [
+  const shapes: LampShape[] = [
     { type: 'box', center: place(), size: [1, 2, 0.5], rotation: [10, 20, 30], material: 'glow' },
     { type: 'quad', corner: place(), u: [0.5, 0, 0], v: [0, 0.5, 0.1], material: 'glow' },
     { type: 'sphere', center: place(), radius: 0.1, material: 'glow' },

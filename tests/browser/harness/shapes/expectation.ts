@@ -14,7 +14,7 @@ import {
   intersectSphere,
   outwardNormal,
 } from '../../../../packages/renderer/src/reference/intersect.ts';
-import type { PreparedBox, PreparedShape } from '../../../../packages/renderer/src/reference/prepare.ts';
+import type { PreparedAnalytic, PreparedBox } from '../../../../packages/renderer/src/reference/prepare.ts';
 import type { Ray } from '../../../../packages/renderer/src/reference/ray.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import {
@@ -48,43 +48,44 @@ export interface Expectation {
   readonly decided: boolean;
 }
 
-function intersect(shape: PreparedShape, ray: Ray): number {
+function intersect(shape: PreparedAnalytic, ray: Ray): number {
   if (shape.type === 'sphere') return intersectSphere(shape, ray);
   if (shape.type === 'box') return intersectBox(shape, ray);
   return shape.type === 'plane' ? intersectPlane(shape, ray) : intersectQuad(shape, ray);
 }
 
-function rayOf({ origin, direction, rule }: RayCase, shape: PreparedShape, eye: Vec3): Ray {
+function rayOf({ origin, direction, rule }: RayCase, shape: PreparedAnalytic, eye: Vec3): Ray {
   const own = rule === START.leaving || rule === START.inside;
   return {
     origin: add(eye, origin),
     direction: normalize(direction),
     tMin: rule === START.fromEye ? 0 : 1e-5 * length(origin),
     leaving: own ? shape : null,
+    leavingTriangle: -1,
     inward: rule === START.inside,
     eye,
   };
 }
 
-function sizeOf(shape: PreparedShape): number {
+function sizeOf(shape: PreparedAnalytic): number {
   if (shape.type === 'sphere') return shape.radius;
   if (shape.type === 'box') return length(shape.halfSize);
   if (shape.type === 'plane') return 0;
   return 1 / length(shape.toS) + 1 / length(shape.toT);
 }
 
-const anchor = (shape: PreparedShape): Vec3 => {
+const anchor = (shape: PreparedAnalytic): Vec3 => {
   if (shape.type === 'plane') return shape.point;
   return shape.type === 'quad' ? shape.corner : shape.center;
 };
 
 /** The sum of all lengths that take part. */
-function scaleOf(shape: PreparedShape, ray: RayCase, eye: Vec3): number {
+function scaleOf(shape: PreparedAnalytic, ray: RayCase, eye: Vec3): number {
   const fromEye = subtract(anchor(shape), eye);
   return length(ray.origin) + length(fromEye) + length(subtract(fromEye, ray.origin)) + sizeOf(shape);
 }
 
-type Solid = Extract<PreparedShape, { type: 'sphere' | 'box' }>;
+type Solid = Extract<PreparedAnalytic, { type: 'sphere' | 'box' }>;
 
 function grown(solid: Solid, by: number): Solid {
   if (solid.type === 'sphere') return { ...solid, radius: Math.max(solid.radius + by, 0) };
@@ -93,7 +94,7 @@ function grown(solid: Solid, by: number): Solid {
 
 type Meeting = { readonly t: number; readonly normal: Vec3; readonly kind: 'entry' | 'exit' | 'miss' };
 
-function meet(shape: PreparedShape, ray: Ray): Meeting {
+function meet(shape: PreparedAnalytic, ray: Ray): Meeting {
   const t = intersect(shape, ray);
   if (t === Infinity) return { t, normal: [0, 0, 0], kind: 'miss' };
   const normal = outwardNormal(shape, ray, t);
@@ -131,7 +132,7 @@ function facesAt(box: PreparedBox, { origin, direction }: Ray, { t, kind }: Meet
   return onWay.map(({ n }) => n);
 }
 
-type Flat = Exclude<PreparedShape, Solid>;
+type Flat = Exclude<PreparedAnalytic, Solid>;
 
 /** How far the point lies outside of a flat shape within its plane; negative: inside, from its nearest edge. */
 function outside(shape: Flat, point: Vec3): number {
@@ -194,7 +195,7 @@ function expectGrazing(shape: Flat, ray: RayCase, { height, cosine, base, eye }:
   };
 }
 
-export function expectation(shape: PreparedShape, ray: RayCase, eye: Vec3): Expectation {
+export function expectation(shape: PreparedAnalytic, ray: RayCase, eye: Vec3): Expectation {
   const delta = OPERATIONS * ROUNDING * scaleOf(shape, ray, eye);
   if (shape.type === 'sphere' || shape.type === 'box') return expectSolid(shape, ray, eye, delta);
   return expectFlat(shape, ray, eye, delta);

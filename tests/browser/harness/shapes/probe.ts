@@ -5,7 +5,7 @@ import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-
 import { structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { type PackedScene, packScene } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
 import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
-import { type PreparedShape, prepareScene } from '../../../../packages/renderer/src/reference/prepare.ts';
+import { type PreparedAnalytic, prepareScene } from '../../../../packages/renderer/src/reference/prepare.ts';
 import type { Scene } from '../../../../packages/renderer/src/scene/scene.ts';
 import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
@@ -64,7 +64,7 @@ async function cast(device: Device, packed: PackedScene, texels: Float32Array<Ar
 }
 
 /** The shapes for the reference, in the order of the file. */
-function preparedShapes(scene: Scene): PreparedShape[] {
+function preparedShapes(scene: Scene): PreparedAnalytic[] {
   return Object.values(scene.shapes).map((shape) => {
     const { spheres, boxes, planes, quads } = prepareScene({ ...scene, shapes: { shape } });
     return [...spheres, ...boxes, ...planes, ...quads][0]!;

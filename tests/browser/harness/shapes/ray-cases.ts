@@ -1,6 +1,6 @@
 /** Random shapes, and rays that look for their weak spots. What a GPU gets is rounded to 32 bits; so is what is kept here. */
 
-import type { Box, Quad, Scene, Shape, Sphere, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
+import type { AnalyticShape, Box, Quad, Scene, Sphere, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import {
   addScaled,
   cross,
@@ -70,7 +70,11 @@ function randomQuad(random: Random, size: number, near: Vec3): Quad {
   }
 }
 
-function randomShape(random: Random, kind: Shape['type'], { size, reach, eye, thickness }: Setting): Shape {
+function randomShape(
+  random: Random,
+  kind: AnalyticShape['type'],
+  { size, reach, eye, thickness }: Setting,
+): AnalyticShape {
   const center = addScaled([eye, -eye, eye], inCube(random, size), reach);
   const side = () => size * between(random, 0.1, 2);
   switch (kind) {
@@ -99,7 +103,7 @@ function randomShape(random: Random, kind: Shape['type'], { size, reach, eye, th
 /** The shapes of a batch, of all kinds in turn, and the eye that they are packed for. */
 export function randomScene(setting: Setting): Scene {
   const random = seededRandom(setting.seed);
-  const shapes: Record<string, Shape> = {};
+  const shapes: Record<string, AnalyticShape> = {};
   for (let k = 0; k < SHAPES_PER_KIND; k++)
     for (const kind of KINDS) shapes[`${kind} ${k}`] = randomShape(random, kind, setting);
   const { eye } = setting;
@@ -136,7 +140,7 @@ function spotOnQuad(random: Random, { corner, u, v }: Quad): Spot {
   return { point: addScaled(addScaled(corner, u, share()), v, share()), normal: normalize(cross(u, v)) };
 }
 
-function spotOn(random: Random, shape: Shape, size: number): Spot {
+function spotOn(random: Random, shape: AnalyticShape, size: number): Spot {
   if (shape.type === 'sphere') return spotOnSphere(random, shape);
   if (shape.type === 'box') return spotOnBox(random, shape);
   if (shape.type === 'quad') return spotOnQuad(random, shape);
@@ -144,7 +148,7 @@ function spotOn(random: Random, shape: Shape, size: number): Spot {
   return { point: addScaled(shape.point, cross(normal, inCube(random, size)), 1), normal };
 }
 
-const isSolid = (shape: Shape): shape is Sphere | Box => shape.type === 'sphere' || shape.type === 'box';
+const isSolid = (shape: AnalyticShape): shape is Sphere | Box => shape.type === 'sphere' || shape.type === 'box';
 
 /** Any direction, or one that nearly grazes the surface. */
 function directionFrom(random: Random, normal: Vec3, outwards: boolean): Vec3 {
@@ -165,7 +169,7 @@ function rayTowards(random: Random, spot: Spot, size: number): Omit<RayCase, 'sh
   return { rule: START.fromEye, origin: addScaled(aim, direction, -back), direction };
 }
 
-function rayFrom(random: Random, shape: Shape, size: number): Omit<RayCase, 'shape'> {
+function rayFrom(random: Random, shape: AnalyticShape, size: number): Omit<RayCase, 'shape'> {
   const spot = spotOn(random, shape, size);
   const choice = random();
   if (choice < 0.5) return rayTowards(random, spot, size);
@@ -184,7 +188,7 @@ function rayFrom(random: Random, shape: Shape, size: number): Omit<RayCase, 'sha
 
 export function randomRays(setting: Setting, scene: Scene, count: number): RayCase[] {
   const random = seededRandom(setting.seed + 1);
-  const shapes = Object.values(scene.shapes);
+  const shapes = Object.values(scene.shapes) as AnalyticShape[];
   return Array.from({ length: count }, (_, k) => {
     const index = k % shapes.length;
     const { rule, origin, direction } = rayFrom(random, shapes[index]!, setting.size);

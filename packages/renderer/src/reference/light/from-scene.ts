@@ -1,6 +1,6 @@
 /** The lights and shapes of a scene as emitters. */
 import { radianceOf, timesColor } from '../../scene/lamps.ts';
-import type { Color, Light, Shape } from '../../scene/scene.ts';
+import type { Color, LampShape, Light } from '../../scene/scene.ts';
 import { normalize, rotate, scale } from '../../scene/vec3.ts';
 import type { AreaEmitter, Emitter } from './emitter.ts';
 
@@ -34,7 +34,7 @@ export function emitterOfLight(light: Light): Emitter {
   }
 }
 
-export function emitterOfShape(shape: Exclude<Shape, { type: 'plane' }>, radiance: Color): AreaEmitter {
+export function emitterOfShape(shape: LampShape, radiance: Color): AreaEmitter {
   if (shape.type === 'sphere') return { kind: 'sphere', center: shape.center, radius: shape.radius, radiance };
   if (shape.type === 'quad')
     return { kind: 'quad', corner: shape.corner, u: shape.u, v: shape.v, radiance, oneSided: false };

@@ -1,0 +1,73 @@
+/**
+ * Content that no text can hold, the sky's map and the triangles of meshes: taken out of a scene that a program made while its form is
+ * checked, and put back.
+ */
+import { shadedMesh } from '../mesh-file/shaded-mesh.ts';
+import { type EnvironmentMap, environmentFault } from '../scene/environment.ts';
+import type { LoadedMesh, MeshSource } from '../scene/mesh.ts';
+import { crowdFault, meshFault } from '../scene/mesh-fault.ts';
+import type { Scene, Sky } from '../scene/scene.ts';
+import { withMap, withMeshes } from './parse-scene.ts';
+
+/** Any names will do while the form of the scene is checked. */
+const NO_IMAGE = 'memory.hdr';
+const NO_MESH = 'memory.ply';
+
+type Thing = Readonly<Record<string, unknown>>;
+const isThing = (value: unknown): value is Thing =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** What `parseScene` reads: without content, and with names of files for what has content and none. */
+export function asInText(given: unknown): unknown {
+  if (!isThing(given)) return given;
+  const { sky, meshes } = given;
+  return {
+    ...given,
+    ...(isThing(sky) ? { sky: withoutContent(sky, 'map', 'image', NO_IMAGE) } : {}),
+    ...(isThing(meshes) ? { meshes: mapValues(meshes, (m) => withoutContent(m, 'data', 'file', NO_MESH)) } : {}),
+  };
+}
+
+function withoutContent(thing: unknown, content: string, file: string, instead: string): unknown {
+  if (!isThing(thing) || thing[content] === undefined) return thing;
+  const { [content]: _, ...others } = thing;
+  return { ...others, [file]: thing[file] ?? instead };
+}
+
+const mapValues = <From, To>(things: Readonly<Record<string, From>>, change: (thing: From, name: string) => To) =>
+  Object.fromEntries(Object.entries(things).map(([name, thing]) => [name, change(thing, name)] as const));
+
+/**
+ * The scene that `parseScene` made of `asInText(given)`, with the content of `given`. Throws a TypeError when that is none that can be
+ * used.
+ */
+export function withContent(scene: Scene, given: Scene): Scene {
+  const mapped = given.sky.map === undefined ? scene : attachMap(scene, given.sky);
+  if (!Object.values(given.meshes ?? {}).some(({ data }) => data !== undefined)) return mapped;
+  return withMeshes(mapped, meshesOf(mapped.meshes!, given.meshes!), true);
+}
+
+function attachMap(scene: Scene, { map, image }: Sky): Scene {
+  const fault = isThing(map) ? environmentFault(map as unknown as EnvironmentMap) : 'no content';
+  if (fault !== null) throw new TypeError(`This is no scene.\n/sky/map: the map has ${fault}.`);
+  const { image: _, ...others } = scene.sky;
+  const sky = image === undefined ? others : { ...others, image };
+  return withMap({ ...scene, sky }, map!, true);
+}
+
+type Meshes<Source> = Readonly<Record<string, Source>>;
+
+/** The meshes as they were read, with the content that was given, shaded as they say. */
+function meshesOf(read: Meshes<MeshSource>, given: Meshes<MeshSource>): Meshes<MeshSource> {
+  const meshes = mapValues(read, ({ file, ...mesh }, name): MeshSource => {
+    const { data, file: givenFile } = given[name]!;
+    if (data === undefined) return { ...mesh, file };
+    const fault = meshFault(data);
+    if (fault !== null) throw new TypeError(`This is no scene.\n/meshes/${name}/data: the mesh has ${fault}.`);
+    const named = givenFile === undefined ? mesh : { ...mesh, file };
+    return { ...named, data: shadedMesh(data, mesh.shading) };
+  });
+  const crowd = crowdFault(Object.values(meshes).filter((mesh): mesh is LoadedMesh => mesh.data !== undefined));
+  if (crowd !== null) throw new TypeError(`This is no scene.\n/meshes: the meshes have ${crowd}.`);
+  return meshes;
+}
