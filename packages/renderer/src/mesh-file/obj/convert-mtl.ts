@@ -1,0 +1,110 @@
+/**
+ * An MTL material → one of ours, as a scene file has it, defaults left out. The two models differ; docs/mesh-files.md tells what becomes
+ * of what.
+ */
+import type { Color, Material } from '../../scene/scene.ts';
+import type { MtlMaterial, NumberWord, Rgb } from './mtl-statements.ts';
+
+export interface ConvertedMaterial {
+  readonly material: Partial<Material>;
+  /** Words of the file that nothing was made of. */
+  readonly unused: readonly string[];
+}
+
+/** Ray traced transparency: 4 and 9 glass, 6 and 7 with refraction. */
+const GLASS: readonly number[] = [4, 6, 7, 9];
+/** 3: ray traced reflection, of the specular colour. */
+const MIRROR = 3;
+/** From 2 on there is a highlight. */
+const HIGHLIGHT = 2;
+/** Less of it than this is no surface but glass. */
+const TRANSPARENT = 0.1;
+
+const BRIGHTEST = 1e6;
+const between = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
+const shares = ([r, g, b]: Rgb): Color => [between(r, 0, 1), between(g, 0, 1), between(b, 0, 1)];
+const isGrey = ([r, g, b]: Rgb): boolean => r === g && g === b;
+
+/** The exponent of a highlight is 2 / roughness⁴ − 2 in docs/classic.md, here the other way round. */
+const roughnessOfExponent = (exponent: number): number => (2 / (Math.max(exponent, 0) + 2)) ** (1 / 4);
+
+export function convertMtl(mtl: MtlMaterial): ConvertedMaterial {
+  const source = new Source(mtl);
+  const illumination = source.number('illum') ?? HIGHLIGHT;
+  const emission = source.color('Ke')?.map((x) => between(x, 0, BRIGHTEST)) as Rgb | undefined;
+  const shining = emission && Math.max(...emission) > 0 ? { emission } : {};
+  const opacity = opacityOf(source);
+  const isGlass = GLASS.includes(illumination) || opacity <= TRANSPARENT;
+  if (!isGlass && opacity < 1) source.leave(mtl.numbers.has('d') ? 'd' : 'Tr');
+  const material = isGlass ? glass(source) : surface(source, illumination);
+  return { material: { ...material, ...shining }, unused: source.unused() };
+}
+
+/** Keeps account of what was asked for. */
+class Source {
+  readonly #mtl: MtlMaterial;
+  readonly #left: Set<string>;
+
+  constructor(mtl: MtlMaterial) {
+    this.#mtl = mtl;
+    this.#left = new Set([...mtl.colors.keys(), ...mtl.numbers.keys(), ...mtl.others]);
+    // Light from everywhere, which an integrator works out or a light of a scene says.
+    this.#left.delete('Ka');
+  }
+  color(word: 'Kd' | 'Ks' | 'Ke' | 'Tf'): Rgb | undefined {
+    this.#left.delete(word);
+    return this.#mtl.colors.get(word);
+  }
+  number(word: NumberWord): number | undefined {
+    this.#left.delete(word);
+    return this.#mtl.numbers.get(word);
+  }
+  /** Says that nothing was made of it after all. */
+  leave(word: string): void {
+    this.#left.add(word);
+  }
+  unused(): string[] {
+    return [...this.#left];
+  }
+}
+
+function opacityOf(source: Source): number {
+  const [d, tr] = [source.number('d'), source.number('Tr')];
+  return between(d ?? (tr === undefined ? 1 : 1 - tr), 0, 1);
+}
+
+function glass(source: Source): Partial<Material> {
+  const tint = source.color('Tf');
+  const ior = source.number('Ni');
+  const roughness = source.number('Pr');
+  // What colours a surface colours no glass; and a highlight is what a smooth body has by itself.
+  source.color('Kd');
+  source.color('Ks');
+  source.number('Ns');
+  source.number('Pm');
+  return {
+    type: 'dielectric',
+    baseColor: tint && Math.max(...tint) > 0 ? shares(tint) : [1, 1, 1],
+    ...(ior === undefined ? {} : { ior: between(ior, 1, 4) }),
+    ...(roughness === undefined ? {} : { roughness: between(roughness, 0, 1) }),
+  };
+}
+
+function surface(source: Source, illumination: number): Partial<Material> {
+  const baseColor = shares(source.color('Kd') ?? [0.8, 0.8, 0.8]);
+  const [metallic, given, exponent] = [source.number('Pm'), source.number('Pr'), source.number('Ns')];
+  const highlight = source.color('Ks') ?? [0, 0, 0];
+  const strength = between(Math.max(...highlight), 0, 1);
+  // An index of refraction says nothing of an opaque surface here.
+  source.number('Ni');
+  if (strength > 0 && !isGrey(highlight)) source.leave('Ks');
+  const roughness = given ?? (exponent === undefined ? undefined : roughnessOfExponent(exponent));
+  const rough = roughness === undefined ? {} : { roughness: between(roughness, 0, 1) };
+  if (metallic !== undefined || given !== undefined)
+    return { type: 'metallicRoughness', baseColor, metallic: between(metallic ?? 0, 0, 1), ...rough };
+  if (illumination === MIRROR && strength > 0) return { baseColor, reflectivity: strength, ...rough };
+  // A plastic's highlight; how strong it is only the classic integrator can be told.
+  if (illumination >= HIGHLIGHT && strength > 0)
+    return { type: 'metallicRoughness', baseColor, specular: strength, ...rough };
+  return { baseColor };
+}
