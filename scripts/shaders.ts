@@ -7,7 +7,7 @@ import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { translate } from 'naga-wasm';
 import { link } from 'wesl';
-import { fetchWgsl, structsWgsl } from '../packages/renderer/src/packed-scene/layout.ts';
+import { fetchGeometryWgsl, fetchWgsl, structsWgsl } from '../packages/renderer/src/packed-scene/layout.ts';
 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const source = join(repository, 'packages/renderer/src');
@@ -96,7 +96,11 @@ function modulesIn(folder: string, prefix: string): Record<string, string> {
 }
 
 function weslModules(): Record<string, string> {
-  const written = { './shading/layout.wesl': structsWgsl(), './shading/scene_table.wesl': fetchWgsl() };
+  const written = {
+    './shading/layout.wesl': structsWgsl(),
+    './shading/scene_table.wesl': fetchWgsl(),
+    './shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+  };
   return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...written };
 }
 
@@ -184,6 +188,7 @@ async function generate(): Promise<Record<string, string>> {
   const files: Record<string, string> = {
     'packages/renderer/src/shading/layout.wesl': structsWgsl(),
     'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
+    'packages/renderer/src/shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
   };
   for (const { name, root, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
     const linkedFor = async (compute: boolean) =>

@@ -43,6 +43,10 @@ class FakeDevice implements Device {
     this.counts.textures++;
     return { width, height, write: () => {}, destroy: () => this.counts.textures-- };
   }
+  createData(rows: number) {
+    this.counts.buffers++;
+    return { rows, write: () => {}, destroy: () => this.counts.buffers-- };
+  }
   createFilm(width: number, height: number, count = 1): FilmTexture {
     this.counts.textures++;
     const destroy = () => this.counts.textures--;
@@ -370,7 +374,7 @@ describe('a long picture by paths', () => {
   });
 });
 
-test('a scene with meshes, which kernels cannot trace yet, is refused, and the one before stays', async () => {
+test('a scene with meshes, which the classic kernels cannot trace, is refused, and the one before stays', async () => {
   const renderer = await started(new FakeDevice());
   const at = { translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1] } as const;
   const cube = { type: 'mesh', mesh: 'cube', material: 'white', ...at } as const;

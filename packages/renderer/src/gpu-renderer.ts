@@ -119,7 +119,7 @@ export class GpuRenderer implements Renderer {
 
   async setScene(scene: Scene): Promise<void> {
     const good = requireScene(scene);
-    refuseMeshes(good);
+    if (good.render.integrator === 'classic') refuseMeshes(good);
     this.#view.setScene(good);
     this.#workChanged();
     const wanted = this.#view.revision;
@@ -129,6 +129,7 @@ export class GpuRenderer implements Renderer {
   }
 
   set(settings: Partial<RendererSettings>): void {
+    if (settings.integrator === 'classic' && this.#view.scene) refuseMeshes(this.#view.scene);
     this.#view.set(settings);
     this.#workChanged();
   }

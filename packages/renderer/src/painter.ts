@@ -6,6 +6,7 @@
 import { FilmRecord } from './film/film-record.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
+import { hasMeshes } from './packed-scene/refuse-meshes.ts';
 import { contentOf, isAov } from './programs.ts';
 import type { FrameStats } from './renderer-types.ts';
 import type { Shot, Stages } from './stages.ts';
@@ -77,6 +78,8 @@ export class Painter {
     const { canvas } = this.#easel;
     if (canvas.width === 0 || canvas.height === 0) return;
     this.#keepPicture();
+    // The preview knows no meshes; until there is a program that does the canvas keeps what it shows.
+    if (!this.#complete && hasMeshes(this.#easel.view.sceneNow())) return this.stages.ready(this.#easel.view.subject);
     this.#turn();
     const size = this.#reserve(reduced);
     if (this.#outdated(size)) this.#begin(size);

@@ -8,6 +8,7 @@ import { EnvironmentTexture } from './environment-texture.ts';
 import { Film } from './film/film.ts';
 import { FilmError } from './film/film-error.ts';
 import type { FrameController } from './frame-controller.ts';
+import { GeometryBuffer } from './geometry-buffer.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
@@ -53,6 +54,7 @@ export class Stages {
   #table: TableTexture | null = null;
   #packed: PackedScene | undefined;
   readonly #environment: EnvironmentTexture;
+  readonly #geometry: GeometryBuffer;
   #shot: Shot | null = null;
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
@@ -85,6 +87,7 @@ export class Stages {
     this.#film = new Film(device);
     this.#frame = device.createUniforms(structSize('Frame'));
     this.#environment = new EnvironmentTexture(device);
+    this.#geometry = new GeometryBuffer(device);
   }
 
   get film(): Film {
@@ -175,6 +178,7 @@ export class Stages {
     const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
     if (packed.environment) this.#environment.hold(packed.environment);
+    if (packed.geometry) this.#geometry.hold(packed.geometry);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
@@ -235,10 +239,11 @@ export class Stages {
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
-    if (this.#content === 'path')
-      drawPath(device, pass, film.next, { ...inputs, environment: this.#environment.texture }, region);
-    else if (isAov(this.#content)) drawAov(device, pass, film.next, inputs, region);
-    else drawClassic(device, pass, film.next, inputs, region);
+    if (this.#content === 'path' || isAov(this.#content)) {
+      const all = { ...inputs, environment: this.#environment.texture, geometry: this.#geometry.buffer };
+      if (this.#content === 'path') drawPath(device, pass, film.next, all, region);
+      else drawAov(device, pass, film.next, all, region);
+    } else drawClassic(device, pass, film.next, inputs, region);
   }
 
   #writeFrame(count: number): void {

@@ -29,7 +29,7 @@ export interface ComputeSource {
   readonly tile: readonly [width: number, height: number];
 }
 
-/** A shader program and what it reads, in both languages. Texture and block names are those of the WGSL source. */
+/** A shader program and what it reads, in both languages. Names of textures, blocks and data are those of the WGSL source. */
 export interface PassSource {
   readonly label: string;
   /** WGSL of the vertex and of the fragment entry; the same text when one module holds both. */
@@ -37,7 +37,7 @@ export interface PassSource {
   readonly entries: { readonly vertex: string; readonly fragment: string };
   readonly glsl: { readonly vertex: string; readonly fragment: string };
   /** In the order of their binding numbers in group 0. */
-  readonly bindings: readonly ({ readonly block: string } | { readonly texture: string })[];
+  readonly bindings: readonly ({ readonly block: string } | { readonly texture: string } | { readonly data: string })[];
   readonly target: 'film' | 'canvas';
   /** What the switches (`override` in the WGSL) are in this program; those that the module does not have are ignored. */
   readonly switches?: Readonly<Record<string, boolean>>;
@@ -69,6 +69,13 @@ export interface TableTexture extends FloatTexture {
   /** Replaces the first `rows` rows. */
   write(texels: Float32Array<ArrayBuffer>, rows: number): void;
 }
+/** Rows of four words that kernels read by number: a storage buffer, or a texture of whole numbers. */
+export interface DataBuffer {
+  readonly rows: number;
+  /** Replaces as many rows as the words fill, from this one on. */
+  write(firstRow: number, words: Uint32Array<ArrayBuffer>): void;
+  destroy(): void;
+}
 /** What passes draw into: one texture or several of the same size, to be read by passes one by one. */
 export interface FilmTexture {
   readonly width: number;
@@ -76,7 +83,7 @@ export interface FilmTexture {
   readonly layers: readonly FloatTexture[];
   destroy(): void;
 }
-export type Resource = UniformBuffer | FloatTexture;
+export type Resource = UniformBuffer | FloatTexture | DataBuffer;
 
 /** The part of a film that is in use, from its first column and row, and which of its rows to draw now. */
 export interface Region {
@@ -118,6 +125,8 @@ export interface Device {
   attach(): void;
   createUniforms(byteLength: number): UniformBuffer;
   createTable(width: number, height: number): TableTexture;
+  /** Throws a `DeviceError` when there is no room for so many rows. */
+  createData(rows: number): DataBuffer;
   createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
@@ -142,5 +151,14 @@ export function checkFilmSize(device: Device, width: number, height: number): vo
   throw new DeviceError(
     `A film of ${width} × ${height} pixels was asked for; this device draws at most ${device.maxTextureSize} along a side.`,
     { limit: 'maxTextureSize', available: device.maxTextureSize, needed },
+  );
+}
+
+/** `available` and `needed` bytes. */
+export function noRoom(limit: string, available: number, needed: number): DeviceError {
+  const mebibytes = (bytes: number) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
+  return new DeviceError(
+    `The meshes of this scene need ${mebibytes(needed)}; this device has room for ${mebibytes(available)} (${limit}).`,
+    { limit, available, needed },
   );
 }

@@ -5,7 +5,8 @@
  *
  * The scene lies in a table of RGBA float texels, a texture that both GPU interfaces read alike: row i holds shape i, its
  * material, and light i. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
- * What belongs to the frame lies in small uniform blocks.
+ * What belongs to the frame lies in small uniform blocks. Triangles and the trees over them lie in rows of four words, the geometry:
+ * a storage buffer or a texture, whichever the device has.
  *
  * Positions are relative to the camera's eye: subtracted in double precision while packing, so that a small scene far
  * from the origin keeps its precision on a GPU that has only 32-bit floats.
@@ -97,6 +98,33 @@ export const STRUCTS = {
     power: field('f32', 'for choosing among emitters: power / distance^2 estimates the irradiance in front of it'),
     reach: field('f32', 'radius of the bounding sphere; of directional light: sine of half the angular diameter'),
   },
+  // The geometry's: pack-geometry.ts.
+  WideNode: {
+    minX: field('vec4f', 'of each of up to four children the box: least x'),
+    minY: field('vec4f', 'least y'),
+    minZ: field('vec4f', 'least z'),
+    maxX: field('vec4f', 'greatest x'),
+    maxY: field('vec4f', 'greatest y'),
+    maxZ: field('vec4f', 'greatest z'),
+    children: field('vec4u', 'references: encode-wide-bvh.ts; 0: there is none'),
+  },
+  Triangle: {
+    a: field('vec3f', 'first vertex, in the space of its mesh'),
+    normalA: field('u32', 'its shading normal, octahedral, 16 bits each'),
+    b: field('vec3f', 'second vertex'),
+    normalB: field('u32', 'its shading normal'),
+    c: field('vec3f', 'third vertex'),
+    normalC: field('u32', 'its shading normal'),
+  },
+  Instance: {
+    toMeshX: field('vec4f', 'from eye-relative places to the space of its mesh: x is dot(xyz, p) + w'),
+    toMeshY: field('vec4f', 'y'),
+    toMeshZ: field('vec4f', 'z'),
+    nodes: field('u32', 'row of the root of its tree'),
+    triangles: field('u32', 'row of its first triangle'),
+    interpolated: field('u32', '1: shading normals are interpolated; 0: triangles are flat'),
+    spare: field('u32', 'unused'),
+  },
   Frame: {
     right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
     width: field('f32', 'film pixels'),
@@ -131,6 +159,7 @@ export const STRUCTS = {
     environmentTurn: field('f32', 'how far the map of the sky is turned about +Y, 0 to 1'),
     environmentSize: field('vec2f', 'columns and rows of the map of the sky'),
     sampleCount: field('u32', 'film samples that this call adds, from sampleIndex on; 1 where passes draw'),
+    instances: field('u32', 'row of the first instance of a mesh; the tree over them begins in row 0'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
@@ -184,6 +213,13 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
   return placement(name).offsets[field]!;
 }
 
+/** Words in a row of the geometry. */
+export const GEOMETRY_ROW = 4;
+/** Rows of a struct there. */
+export const geometryRows = (name: GeometryStruct): number => structSize(name) / 16;
+const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance'] as const;
+export type GeometryStruct = (typeof GEOMETRY_STRUCTS)[number];
+
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
 export type TableStruct = (typeof TABLE_STRUCTS)[number];
@@ -226,6 +262,34 @@ function fetchFunction(name: TableStruct): string {
     return `t${Math.floor(offset / 16)}.${'xyzw'.slice(first, first + extent(type).size / 4)}`;
   });
   return `fn fetch${name}(i: u32) -> ${name} {\n${loads.join('\n')}\n  return ${name}(${parts.join(', ')});\n}\n`;
+}
+
+/** Fetched by the number of the row that it begins in. */
+function fetchRowsFunction(name: GeometryStruct): string {
+  const loads = Array.from({ length: geometryRows(name) }, (_, t) => `  let r${t} = geometryRow(row + ${t}u);`);
+  const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
+    const offset = placement(name).offsets[key]!;
+    const { size } = extent(type);
+    const words = `r${Math.floor(offset / 16)}.${'xyzw'.slice((offset % 16) / 4, (offset % 16) / 4 + size / 4)}`;
+    return type === 'u32' || type === 'vec4u' ? words : `bitcast<${type}>(${words})`;
+  });
+  return `fn fetch${name}(row: u32) -> ${name} {\n${loads.join('\n')}\n  return ${name}(${parts.join(', ')});\n}\n`;
+}
+
+/** The functions that read the geometry, the content of `shading/mesh/geometry_table.wesl`. */
+export function fetchGeometryWgsl(): string {
+  const imports = `import package::shading::mesh::geometry_row::geometryRow;\nimport package::shading::layout::{${GEOMETRY_STRUCTS.join(', ')}};\n`;
+  const row = (field: FieldName<'WideNode'>) => fieldOffset('WideNode', field) / 16;
+  const constants = [
+    '// Rows of a node; from the rows of least to those of greatest places; and where the references are.',
+    `const nodeRows = ${geometryRows('WideNode')}u;`,
+    `const leastToGreatest = ${row('maxX') - row('minX')}u;`,
+    `const childrenRow = ${row('children')}u;`,
+    `const triangleRows = ${geometryRows('Triangle')}u;`,
+    `const instanceRows = ${geometryRows('Instance')}u;`,
+  ];
+  const fetched = ['Triangle', 'Instance'] as const;
+  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${fetched.map(fetchRowsFunction).join('\n')}`;
 }
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */

@@ -105,6 +105,7 @@ export function packFrame(
     focusDistance: focusOf(camera),
     planesCutView: packed.planesCutView ? 1 : 0,
     environmentTurn: packed.environmentTurn,
+    instances: packed.geometry?.instances ?? 0,
     environmentSize: [packed.environment?.width ?? 0, packed.environment?.height ?? 0],
   });
 }

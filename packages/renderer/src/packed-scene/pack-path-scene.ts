@@ -5,6 +5,7 @@ import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
+import { packGeometry } from './pack-geometry.ts';
 import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
 
@@ -22,7 +23,7 @@ function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
 
 export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   const lamps = lampsAsShapes(scene);
-  const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS });
+  const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS, meshes: true });
   const { table, shapeNames } = packed;
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
   const { emitters, emitterOfShape } = emittersOf(lamps, eye, (name) => rows.get(name)!);
@@ -37,5 +38,7 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  return { ...packed, ...skyOf(scene.sky), emitterCount: emitters.length };
+  const meshes = Object.values(lamps.scene.shapes).filter((shape) => shape.type === 'mesh');
+  const geometry = packGeometry(lamps.scene, meshes, eye);
+  return { ...packed, ...skyOf(scene.sky), geometry, emitterCount: emitters.length };
 }

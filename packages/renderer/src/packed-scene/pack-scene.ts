@@ -1,12 +1,13 @@
 /**
  * Scene → the scene table's bytes. Shapes are sorted by kind (spheres, boxes, quads, planes) and keep the file's order inside a
- * kind, except that planes which cast no shadow come last. Positions become relative to `eye` here, in double precision.
+ * kind, except that planes which cast no shadow come last; what an instance of a mesh is made of follows them. Positions become relative to `eye` here, in double precision.
  */
 import { sphereLights } from '../scene/lights.ts';
 import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
+import type { PackedGeometry } from './pack-geometry.ts';
 import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
@@ -30,6 +31,8 @@ export interface PackedScene {
   readonly environment: PackedEnvironment | null;
   /** How far it is turned about +Y, 0 … 1. */
   readonly environmentTurn: number;
+  /** Meshes and where they stand; null in scenes packed for the classic integrator. */
+  readonly geometry: PackedGeometry | null;
   /** Whether rays of the camera start on both sides of some plane. */
   readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
@@ -56,12 +59,14 @@ export interface PackOptions {
   readonly reuse?: PackedScene | undefined;
   /** Where the camera's rays may start. */
   readonly reach?: ViewReach;
+  /** Whether meshes get rows too, after all other shapes; without it a scene that has some is refused. */
+  readonly meshes?: boolean;
   /** Room that is needed for more than shapes and lights. */
   readonly leastRows?: number;
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
-  refuseMeshes(scene);
+  if (!options.meshes) refuseMeshes(scene);
   const { reuse, reach = AT_EYE, leastRows = 1 } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
@@ -75,12 +80,15 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     castsShadow(plane as Plane, eye, lights) || cuts(plane as Plane, eye, reach);
   const planes = sorted[3]!;
   sorted[3] = [...planes.filter(casts), ...planes.filter((plane) => !casts(plane))];
-  const ordered = sorted.flat();
+  const meshes = named.filter(([, { type }]) => type === 'mesh');
+  const ordered = [...sorted.flat(), ...meshes];
   const ids = new Map(named.map(([name], index) => [name, index + 1]));
   ordered.forEach(([name, shape], row) => {
-    const { center, radius, ...extent } = shapeValues(shape, eye);
-    put('Bounds', row, { center, radius });
-    put('Extent', row, extent);
+    if (shape.type !== 'mesh') {
+      const { center, radius, ...extent } = shapeValues(shape, eye);
+      put('Bounds', row, { center, radius });
+      put('Extent', row, extent);
+    }
     put('Material', row, { ...materialValues(scene.materials[shape.material]!), id: ids.get(name)! });
   });
   lights.forEach((light, row) => {
@@ -102,6 +110,7 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     zenith: scene.sky.zenith,
     environment: null,
     environmentTurn: 0,
+    geometry: null,
     shapeNames: ordered.map(([name]) => name),
   };
 }

@@ -1,15 +1,15 @@
 /**
- * How much a scene may hold. The packed scene lives in uniform blocks of at most 16 KiB each, which every WebGL2 and
- * WebGPU device grants, so these are the same everywhere and a scene that parses can be drawn.
+ * How much a scene may hold: the same everywhere, so that a scene that parses can be drawn. Shapes of a formula are tested one after
+ * another, so that more of them than these would be slow; meshes have trees.
  */
 export const SCENE_LIMITS = {
-  sphere: 128,
-  box: 128,
-  plane: 32,
-  quad: 64,
+  sphere: 512,
+  box: 512,
+  plane: 64,
+  quad: 512,
   mesh: 32_768,
   light: 16,
-  material: 352,
+  material: 4096,
   /** Meshes that shapes may name. */
   meshSource: 4096,
   /** Of all meshes of a scene together: whole numbers up to here are exact in the 32-bit floats of kernels' tables. */

@@ -5,6 +5,7 @@ export const FEATURES = [
   'hasTurnedBoxes',
   'hasQuads',
   'hasPlanes',
+  'hasMeshes',
   'hasSphereLights',
   'hasQuadLights',
   'hasBoxLights',

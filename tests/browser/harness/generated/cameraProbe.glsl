@@ -44,6 +44,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 const bool hasLens = false;
 

@@ -117,4 +117,6 @@ struct Frame {
   environmentSize: vec2f,
   // film samples that this call adds, from sampleIndex on; 1 where passes draw
   sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
 }

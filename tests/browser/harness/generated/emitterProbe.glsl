@@ -45,6 +45,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Emitter {
     vec3 position;
@@ -802,7 +803,8 @@ Bounds fetchBounds(uint i_11) {
 
 bool isPlane(uint i_12) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_12 >= _e4);
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
 }
 
 bool isFlat(uint i_13) {

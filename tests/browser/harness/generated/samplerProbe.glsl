@@ -40,6 +40,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Sampler {
     uint key;

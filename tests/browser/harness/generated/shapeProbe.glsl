@@ -54,6 +54,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Extent {
     vec4 a;
@@ -244,7 +245,8 @@ Bounds fetchBounds(uint i_9) {
 
 bool isPlane(uint i_10) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_10 >= _e4);
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_10 >= _e4), (i_10 < _e9), false);
 }
 
 bool isFlat(uint i_11) {

@@ -296,6 +296,8 @@ struct Frame {
   environmentSize: vec2f,
   // film samples that this call adds, from sampleIndex on; 1 where passes draw
   sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
 }
 
 
@@ -311,7 +313,7 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 const parallel = 1e-12;
 
 fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.z;
+  return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
 
 fn isFlat(i: u32) -> bool {

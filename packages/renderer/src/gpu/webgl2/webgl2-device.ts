@@ -1,11 +1,13 @@
 import {
   checkFilmSize,
+  type DataBuffer,
   type Device,
   type DeviceCounts,
   DeviceError,
   type FilmArea,
   type FilmTexture,
   type FloatTexture,
+  noRoom,
   type Pass,
   type PassSource,
   type Region,
@@ -18,6 +20,8 @@ import { compileProgram } from './program.ts';
 /** How long a lost context may take to come back before the device counts as gone. */
 const RESTORE_TIMEOUT_MS = 3000;
 const RESTORE_PAUSE_MS = 50;
+/** Columns of the texture that data lie in, as shading/mesh/geometry_row.wesl has it: every device has so many. */
+const DATA_COLUMNS = 2048;
 
 interface GlPass extends Pass {
   readonly program: WebGLProgram;
@@ -128,7 +132,7 @@ class WebGl2Device implements Device {
       if ('block' in b) {
         const index = gl.getUniformBlockIndex(program, `${b.block}Block`);
         if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, binding);
-      } else gl.uniform1i(gl.getUniformLocation(program, b.texture), binding);
+      } else gl.uniform1i(gl.getUniformLocation(program, 'data' in b ? b.data : b.texture), binding);
     });
     return { label: source.label, addsMany: false, program, source } as GlPass;
   }
@@ -180,6 +184,39 @@ class WebGl2Device implements Device {
       gl.deleteTexture(base.texture);
     };
     return { ...base, write, destroy } as TableTexture;
+  }
+
+  createData(rows: number): DataBuffer {
+    const gl = this.#gl;
+    const lines = Math.ceil(rows / DATA_COLUMNS);
+    if (lines > this.maxTextureSize) throw noRoom('maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
+    const base = this.#texture(DATA_COLUMNS, lines, gl.RGBA32UI);
+    const put = (row: number, count: number, words: Uint32Array) => {
+      const [x, y] = [row % DATA_COLUMNS, Math.floor(row / DATA_COLUMNS)];
+      const [width, height] = count < DATA_COLUMNS ? [count, 1] : [DATA_COLUMNS, count / DATA_COLUMNS];
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
+    };
+    const data: DataBuffer & GlTexture = {
+      rows,
+      texture: base.texture,
+      write: (firstRow, words) => {
+        gl.bindTexture(gl.TEXTURE_2D, base.texture);
+        const end = firstRow + words.length / 4;
+        // What is left of the first line, whole lines, what begins the last one.
+        for (let row = firstRow; row < end; ) {
+          const left = DATA_COLUMNS - (row % DATA_COLUMNS);
+          const whole = left === DATA_COLUMNS ? Math.floor((end - row) / DATA_COLUMNS) * DATA_COLUMNS : 0;
+          const count = whole || Math.min(left, end - row);
+          put(row, count, words.subarray(4 * (row - firstRow), 4 * (row - firstRow + count)));
+          row += count;
+        }
+      },
+      destroy: () => {
+        this.counts.textures--;
+        gl.deleteTexture(base.texture);
+      },
+    };
+    return data;
   }
 
   createFilm(width: number, height: number, count = 1): FilmTexture {

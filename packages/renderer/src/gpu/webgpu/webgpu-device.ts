@@ -1,11 +1,13 @@
 import {
   checkFilmSize,
+  type DataBuffer,
   type Device,
   type DeviceCounts,
   DeviceError,
   type FilmArea,
   type FilmTexture,
   type FloatTexture,
+  noRoom,
   type Pass,
   type PassSource,
   type Region,
@@ -46,9 +48,10 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null, options: WebG
     .requestAdapter({ powerPreference: 'high-performance' })
     .catch(refuse('WebGPU gives no adapter'));
   if (!adapter) throw new DeviceError('WebGPU found no graphics adapter.');
-  const { maxTextureDimension2D } = adapter.limits; // else 8192, whatever the GPU can do
+  // Else 8192 texels and 128 MiB, whatever the GPU can do.
+  const { maxTextureDimension2D, maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
   const device = await adapter
-    .requestDevice({ requiredLimits: { maxTextureDimension2D } })
+    .requestDevice({ requiredLimits: { maxTextureDimension2D, maxStorageBufferBindingSize, maxBufferSize } })
     .catch(refuse('WebGPU gives no device'));
   const { computes = !adapter.info.isFallbackAdapter } = options;
   return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes });
@@ -69,6 +72,7 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
   const visibility = compute ? GPUShaderStage.COMPUTE : GPUShaderStage.FRAGMENT;
   const inputs: Omit<GPUBindGroupLayoutEntry, 'binding' | 'visibility'>[] = bindings.map((b) => {
     if ('block' in b) return { buffer: {} };
+    if ('data' in b) return { buffer: { type: 'read-only-storage' } };
     return { texture: { sampleType: 'unfilterable-float' } };
   });
   if (compute) {
@@ -208,6 +212,24 @@ class WebGpuDevice implements Device {
     const write = (texels: Float32Array<ArrayBuffer>, rows: number) =>
       this.#device.queue.writeTexture({ texture: base.texture }, texels, { bytesPerRow: width * 16 }, [width, rows]);
     return { ...base, write } as TableTexture;
+  }
+
+  createData(rows: number): DataBuffer {
+    const size = rows * 16;
+    for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
+      if (size > this.#device.limits[limit]) throw noRoom(limit, this.#device.limits[limit], size);
+    const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
+    this.counts.buffers++;
+    const data: DataBuffer & GpuResource = {
+      rows,
+      binding: { buffer },
+      write: (firstRow, words) => this.#device.queue.writeBuffer(buffer, firstRow * 16, words),
+      destroy: () => {
+        this.counts.buffers--;
+        buffer.destroy();
+      },
+    };
+    return data;
   }
 
   createFilm(width: number, height: number, count = 1): FilmTexture {

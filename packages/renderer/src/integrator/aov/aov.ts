@@ -3,6 +3,7 @@
  * one sample of each pixel. docs/aov.md says what is in them; `headless/aovs.ts` takes them out.
  */
 import type {
+  DataBuffer,
   Device,
   FilmTexture,
   FloatTexture,
@@ -38,6 +39,8 @@ const FEATURES: PassSource = {
     { texture: 'sceneTable' },
     { texture: 'previousFirst' },
     { texture: 'previousSecond' },
+    { texture: 'environment' },
+    { data: 'geometry' },
   ],
   target: 'film',
   switches: ALL_SWITCHES,
@@ -55,13 +58,20 @@ export interface AovInputs {
   readonly sceneTable: TableTexture;
   /** The layers of the film so far. */
   readonly previous: readonly FloatTexture[];
+  readonly environment: TableTexture;
+  readonly geometry: DataBuffer;
 }
 
 export const createAovPass = (device: Device, content: AovContent): Promise<Pass> =>
   device.createPass(content === 'features' ? FEATURES : DATA);
 
 export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: AovInputs, region: Region): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous], region);
+  device.draw(
+    pass,
+    film,
+    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry],
+    region,
+  );
 }
 
 /**

@@ -40,6 +40,7 @@ function shapeFeatures(shapes: readonly Shape[]) {
     hasTurnedBoxes: shapes.some((shape) => shape.type === 'box' && shape.rotation.some((angle) => angle !== 0)),
     hasQuads: has('quad'),
     hasPlanes: has('plane'),
+    hasMeshes: has('mesh'),
   };
 }
 

@@ -1,5 +1,6 @@
 /** The path integrator as a stage: one call adds one film sample to every pixel, to the sums and to the sums of squares. */
 import type {
+  DataBuffer,
   Device,
   FilmTexture,
   FloatTexture,
@@ -29,6 +30,7 @@ const PATH: PassSource = {
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
     { texture: 'environment' },
+    { data: 'geometry' },
   ],
   target: 'film',
   compute: { wgsl: pathWgsl, entry: 'pathCompute', tile: [8, 4] },
@@ -41,6 +43,7 @@ export interface PathInputs {
   /** The layers of the film so far. */
   readonly previous: readonly FloatTexture[];
   readonly environment: TableTexture;
+  readonly geometry: DataBuffer;
 }
 
 /** A program for films that ask for no more than these features. */
@@ -49,5 +52,10 @@ export function createPathPass(device: Device, features: ReadonlySet<Feature>): 
 }
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
-  device.draw(pass, film, [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment], region);
+  device.draw(
+    pass,
+    film,
+    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry],
+    region,
+  );
 }

@@ -10,8 +10,8 @@ struct Layers {
 
 
 struct Sight {
-  ray: Ray,
-  hit: Hit,
+  rays: RayPair,
+  hit: PairHit,
   // 1 in the middle of the pixel, less farther away, never 0.
   closeness: f32,
 }
@@ -22,9 +22,9 @@ fn look(fragment: vec2f) -> Sight {
   var s = startSampler(vec2u(fragment), frame.sampleIndex, frame.seed);
   let filmPosition = floor(fragment) + frame.jitter + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, next2d(&s));
-  let ray = Ray(onCamera(camera.origin), camera.direction);
+  let rays = oneRay(camera.origin, camera.direction);
   let offCentre = filmPosition - floor(fragment) - 0.5;
-  return Sight(ray, closestHit(ray), 1.0 / (1.0 + dot(offCentre, offCentre)));
+  return Sight(rays, tracePair(rays), 1.0 / (1.0 + dot(offCentre, offCentre)));
 }
 
 // Means over the samples, which denoisers want as smooth as the picture: albedo and samples; shading normal and hits.
@@ -38,10 +38,11 @@ fn look(fragment: vec2f) -> Sight {
   sums.first.a += 1.0;
   let shape = sight.hit.shape;
   if (shape != noShape) {
-    let outward = outwardNormal(shape, sight.ray, sight.hit.t);
-    let fromBack = dot(outward, sight.ray.direction) > 0.0;
-    sums.first += vec4f(albedoOf(fetchSurface(shape), fromBack), 0.0);
-    sums.second += vec4f(select(outward, -outward, fromBack), 1.0);
+    let surface = fetchSurface(shape);
+    let normals = normalsAt(sight.rays, sight.hit, shape, isDielectric(u32(surface.code)));
+    let direction = sight.rays.direction;
+    sums.first += vec4f(albedoOf(surface, dot(normals.geometric, direction) > 0.0), 0.0);
+    sums.second += vec4f(select(normals.shading, -normals.shading, dot(normals.shading, direction) > 0.0), 1.0);
   }
   return sums;
 }
@@ -53,8 +54,8 @@ fn look(fragment: vec2f) -> Sight {
   let shape = sight.hit.shape;
   var data = Layers(vec4f(0.0), vec4f(0.0, 0.0, 0.0, sight.closeness));
   if (shape != noShape) {
-    data.first = vec4f(sight.ray.start.point + sight.hit.t * sight.ray.direction, fetchMaterial(shape).id);
-    data.second = vec4f(outwardNormal(shape, sight.ray, sight.hit.t), sight.closeness);
+    data.first = vec4f(sight.rays.point + sight.hit.t * sight.rays.direction, fetchMaterial(shape).id);
+    data.second = vec4f(normalsAt(sight.rays, sight.hit, shape, false).geometric, sight.closeness);
   }
   if (frame.sampleIndex > 0u) {
     let pixel = vec2u(fragment.xy);
@@ -67,27 +68,37 @@ fn look(fragment: vec2f) -> Sight {
   return data;
 }
 
-struct Ray {
-  start: Start,
+struct RayPair {
+  point: vec3f,
+  // The shape that the point lies on. A ray that leaves it outwards (or a flat one) does not meet it at once; of one that goes
+  // inwards only its far side counts.
+  shape: u32,
+  // Of a mesh: the triangle, which no ray that leaves it meets.
+  triangle: u32,
+  // ray.wesl, Start.tMin
+  tMin: f32,
+  // Whether the path's ray is wanted.
+  goesOn: bool,
   direction: vec3f,
+  inwards: bool,
+  lightDirection: vec3f,
+  lightInwards: bool,
+  // What is met farther away than this stands behind the light. Negative: there is no ray to a light.
+  lightDistance: f32,
+  // The shape that is the light, or noShape.
+  lightShape: u32,
 }
 
 
-struct Hit {
+struct PairHit {
+  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
   t: f32,
   shape: u32,
-}
-
-
-// Where a ray starts, whichever way it then goes.
-struct Start {
-  point: vec3f,
-  // The shape left outwards (or a flat one): it cannot be met at once and is not tested.
-  leaves: u32,
-  // The solid that the ray starts inside of: only its far side counts.
-  inside: u32,
-  // Hits of other shapes nearer than this are rounding errors, such as a floor under the box that stands on it.
-  tMin: f32,
+  // Whether the light is hidden.
+  blocked: bool,
+  // Of a mesh: which triangle, and how much its second and third vertex count.
+  triangle: u32,
+  weights: vec2f,
 }
 
 
@@ -125,53 +136,56 @@ fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
   return rayThroughLens(filmPosition, lensPoint);
 }
 
-// On the camera: at the eye, which is the origin, or on the lens.
-fn onCamera(point: vec3f) -> Start {
-  return Start(point, noShape, noShape, 0.0);
+// A ray that starts on no shape, without one to a light.
+fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
+  return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
-fn closestHit(ray: Ray) -> Hit {
-  var hit = Hit(miss, noShape);
+fn tracePair(p: RayPair) -> PairHit {
+  var found = PairHit(miss, noShape, false, 0u, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
-  if (i < ends.x) {
+  if (hasSpheres & (i < ends.x)) {
     loop {
-      hit = nearer(hit, hitSphere(i, fetchBounds(i), ray), i);
+      found = meetSphere(found, p, i);
       i++;
       if (i >= ends.x) {
         break;
       }
     }
   }
-  if (i < ends.y) {
+  if (hasBoxes & (i < ends.y)) {
     loop {
-      hit = nearer(hit, hitBox(i, fetchBounds(i), ray), i);
+      found = meetBox(found, p, i);
       i++;
       if (i >= ends.y) {
         break;
       }
     }
   }
-  if (i < ends.z) {
+  if (hasQuads & (i < ends.z)) {
     loop {
-      hit = nearer(hit, hitQuad(i, fetchBounds(i), ray), i);
+      found = meetQuad(found, p, i);
       i++;
       if (i >= ends.z) {
         break;
       }
     }
   }
-  if (i < ends.w) {
+  if (hasPlanes & (i < ends.w)) {
     loop {
-      hit = nearer(hit, hitPlane(i, fetchBounds(i), ray), i);
+      found = meetPlane(found, p, i);
       i++;
       if (i >= ends.w) {
         break;
       }
     }
   }
-  return hit;
+  if (hasMeshes) {
+    found = meetMeshes(found, p);
+  }
+  return found;
 }
 
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
@@ -275,6 +289,8 @@ struct Frame {
   environmentSize: vec2f,
   // film samples that this call adds, from sampleIndex on; 1 where passes draw
   sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
 }
 
 
@@ -416,14 +432,28 @@ const noShape = 0xffffffffu;
 
 const miss = 1e30;
 
-fn nearer(hit: Hit, t: f32, shape: u32) -> Hit {
-  return Hit(min(t, hit.t), select(hit.shape, shape, t < hit.t));
-}
+// What a scene may ask of the path kernel. Whoever makes a program says what its scenes have (integrator/path/path-features.ts), and the
+// compiler leaves the rest out: a software rasteriser runs both sides of every branch, Windows' shader compiler pays for every line,
+// and a GPU for every register. On WebGL2 these become `const` in the GLSL. As they stand here they are what most scenes made of
+// shapes and lights need: the program that a page compiles first.
+// Kinds of shape, and boxes that do not lie along the axes.
+override hasSpheres = true;
 
-// Distances along the ray to shape i of that kind, or `miss`.
-fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
-  return select(t, miss, i == ray.start.leaves);
+override hasBoxes = true;
+
+override hasQuads = false;
+
+override hasPlanes = true;
+
+// Triangle meshes, and such with shading normals of their own.
+override hasMeshes = false;
+
+fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let own = i == p.shape;
+  let t = intersectSphere(p.point, p.direction, b.center, b.radius, p.tMin, own & p.inwards);
+  let lightT = intersectSphere(p.point, p.lightDirection, b.center, b.radius, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
 }
 
 fn fetchBounds(i: u32) -> Bounds {
@@ -444,6 +474,17 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
 }
 
+// Distances of both rays, path then light, to shape i taken up into what was found so far.
+fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
+  let own = i == p.shape;
+  let pathT = select(t.x, miss, own & !p.inwards);
+  let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
+  let nearer = pathT < found.t;
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), 0u, vec2f(0.0));
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
@@ -453,18 +494,14 @@ struct Bounds {
 }
 
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
-fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let extent = fetchExtent(i);
-  var origin = ray.start.point - bounds.center;
-  var direction = ray.direction;
-  if (isTurned(extent.a)) {
-    origin = rotate(extent.a, origin);
-    direction = rotate(extent.a, direction);
-  }
-  let t = intersectBox(origin, direction, extent.b.xyz, ray.start.tMin, i == ray.start.inside);
-  return select(t, miss, i == ray.start.leaves);
+fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let own = i == p.shape;
+  let origin = turned(e.a, p.point - b.center);
+  let t = intersectBox(origin, turned(e.a, p.direction), e.b.xyz, p.tMin, own & p.inwards);
+  let lightT = intersectBox(origin, turned(e.a, p.lightDirection), e.b.xyz, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
 }
 
 fn fetchExtent(i: u32) -> Extent {
@@ -473,9 +510,13 @@ fn fetchExtent(i: u32) -> Extent {
   return Extent(t0.xyzw, t1.xyzw);
 }
 
-// Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
-fn isTurned(q: vec4f) -> bool {
-  return any(q.xyz != vec3f(0.0));
+// The same where a pipeline may know that no box is turned.
+fn turned(q: vec4f, v: vec3f) -> vec3f {
+  var w = v;
+  if (hasTurnedBoxes) {
+    w = rotate(q, v);
+  }
+  return w;
 }
 
 fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
@@ -485,12 +526,6 @@ fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, sta
   return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
 }
 
-// v turned by the unit quaternion q, and back.
-fn rotate(q: vec4f, v: vec3f) -> vec3f {
-  let t = 2.0 * cross(q.xyz, v);
-  return v + q.w * t + cross(q.xyz, t);
-}
-
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
@@ -498,6 +533,14 @@ struct Extent {
   b: vec4f,
 }
 
+
+override hasTurnedBoxes = true;
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
 
 fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
   let inverse = safeReciprocal(direction, origin);
@@ -523,10 +566,12 @@ struct Slabs {
 }
 
 
-fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let extent = fetchExtent(i);
-  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
-  return select(t, miss, i == ray.start.leaves);
+fn meetQuad(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let t = intersectQuad(p.point, p.direction, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  let lightT = intersectQuad(p.point, p.lightDirection, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
 }
 
 fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
@@ -543,9 +588,11 @@ fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: ve
 // Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
 const quadOverlap = 1e-6;
 
-fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let t = intersectPlane(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin);
-  return select(t, miss, i == ray.start.leaves);
+fn meetPlane(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let t = intersectPlane(p.point, p.direction, b.center, b.radius, p.tMin);
+  let lightT = intersectPlane(p.point, p.lightDirection, b.center, b.radius, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
 }
 
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
@@ -559,23 +606,334 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
-// The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
-fn outwardNormal(i: u32, ray: Ray, t: f32) -> vec3f {
-  let bounds = fetchBounds(i);
-  let origin = ray.start.point - bounds.center;
-  if (isSphere(i)) {
-    return normalize(origin + t * ray.direction);
+// Both rays at one place in the program, one after the other: they go different ways through the trees.
+fn meetMeshes(before: PairHit, p: RayPair) -> PairHit {
+  var found = before;
+  let first = frame.shapeEnds.w;
+  let left = LeftTriangle(select(noInstance, p.shape - first, isMesh(p.shape) & (p.shape != noShape)), p.triangle);
+  var i = 0u;
+  loop {
+    let toLight = i == 1u;
+    let most = select(select(-1.0, found.t, p.goesOn), select(p.lightDistance, -1.0, found.blocked), toLight);
+    if (most > 0.0) {
+      let hit = traverse(p.point, select(p.direction, p.lightDirection, toLight), p.tMin, most, toLight, left);
+      let met = hit.instance != noInstance;
+      if (toLight) {
+        found.blocked = met;
+      } else if (met) {
+        found = PairHit(hit.t, first + hit.instance, found.blocked, hit.triangle, hit.weights);
+      }
+    }
+    i++;
+    if (i >= 2u) {
+      break;
+    }
   }
-  if (isPlane(i)) {
-    return bounds.center;
+  return found;
+}
+
+// The triangle that a ray starts on; it is flat, so that no ray meets it again.
+struct LeftTriangle {
+  instance: u32,
+  triangle: u32,
+}
+
+
+const noInstance = 0xffffffffu;
+
+// Rows after those of all other shapes, in the order of the instances.
+fn isMesh(i: u32) -> bool {
+  return i >= frame.shapeEnds.w;
+}
+
+// Only what is farther than `least` and nearer than `most` counts; with `anyHit` the first that is found.
+fn traverse(origin: vec3f, direction: vec3f, least: f32, most: f32, anyHit: bool, left: LeftTriangle) -> MeshHit {
+  var hit = MeshHit(most, noInstance, 0u, vec2f(0.0));
+  var instance = noInstance;
+  var nodes = 0u;
+  var triangles = 0u;
+  var slabs = slabRay(origin, direction);
+  var ray = meshRay(origin, direction);
+  var top = 0u;
+  var current = 0u;
+  loop {
+    var pops = false;
+    if ((current & leafBit) == 0u) {
+      let node = nodes + current * nodeRows;
+      let r = geometryRow(node + childrenRow);
+      let t = enterChildren(node, slabs, r, hit.t);
+      // Farthest first onto the stack: a sorting network of five exchanges.
+      let a = t.x < t.z;
+      let b = t.y < t.w;
+      let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
+      let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
+      let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
+      let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
+      let c = t0.x < t1.x;
+      let d = t0.y < t1.y;
+      let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
+      let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
+      let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
+      let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
+      let e = ta.y < tb.x;
+      let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
+      let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
+      if (ta.x < 1e30) {
+        stack[top] = ra.x;
+        top++;
+      }
+      if (tm.x < 1e30) {
+        stack[top] = rm.x;
+        top++;
+      }
+      if (tm.y < 1e30) {
+        stack[top] = rm.y;
+        top++;
+      }
+      pops = tb.y >= 1e30;
+      current = rb.y;
+    } else if ((instance == noInstance) | (current == leaving)) {
+      // Into an instance, or back into the world.
+      let back = current == leaving;
+      var o = origin;
+      var d = direction;
+      instance = select(current & placeMask, noInstance, back);
+      nodes = 0u;
+      if (!back) {
+        let i = fetchInstance(frame.instances + instance * instanceRows);
+        o = vec3f(dot(i.toMeshX.xyz, origin) + i.toMeshX.w, dot(i.toMeshY.xyz, origin) + i.toMeshY.w, dot(i.toMeshZ.xyz, origin) + i.toMeshZ.w);
+        d = vec3f(dot(i.toMeshX.xyz, direction), dot(i.toMeshY.xyz, direction), dot(i.toMeshZ.xyz, direction));
+        nodes = i.nodes;
+        triangles = i.triangles;
+        stack[top] = leaving;
+        top++;
+        current = 0u;
+      }
+      slabs = slabRay(o, d);
+      ray = meshRay(o, d);
+      pops = back;
+    } else {
+      // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
+      let place = current & placeMask;
+      let found = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
+      let own = (instance == left.instance) & (place == left.triangle);
+      let nearer = (found.t > least) & (found.t < hit.t) & !own;
+      hit = MeshHit(select(hit.t, found.t, nearer), select(hit.instance, instance, nearer), select(hit.triangle, place, nearer), select(hit.weights, found.weights, nearer));
+      if (anyHit & nearer) {
+        break;
+      }
+      current = current + 1u - (1u << countShift);
+      pops = ((current >> countShift) & 7u) == 0u;
+    }
+    if (pops) {
+      if (top == 0u) {
+        break;
+      }
+      top--;
+      current = stack[top];
+    }
   }
-  let extent = fetchExtent(i);
-  if (isFlat(i)) {
-    return normalize(cross(extent.a.xyz, extent.b.xyz));
+  return hit;
+}
+
+struct MeshHit {
+  t: f32,
+  instance: u32,
+  triangle: u32,
+  // Of the triangle's second and third vertex.
+  weights: vec2f,
+}
+
+
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+// References: encode-wide-bvh.ts.
+const leafBit = 0x80000000u;
+
+// On the stack: here the ray leaves the instance.
+const leaving = 0xffffffffu;
+
+// Rows of a node; from the rows of least to those of greatest places; and where the references are.
+const nodeRows = 7u;
+
+fn geometryRow(i: u32) -> vec4u {
+  return geometry[i];
+}
+
+const childrenRow = 6u;
+
+// Where the ray enters each child, 1e30 where it does not.
+fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
+  // The row of the far planes is the other one of the two.
+  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
+  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  let entered = select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
+  return select(vec4f(1e30), entered, children != vec4u(0u));
+}
+
+// pack-geometry.ts refuses trees that need more.
+var<private> stack: array<u32, 64>;
+
+// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
+@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
+
+const leastToGreatest = 3u;
+
+fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
+  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
+const slabRounding = 1.0 + 1e-6;
+
+// What the slabs of boxes are worked out with.
+struct SlabRay {
+  inverse: vec3f,
+  // -origin * inverse
+  offset: vec3f,
+  // From a node to the rows that hold the near planes.
+  near: vec3u,
+}
+
+
+const placeMask = 0x0fffffffu;
+
+fn fetchInstance(row: u32) -> Instance {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  let r3 = geometryRow(row + 3u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
+}
+
+const instanceRows = 4u;
+
+struct Instance {
+  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
+  toMeshX: vec4f,
+  // y
+  toMeshY: vec4f,
+  // z
+  toMeshZ: vec4f,
+  // row of the root of its tree
+  nodes: u32,
+  // row of its first triangle
+  triangles: u32,
+  // 1: shading normals are interpolated; 0: triangles are flat
+  interpolated: u32,
+  // unused
+  spare: u32,
+}
+
+
+fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
+  let a = turnedTo(ray.axis, triangle.a - ray.origin);
+  let b = turnedTo(ray.axis, triangle.b - ray.origin);
+  let c = turnedTo(ray.axis, triangle.c - ray.origin);
+  let pa = a.xy + a.z * ray.shear.xy;
+  let pb = b.xy + b.z * ray.shear.xy;
+  let pc = c.xy + c.z * ray.shear.xy;
+  let u = edge(pc, pb);
+  let v = edge(pa, pc);
+  let w = edge(pb, pa);
+  let sum = u + v + w;
+  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
+  let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
+  let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
+  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse);
+}
+
+fn fetchTriangle(row: u32) -> Triangle {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
+}
+
+const triangleRows = 3u;
+
+const countShift = 28u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
+fn edge(a: vec2f, b: vec2f) -> f32 {
+  let p = a.x * b.y;
+  let q = a.y * b.x;
+  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+struct TriangleHit {
+  // Below 0: missed.
+  t: f32,
+  // How much the second and third vertex count.
+  weights: vec2f,
+}
+
+
+// A ray in the space of a mesh.
+struct MeshRay {
+  origin: vec3f,
+  // The axis along which the direction is longest: 0, 1 or 2.
+  axis: u32,
+  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
+  shear: vec3f,
+}
+
+
+struct Triangle {
+  // first vertex, in the space of its mesh
+  a: vec3f,
+  // its shading normal, octahedral, 16 bits each
+  normalA: u32,
+  // second vertex
+  b: vec3f,
+  // its shading normal
+  normalB: u32,
+  // third vertex
+  c: vec3f,
+  // its shading normal
+  normalC: u32,
+}
+
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+// Out of solids, or to the front of triangles. Only meshes have two; and where the two of a glass body do not agree on which side a ray
+// comes from, the geometric one is right.
+fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
+  let outward = normalAt(rays, hit.t, shape);
+  var normals = Normals(outward, outward);
+  if (hasMeshes & isMesh(shape)) {
+    let n = meshNormals(shape - frame.shapeEnds.w, hit.triangle, hit.weights);
+    let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
+    normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
   }
-  let inside = i == ray.start.inside;
-  let normal = boxNormal(rotate(extent.a, origin), rotate(extent.a, ray.direction), extent.b.xyz, ray.start.tMin, inside);
-  return rotateBack(extent.a, normal);
+  return normals;
+}
+
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
 }
 
 // One-sided lamps have a dark back.
@@ -594,53 +952,6 @@ fn albedoOf(s: Surface, fromBack: bool) -> vec3f {
   let brightest = max(max(emission.x, emission.y), max(emission.z, 1.0));
   return clamp(albedo + emission / brightest, vec3f(0.0), vec3f(1.0));
 }
-
-fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
-  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
-}
-
-fn isSphere(i: u32) -> bool {
-  return i < frame.shapeEnds.x;
-}
-
-fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.z;
-}
-
-fn isFlat(i: u32) -> bool {
-  return i >= frame.shapeEnds.y;
-}
-
-// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
-// to be near, so that thin boxes have two sides. One axis only, on edges too.
-fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
-  let s = boxSlabs(origin, direction, halfSize);
-  let entering = (s.near > tMin) & !startsInside;
-  let crossed = select(s.leave, s.enter, entering);
-  let t = select(s.far, s.near, entering);
-  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
-  let onX = crossed.x == t;
-  let onY = !onX & (crossed.y == t);
-  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
-}
-
-fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
-  return rotate(vec4f(-q.xyz, q.w), v);
-}
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const conductor = 2u;
-
-const dielectric = 3u;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -666,6 +977,104 @@ struct Surface {
 }
 
 
+// The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
+fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
+  let b = fetchBounds(i);
+  let origin = p.point - b.center;
+  var normal = b.center;
+  if (hasQuads) {
+    let e = fetchExtent(i);
+    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
+  }
+  if (hasBoxes) {
+    let e = fetchExtent(i);
+    let inside = (i == p.shape) & p.inwards;
+    let face = boxNormal(turned(e.a, origin), turned(e.a, p.direction), e.b.xyz, p.tMin, inside);
+    normal = select(normal, turnedBack(e.a, face), isBox(i));
+  }
+  if (hasSpheres) {
+    normal = select(normal, origin + t * p.direction, isSphere(i));
+  }
+  return normalize(normal);
+}
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+// Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
+fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
+  let blended = (1.0 - weights.x - weights.y) * fromOctahedral(triangle.normalA) + weights.x * fromOctahedral(triangle.normalB) + weights.y * fromOctahedral(triangle.normalC);
+  let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blended;
+  let size = dot(smoothed, smoothed);
+  let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
+  // Normals that cancel out, between two that look opposite ways, are none.
+  let useful = (i.interpolated != 0u) & (size > 0.0);
+  return MeshNormals(geometric, select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful));
+}
+
+// Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
+// EGSR 2010). packed-scene/octahedral.ts writes them.
+fn fromOctahedral(code: u32) -> vec3f {
+  let p = vec2f(f32(code & 0xffffu), f32(code >> 16u)) * (2.0 / 65534.0) - 1.0;
+  let z = 1.0 - abs(p.x) - abs(p.y);
+  let folded = (1.0 - abs(p.yx)) * select(vec2f(1.0), vec2f(-1.0), p < vec2f(0.0));
+  return normalize(vec3f(select(p, folded, z < 0.0), z));
+}
+
+// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
+struct MeshNormals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+fn isPlane(i: u32) -> bool {
+  return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
+}
+
+// Outward normal where the ray meets the box: of the faces that it crosses there, not of those that the rounded point happens
+// to be near, so that thin boxes have two sides. One axis only, on edges too.
+fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> vec3f {
+  let s = boxSlabs(origin, direction, halfSize);
+  let entering = (s.near > tMin) & !startsInside;
+  let crossed = select(s.leave, s.enter, entering);
+  let t = select(s.far, s.near, entering);
+  let side = select(1.0, -1.0, entering) * select(vec3f(-1.0), vec3f(1.0), direction > vec3f(0.0));
+  let onX = crossed.x == t;
+  let onY = !onX & (crossed.y == t);
+  return side * select(vec3f(0.0), vec3f(1.0), vec3<bool>(onX, onY, !(onX | onY)));
+}
+
+fn turnedBack(q: vec4f, v: vec3f) -> vec3f {
+  return turned(vec4f(-q.xyz, q.w), v);
+}
+
+fn isBox(i: u32) -> bool {
+  return (i >= frame.shapeEnds.x) & (i < frame.shapeEnds.y);
+}
+
+fn isSphere(i: u32) -> bool {
+  return i < frame.shapeEnds.x;
+}
+
+override hasGlass = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const dielectric = 3u;
+
+const conductor = 2u;
+
 // Without measured constants (eta and k black) the base colour comes back at every angle.
 fn conductorReflectance(baseColor: vec3f, eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
   let constants = dot(eta + k, vec3f(1.0));
@@ -680,22 +1089,22 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
   let difference = eta * eta - k * k - sine2;
   let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
   // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
-  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least);
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least0);
   let smaller = eta * k / larger;
   let a = select(smaller, larger, difference > vec3f(0.0));
   let b = select(larger, smaller, difference > vec3f(0.0));
   // Sums of squares, not multiplied out: rounding never takes them below 0. least: an index of 1 along the surface is no 0 / 0.
-  let b2 = b * b + least;
+  let b2 = b * b + least0;
   let acrossFar = a + cosine;
   let acrossNear = a - cosine;
   let across = (acrossNear * acrossNear + b2) / (acrossFar * acrossFar + b2);
   let alongFar = a * cosine + sine2;
   let alongNear = a * cosine - sine2;
-  let b2cosine2 = b2 * cosine2 + least;
+  let b2cosine2 = b2 * cosine2 + least0;
   return 0.5 * across * (1.0 + (alongNear * alongNear + b2cosine2) / (alongFar * alongFar + b2cosine2));
 }
 
-const least = 1e-20;
+const least0 = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
   let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);

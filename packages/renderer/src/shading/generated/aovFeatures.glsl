@@ -16,23 +16,29 @@ struct Layers {
     vec4 first;
     vec4 second;
 };
-struct Start {
+struct RayPair {
     vec3 point;
-    uint leaves;
-    uint inside;
+    uint shape;
+    uint triangle;
     float tMin;
-};
-struct Ray {
-    Start start;
+    bool goesOn;
     vec3 direction;
+    bool inwards;
+    vec3 lightDirection;
+    bool lightInwards;
+    float lightDistance;
+    uint lightShape;
 };
-struct Hit {
+struct PairHit {
     float t;
     uint shape;
+    bool blocked;
+    uint triangle;
+    vec2 weights;
 };
 struct Sight {
-    Ray ray;
-    Hit hit;
+    RayPair rays;
+    PairHit hit;
     float closeness;
 };
 struct Sampler {
@@ -69,6 +75,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Group {
     uint index;
@@ -94,6 +101,47 @@ struct Slabs {
     float near;
     float far;
 };
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
+struct MeshHit {
+    float t;
+    uint instance;
+    uint triangle;
+    vec2 weights;
+};
+struct SlabRay {
+    vec3 inverse_;
+    vec3 offset;
+    uvec3 near;
+};
+struct MeshRay {
+    vec3 origin;
+    uint axis;
+    vec3 shear;
+};
+struct Instance {
+    vec4 toMeshX;
+    vec4 toMeshY;
+    vec4 toMeshZ;
+    uint nodes;
+    uint triangles;
+    uint interpolated;
+    uint spare;
+};
+struct Triangle {
+    vec3 a;
+    uint normalA;
+    vec3 b;
+    uint normalB;
+    vec3 c;
+    uint normalC;
+};
+struct TriangleHit {
+    float t;
+    vec2 weights;
+};
 struct Surface {
     vec3 baseColor;
     float code;
@@ -106,6 +154,14 @@ struct Surface {
     vec3 absorption;
     float spare0_;
 };
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
+struct MeshNormals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct Material {
     vec3 baseColor;
     float reflectivity;
@@ -115,8 +171,18 @@ struct Material {
     float spare;
 };
 const uint noShape = 4294967295u;
-const uint conductor = 2u;
+const uint noInstance = 4294967295u;
+const uint leastToGreatest = 3u;
+const uint leafBit = 2147483648u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint leaving = 4294967295u;
+const uint placeMask = 268435455u;
+const uint instanceRows = 4u;
+const uint triangleRows = 3u;
+const uint countShift = 28u;
 const uint dielectric = 3u;
+const uint conductor = 2u;
 
 uniform highp sampler2D previousFirst;
 
@@ -130,15 +196,33 @@ const bool hasLens = false;
 
 const bool hasOtherProjections = false;
 
+const bool hasSpheres = true;
+
 uniform highp sampler2D sceneTable;
+
+const bool hasBoxes = true;
+
+const bool hasTurnedBoxes = true;
+
+const bool hasQuads = false;
+
+const bool hasPlanes = true;
+
+const bool hasMeshes = false;
+
+uniform highp usampler2D geometry;
+
+uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+const bool hasGlass = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_4 = ((x * 747796405u) + 2891336453u);
-    uint w = (((s_4 >> ((s_4 >> 28u) + 4u)) ^ s_4) * 277803737u);
-    return ((w >> 22u) ^ w);
+    uint w_1 = (((s_4 >> ((s_4 >> 28u) + 4u)) ^ s_4) * 277803737u);
+    return ((w_1 >> 22u) ^ w_1);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -185,8 +269,8 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
-    uint place = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
+    uint place_1 = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_1 << 24u)));
     uint used = pick(independent, 0u, _e32);
     uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
@@ -196,10 +280,10 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_9 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_9), 15.0);
-    float t_2 = (x_9 - piece);
+    float t_3 = (x_9 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
-    return pick((across < 0.0), -(offset_2), offset_2);
+    float offset_3 = (c.x + (t_3 * (c.y + (t_3 * (c.z + (t_3 * c.w))))));
+    return pick((across < 0.0), -(offset_3), offset_3);
 }
 
 vec2 filterOffset(vec2 u_1) {
@@ -286,16 +370,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b = (half_ ^ (half_ >> 16u));
+    uint b_1 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b);
+    uint _e19 = scramble(_e18, b_1);
     uint _e21 = s.sample_;
     uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b >> 16u) | (b << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_1 >> 16u) | (b_1 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -305,10 +389,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p.x) > abs(p.y));
-    float radius_1 = pick(wide, p.x, p.y);
-    float ratio = (pick(wide, p.y, p.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_8 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_8.x) > abs(p_8.y));
+    float radius_1 = pick(wide, p_8.x, p_8.y);
+    float ratio = (pick(wide, p_8.y, p_8.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio), (1.5707964 - (0.7853982 * ratio)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -361,204 +445,471 @@ CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
     return _e9;
 }
 
-Start onCamera(vec3 point) {
-    return Start(point, noShape, noShape, 0.0);
+RayPair oneRay(vec3 origin, vec3 direction) {
+    return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
-Hit nearer(Hit hit, float t, uint shape) {
-    return Hit(min(t, hit.t), pick((t < hit.t), shape, hit.shape));
+Bounds fetchBounds(uint i) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
+    return Bounds(t0_.xyz, t0_.w);
 }
 
-float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin);
-    float along = dot(toCenter, direction);
-    vec3 across_2 = (toCenter - (along * direction));
+float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin_1);
+    float along = dot(toCenter, direction_1);
+    vec3 across_2 = (toCenter - (along * direction_1));
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far = (along + half_1);
-    float t_3 = pick((near > tMin), near, far);
-    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
+    float t_4 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
 }
 
-float hitSphere(uint i, Bounds bounds, Ray ray_1) {
-    float _e13 = intersectSphere(ray_1.start.point, ray_1.direction, bounds.center, bounds.radius, ray_1.start.tMin, (i == ray_1.start.inside));
-    return pick((i == ray_1.start.leaves), 1e30, _e13);
+PairHit meet(PairHit found, RayPair p, uint i_1, vec2 t) {
+    bool own_1 = (i_1 == p.shape);
+    float pathT = pick(pick(own_1, !(p.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_1, !(p.lightInwards), false), true, (i_1 == p.lightShape)), 1e30, t.y);
+    bool nearer = (pathT < found.t);
+    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p.lightDistance)), 0u, vec2(0.0));
 }
 
-Bounds fetchBounds(uint i_1) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
+    Bounds _e3 = fetchBounds(i_2);
+    bool own_2 = (i_2 == p_1.shape);
+    float _e13 = intersectSphere(p_1.point, p_1.direction, _e3.center, _e3.radius, p_1.tMin, pick(own_2, p_1.inwards, false));
+    float _e21 = intersectSphere(p_1.point, p_1.lightDirection, _e3.center, _e3.radius, p_1.tMin, pick(own_2, p_1.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_1, i_2, vec2(_e13, _e21));
+    return _e23;
 }
 
-Extent fetchExtent(uint i_2) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
+Extent fetchExtent(uint i_3) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
     return Extent(t0_1.xyzw, t1_.xyzw);
 }
 
-bool isTurned(vec4 q) {
-    return any(notEqual(q.xyz, vec3(0.0)));
+vec3 rotate(vec4 q, vec3 v) {
+    vec3 t_5 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
 }
 
-vec3 rotate(vec4 q_1, vec3 v) {
-    vec3 t_4 = (2.0 * cross(q_1.xyz, v));
-    return ((v + (q_1.w * t_4)) + cross(q_1.xyz, t_4));
+vec3 turned(vec4 q_1, vec3 v_1) {
+    vec3 w = vec3(0.0);
+    w = v_1;
+    const bool _e4 = hasTurnedBoxes;
+    if (_e4) {
+        vec3 _e5 = rotate(q_1, v_1);
+        w = _e5;
+    }
+    vec3 _e6 = w;
+    return _e6;
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_1) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_2) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_1, origin_2);
-    vec3 middle = (-(origin_2) * _e3);
+Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_2, origin_3);
+    vec3 middle = (-(origin_3) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
-    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
+float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+    float t_6 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_6 > tMin_1), false), t_6, 1e30));
 }
 
-float hitBox(uint i_3, Bounds bounds_1, Ray ray_2) {
-    vec3 origin_4 = vec3(0.0);
-    vec3 direction_3 = vec3(0.0);
-    Extent _e3 = fetchExtent(i_3);
-    origin_4 = (ray_2.start.point - bounds_1.center);
-    direction_3 = ray_2.direction;
-    bool _e12 = isTurned(_e3.a);
-    if (_e12) {
-        vec3 _e14 = origin_4;
-        vec3 _e15 = rotate(_e3.a, _e14);
-        origin_4 = _e15;
-        vec3 _e17 = direction_3;
-        vec3 _e18 = rotate(_e3.a, _e17);
-        direction_3 = _e18;
-    }
-    vec3 _e19 = origin_4;
-    vec3 _e20 = direction_3;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_2.start.tMin, (i_3 == ray_2.start.inside));
-    return pick((i_3 == ray_2.start.leaves), 1e30, _e28);
+PairHit meetBox(PairHit found_2, RayPair p_2, uint i_4) {
+    Bounds _e3 = fetchBounds(i_4);
+    Extent _e4 = fetchExtent(i_4);
+    bool own_3 = (i_4 == p_2.shape);
+    vec3 _e11 = turned(_e4.a, (p_2.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_2.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_2.tMin, pick(own_3, p_2.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_2.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_2, i_4, vec2(_e20, _e29));
+    return _e31;
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_1 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_1);
+    vec3 normal_2 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_6 = (dot(toCenter_1, normal_1) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_1 = ((t_6 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
+    float t_7 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_9 = ((t_7 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_9, reciprocalU)), abs(dot(p_9, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_7 > tMin_2), (t_7 < 1e30), false), within, false), t_7, 1e30);
 }
 
-float hitQuad(uint i_4, Bounds bounds_2, Ray ray_3) {
-    Extent _e3 = fetchExtent(i_4);
-    float _e14 = intersectQuad(ray_3.start.point, ray_3.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_3.start.tMin);
-    return pick((i_4 == ray_3.start.leaves), 1e30, _e14);
+PairHit meetQuad(PairHit found_3, RayPair p_3, uint i_5) {
+    Bounds _e3 = fetchBounds(i_5);
+    Extent _e4 = fetchExtent(i_5);
+    float _e13 = intersectQuad(p_3.point, p_3.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_3.tMin);
+    float _e22 = intersectQuad(p_3.point, p_3.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_3.tMin);
+    PairHit _e24 = meet(found_3, p_3, i_5, vec2(_e13, _e22));
+    return _e24;
 }
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_7 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_8 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_8 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_8, 0.0), 1e30);
 }
 
-float hitPlane(uint i_5, Bounds bounds_3, Ray ray_4) {
-    float _e10 = intersectPlane(ray_4.start.point, ray_4.direction, bounds_3.center, bounds_3.radius, ray_4.start.tMin);
-    return pick((i_5 == ray_4.start.leaves), 1e30, _e10);
+PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
+    Bounds _e3 = fetchBounds(i_6);
+    float _e9 = intersectPlane(p_4.point, p_4.direction, _e3.center, _e3.radius, p_4.tMin);
+    float _e15 = intersectPlane(p_4.point, p_4.lightDirection, _e3.center, _e3.radius, p_4.tMin);
+    PairHit _e17 = meet(found_4, p_4, i_6, vec2(_e9, _e15));
+    return _e17;
 }
 
-Hit closestHit(Ray ray_5) {
-    Hit hit_1 = Hit(1e30, 4294967295u);
-    uint i_6 = 0u;
+bool isMesh(uint i_7) {
+    uint _e4 = frame.shapeEnds.w;
+    return (i_7 >= _e4);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size = abs(direction_7);
+    uint axis_1 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+uvec4 geometryRow(uint i_8) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
+    return _e8;
+}
+
+vec4 planes(uint row, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
+    vec4 _e45 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
+    vec4 _e52 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e60 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e45, _e52), _e60);
+    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
+    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
+}
+
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+}
+
+float edge(vec2 a, vec2 b) {
+    float p_10 = (a.x * b.y);
+    float q_3 = (a.y * b.x);
+    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_10)));
+}
+
+TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
+    float t_9 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_9, -1.0), (vec2(_e36, _e37) * inverse_2));
+}
+
+Triangle fetchTriangle(uint row_2) {
+    uvec4 _e3 = geometryRow((row_2 + 0u));
+    uvec4 _e6 = geometryRow((row_2 + 1u));
+    uvec4 _e9 = geometryRow((row_2 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool anyHit, LeftTriangle left) {
+    MeshHit hit = MeshHit(0.0, 0u, 0u, vec2(0.0));
+    uint instance = noInstance;
+    uint nodes = 0u;
+    uint triangles = 0u;
+    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
+    MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
+    uint top = 0u;
+    uint current = 0u;
+    bool pops = false;
+    vec3 o = vec3(0.0);
+    vec3 d_1 = vec3(0.0);
+    hit = MeshHit(most, noInstance, 0u, vec2(0.0));
+    SlabRay _e18 = slabRay(origin_9, direction_8);
+    slabs = _e18;
+    MeshRay _e20 = meshRay(origin_9, direction_8);
+    ray_2 = _e20;
+    while(true) {
+        pops = false;
+        uint _e28 = current;
+        if (((_e28 & leafBit) == 0u)) {
+            uint _e33 = nodes;
+            uint _e34 = current;
+            uint node_1 = (_e33 + (_e34 * nodeRows));
+            uvec4 _e40 = geometryRow((node_1 + childrenRow));
+            SlabRay _e41 = slabs;
+            float _e43 = hit.t;
+            vec4 _e44 = enterChildren(node_1, _e41, _e40, _e43);
+            bool a_1 = (_e44.x < _e44.z);
+            bool b_2 = (_e44.y < _e44.w);
+            vec2 t0_2 = pick(a_1, vec2(_e44.z, _e44.x), vec2(_e44.x, _e44.z));
+            uvec2 r0_ = pick(a_1, uvec2(_e40.z, _e40.x), uvec2(_e40.x, _e40.z));
+            vec2 t1_1 = pick(b_2, vec2(_e44.w, _e44.y), vec2(_e44.y, _e44.w));
+            uvec2 r1_ = pick(b_2, uvec2(_e40.w, _e40.y), uvec2(_e40.y, _e40.w));
+            bool c_1 = (t0_2.x < t1_1.x);
+            bool d_2 = (t0_2.y < t1_1.y);
+            vec2 ta = pick(c_1, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
+            uvec2 ra = pick(c_1, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+            vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
+            uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+            bool e = (ta.y < tb.x);
+            vec2 tm = pick(e, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+            uvec2 rm = pick(e, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+            if ((ta.x < 1e30)) {
+                uint _e134 = top;
+                stack[_e134] = ra.x;
+                uint _e138 = top;
+                top = (_e138 + 1u);
+            }
+            if ((tm.x < 1e30)) {
+                uint _e144 = top;
+                stack[_e144] = rm.x;
+                uint _e148 = top;
+                top = (_e148 + 1u);
+            }
+            if ((tm.y < 1e30)) {
+                uint _e154 = top;
+                stack[_e154] = rm.y;
+                uint _e158 = top;
+                top = (_e158 + 1u);
+            }
+            pops = (tb.y >= 1e30);
+            current = rb.y;
+        } else {
+            uint _e164 = instance;
+            uint _e167 = current;
+            if (pick((_e164 == noInstance), true, (_e167 == leaving))) {
+                uint _e171 = current;
+                bool back = (_e171 == leaving);
+                o = origin_9;
+                d_1 = direction_8;
+                uint _e176 = current;
+                instance = pick(back, noInstance, (_e176 & placeMask));
+                nodes = 0u;
+                if (!(back)) {
+                    uint _e185 = frame.instances;
+                    uint _e186 = instance;
+                    Instance _e190 = fetchInstance((_e185 + (_e186 * instanceRows)));
+                    o = vec3((dot(_e190.toMeshX.xyz, origin_9) + _e190.toMeshX.w), (dot(_e190.toMeshY.xyz, origin_9) + _e190.toMeshY.w), (dot(_e190.toMeshZ.xyz, origin_9) + _e190.toMeshZ.w));
+                    d_1 = vec3(dot(_e190.toMeshX.xyz, direction_8), dot(_e190.toMeshY.xyz, direction_8), dot(_e190.toMeshZ.xyz, direction_8));
+                    nodes = _e190.nodes;
+                    triangles = _e190.triangles;
+                    uint _e223 = top;
+                    stack[_e223] = leaving;
+                    uint _e227 = top;
+                    top = (_e227 + 1u);
+                    current = 0u;
+                }
+                vec3 _e230 = o;
+                vec3 _e231 = d_1;
+                SlabRay _e232 = slabRay(_e230, _e231);
+                slabs = _e232;
+                vec3 _e233 = o;
+                vec3 _e234 = d_1;
+                MeshRay _e235 = meshRay(_e233, _e234);
+                ray_2 = _e235;
+                pops = back;
+            } else {
+                uint _e236 = current;
+                uint place_2 = (_e236 & placeMask);
+                MeshRay _e239 = ray_2;
+                uint _e240 = triangles;
+                Triangle _e244 = fetchTriangle((_e240 + (place_2 * triangleRows)));
+                TriangleHit _e245 = intersectTriangle(_e239, _e244);
+                uint _e246 = instance;
+                bool own_4 = pick((_e246 == left.instance), (place_2 == left.triangle), false);
+                float _e256 = hit.t;
+                bool nearer_1 = pick(pick((_e245.t > least), (_e245.t < _e256), false), !(own_4), false);
+                float _e262 = hit.t;
+                uint _e266 = hit.instance;
+                uint _e267 = instance;
+                uint _e270 = hit.triangle;
+                vec2 _e273 = hit.weights;
+                hit = MeshHit(pick(nearer_1, _e245.t, _e262), pick(nearer_1, _e267, _e266), pick(nearer_1, place_2, _e270), pick(nearer_1, _e245.weights, _e273));
+                if (pick(anyHit, nearer_1, false)) {
+                    break;
+                }
+                uint _e278 = current;
+                current = ((_e278 + 1u) - 268435456u);
+                uint _e283 = current;
+                pops = (((_e283 >> countShift) & 7u) == 0u);
+            }
+        }
+        bool _e290 = pops;
+        if (_e290) {
+            uint _e291 = top;
+            if ((_e291 == 0u)) {
+                break;
+            }
+            uint _e295 = top;
+            top = (_e295 - 1u);
+            uint _e298 = top;
+            uint _e300 = stack[_e298];
+            current = _e300;
+        }
+    }
+    MeshHit _e301 = hit;
+    return _e301;
+}
+
+PairHit meetMeshes(PairHit before, RayPair p_5) {
+    PairHit found_5 = PairHit(0.0, 0u, false, 0u, vec2(0.0));
+    uint i_9 = 0u;
+    found_5 = before;
+    uint first = frame.shapeEnds.w;
+    bool _e11 = isMesh(p_5.shape);
+    LeftTriangle left_1 = LeftTriangle(pick(pick(_e11, (p_5.shape != noShape), false), (p_5.shape - first), noInstance), p_5.triangle);
+    while(true) {
+        uint _e21 = i_9;
+        bool toLight = (_e21 == 1u);
+        float _e25 = found_5.t;
+        bool _e31 = found_5.blocked;
+        float most_1 = pick(toLight, pick(_e31, -1.0, p_5.lightDistance), pick(p_5.goesOn, _e25, -1.0));
+        if ((most_1 > 0.0)) {
+            MeshHit _e42 = traverse(p_5.point, pick(toLight, p_5.lightDirection, p_5.direction), p_5.tMin, most_1, toLight, left_1);
+            bool met = (_e42.instance != noInstance);
+            if (toLight) {
+                found_5.blocked = met;
+            } else {
+                if (met) {
+                    bool _e51 = found_5.blocked;
+                    found_5 = PairHit(_e42.t, (first + _e42.instance), _e51, _e42.triangle, _e42.weights);
+                }
+            }
+        }
+        uint _e56 = i_9;
+        i_9 = (_e56 + 1u);
+        uint _e58 = i_9;
+        if ((_e58 >= 2u)) {
+            break;
+        }
+    }
+    PairHit _e61 = found_5;
+    return _e61;
+}
+
+PairHit tracePair(RayPair p_6) {
+    PairHit found_6 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
+    uint i_10 = 0u;
     uvec4 ends = frame.shapeEnds;
-    uint _e10 = i_6;
-    if ((_e10 < ends.x)) {
+    const bool _e15 = hasSpheres;
+    uint _e16 = i_10;
+    if (pick(_e15, (_e16 < ends.x), false)) {
         while(true) {
-            Hit _e13 = hit_1;
-            uint _e14 = i_6;
-            uint _e15 = i_6;
-            Bounds _e16 = fetchBounds(_e15);
-            float _e17 = hitSphere(_e14, _e16, ray_5);
-            uint _e18 = i_6;
-            Hit _e19 = nearer(_e13, _e17, _e18);
-            hit_1 = _e19;
-            uint _e21 = i_6;
-            i_6 = (_e21 + 1u);
-            uint _e23 = i_6;
-            if ((_e23 >= ends.x)) {
+            PairHit _e20 = found_6;
+            uint _e21 = i_10;
+            PairHit _e22 = meetSphere(_e20, p_6, _e21);
+            found_6 = _e22;
+            uint _e24 = i_10;
+            i_10 = (_e24 + 1u);
+            uint _e26 = i_10;
+            if ((_e26 >= ends.x)) {
                 break;
             }
         }
     }
-    uint _e26 = i_6;
-    if ((_e26 < ends.y)) {
+    const bool _e30 = hasBoxes;
+    uint _e31 = i_10;
+    if (pick(_e30, (_e31 < ends.y), false)) {
         while(true) {
-            Hit _e29 = hit_1;
-            uint _e30 = i_6;
-            uint _e31 = i_6;
-            Bounds _e32 = fetchBounds(_e31);
-            float _e33 = hitBox(_e30, _e32, ray_5);
-            uint _e34 = i_6;
-            Hit _e35 = nearer(_e29, _e33, _e34);
-            hit_1 = _e35;
-            uint _e37 = i_6;
-            i_6 = (_e37 + 1u);
-            uint _e39 = i_6;
-            if ((_e39 >= ends.y)) {
+            PairHit _e35 = found_6;
+            uint _e36 = i_10;
+            PairHit _e37 = meetBox(_e35, p_6, _e36);
+            found_6 = _e37;
+            uint _e39 = i_10;
+            i_10 = (_e39 + 1u);
+            uint _e41 = i_10;
+            if ((_e41 >= ends.y)) {
                 break;
             }
         }
     }
-    uint _e42 = i_6;
-    if ((_e42 < ends.z)) {
+    const bool _e45 = hasQuads;
+    uint _e46 = i_10;
+    if (pick(_e45, (_e46 < ends.z), false)) {
         while(true) {
-            Hit _e45 = hit_1;
-            uint _e46 = i_6;
-            uint _e47 = i_6;
-            Bounds _e48 = fetchBounds(_e47);
-            float _e49 = hitQuad(_e46, _e48, ray_5);
-            uint _e50 = i_6;
-            Hit _e51 = nearer(_e45, _e49, _e50);
-            hit_1 = _e51;
-            uint _e53 = i_6;
-            i_6 = (_e53 + 1u);
-            uint _e55 = i_6;
-            if ((_e55 >= ends.z)) {
+            PairHit _e50 = found_6;
+            uint _e51 = i_10;
+            PairHit _e52 = meetQuad(_e50, p_6, _e51);
+            found_6 = _e52;
+            uint _e54 = i_10;
+            i_10 = (_e54 + 1u);
+            uint _e56 = i_10;
+            if ((_e56 >= ends.z)) {
                 break;
             }
         }
     }
-    uint _e58 = i_6;
-    if ((_e58 < ends.w)) {
+    const bool _e60 = hasPlanes;
+    uint _e61 = i_10;
+    if (pick(_e60, (_e61 < ends.w), false)) {
         while(true) {
-            Hit _e61 = hit_1;
-            uint _e62 = i_6;
-            uint _e63 = i_6;
-            Bounds _e64 = fetchBounds(_e63);
-            float _e65 = hitPlane(_e62, _e64, ray_5);
-            uint _e66 = i_6;
-            Hit _e67 = nearer(_e61, _e65, _e66);
-            hit_1 = _e67;
-            uint _e69 = i_6;
-            i_6 = (_e69 + 1u);
-            uint _e71 = i_6;
+            PairHit _e65 = found_6;
+            uint _e66 = i_10;
+            PairHit _e67 = meetPlane(_e65, p_6, _e66);
+            found_6 = _e67;
+            uint _e69 = i_10;
+            i_10 = (_e69 + 1u);
+            uint _e71 = i_10;
             if ((_e71 >= ends.w)) {
                 break;
             }
         }
     }
-    Hit _e74 = hit_1;
-    return _e74;
+    const bool _e75 = hasMeshes;
+    if (_e75) {
+        PairHit _e76 = found_6;
+        PairHit _e77 = meetMeshes(_e76, p_6);
+        found_6 = _e77;
+    }
+    PairHit _e78 = found_6;
+    return _e78;
 }
 
 Sight look(vec2 fragment_2) {
@@ -573,70 +924,136 @@ Sight look(vec2 fragment_2) {
     vec2 filmPosition_2 = ((floor(fragment_2) + _e13) + _e16);
     vec2 _e18 = next2d(s_2);
     CameraRay _e19 = cameraRay(filmPosition_2, _e18);
-    Start _e21 = onCamera(_e19.origin);
-    Ray ray_7 = Ray(_e21, _e19.direction);
+    RayPair _e22 = oneRay(_e19.origin, _e19.direction);
     vec2 offCentre = ((filmPosition_2 - floor(fragment_2)) - vec2(0.5));
-    Hit _e29 = closestHit(ray_7);
-    return Sight(ray_7, _e29, (1.0 / (1.0 + dot(offCentre, offCentre))));
+    PairHit _e28 = tracePair(_e22);
+    return Sight(_e22, _e28, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
-bool isSphere(uint i_7) {
-    uint _e4 = frame.shapeEnds.x;
-    return (i_7 < _e4);
+Surface fetchSurface(uint i_11) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_11)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_11)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_11)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_11)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_11)), 0);
+    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-bool isPlane(uint i_8) {
+bool isPlane(uint i_12) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_8 >= _e4);
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
 }
 
-bool isFlat(uint i_9) {
-    uint _e4 = frame.shapeEnds.y;
-    return (i_9 >= _e4);
-}
-
-vec3 boxNormal(vec3 origin_7, vec3 direction_6, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_7, direction_6, halfSize_2);
+vec3 boxNormal(vec3 origin_10, vec3 direction_9, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_10, direction_9, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_8 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));
-    bool onX = (crossed.x == t_8);
-    bool onY = pick(!(onX), (crossed.y == t_8), false);
+    float t_10 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_9, vec3(0.0))));
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 rotateBack(vec4 q_2, vec3 v_1) {
-    vec3 _e6 = rotate(vec4(-(q_2.xyz), q_2.w), v_1);
+vec3 turnedBack(vec4 q_2, vec3 v_3) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
     return _e6;
 }
 
-vec3 outwardNormal(uint i_10, Ray ray_6, float t_1) {
-    Bounds _e3 = fetchBounds(i_10);
-    vec3 origin_8 = (ray_6.start.point - _e3.center);
-    bool _e8 = isSphere(i_10);
-    if (_e8) {
-        return normalize((origin_8 + (t_1 * ray_6.direction)));
-    }
-    bool _e13 = isPlane(i_10);
-    if (_e13) {
-        return _e3.center;
-    }
-    Extent _e15 = fetchExtent(i_10);
-    bool _e16 = isFlat(i_10);
-    if (_e16) {
-        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
-    }
-    bool inside = (i_10 == ray_6.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_8);
-    vec3 _e30 = rotate(_e15.a, ray_6.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_6.start.tMin, inside);
-    vec3 _e37 = rotateBack(_e15.a, _e35);
-    return _e37;
+bool isBox(uint i_13) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return pick((i_13 >= _e4), (i_13 < _e9), false);
 }
 
-uint kindOf(uint code) {
-    return (code & 3u);
+bool isSphere(uint i_14) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_14 < _e4);
+}
+
+vec3 normalAt(RayPair p_7, float t_2, uint i_15) {
+    vec3 normal_1 = vec3(0.0);
+    Bounds _e3 = fetchBounds(i_15);
+    vec3 origin_11 = (p_7.point - _e3.center);
+    normal_1 = _e3.center;
+    const bool _e10 = hasQuads;
+    if (_e10) {
+        Extent _e11 = fetchExtent(i_15);
+        vec3 _e17 = normal_1;
+        bool _e18 = isPlane(i_15);
+        normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
+    }
+    const bool _e21 = hasBoxes;
+    if (_e21) {
+        Extent _e22 = fetchExtent(i_15);
+        bool inside = pick((i_15 == p_7.shape), p_7.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_11);
+        vec3 _e31 = turned(_e22.a, p_7.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
+        vec3 _e36 = normal_1;
+        vec3 _e38 = turnedBack(_e22.a, _e35);
+        bool _e39 = isBox(i_15);
+        normal_1 = pick(_e39, _e38, _e36);
+    }
+    const bool _e42 = hasSpheres;
+    if (_e42) {
+        vec3 _e43 = normal_1;
+        bool _e47 = isSphere(i_15);
+        normal_1 = pick(_e47, (origin_11 + (t_2 * p_7.direction)), _e43);
+    }
+    vec3 _e49 = normal_1;
+    return normalize(_e49);
+}
+
+vec3 fromOctahedral(uint code) {
+    vec2 p_11 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z = ((1.0 - abs(p_11.x)) - abs(p_11.y));
+    vec2 folded = ((vec2(1.0) - abs(p_11.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_11, vec2(0.0))));
+    return normalize(vec3(pick((z < 0.0), folded, p_11), z));
+}
+
+MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
+    uint _e5 = frame.instances;
+    Instance _e9 = fetchInstance((_e5 + (instance_1 * instanceRows)));
+    Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
+    vec3 normal_3 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
+    vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_3));
+    vec3 _e37 = fromOctahedral(_e14.normalA);
+    vec3 _e41 = fromOctahedral(_e14.normalB);
+    vec3 _e46 = fromOctahedral(_e14.normalC);
+    vec3 blended = (((((1.0 - weights.x) - weights.y) * _e37) + (weights.x * _e41)) + (weights.y * _e46));
+    vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * blended);
+    float size_1 = dot(smoothed, smoothed);
+    float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+    bool useful = pick((_e9.interpolated != 0u), (size_1 > 0.0), false);
+    return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
+}
+
+Normals normalsAt(RayPair rays, PairHit hit_1, uint shape, bool isGlass) {
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
+    vec3 _e5 = normalAt(rays, hit_1.t, shape);
+    normals = Normals(_e5, _e5);
+    const bool _e9 = hasMeshes;
+    bool _e10 = isMesh(shape);
+    if (pick(_e9, _e10, false)) {
+        uint _e15 = frame.shapeEnds.w;
+        MeshNormals _e19 = meshNormals((shape - _e15), hit_1.triangle, hit_1.weights);
+        bool agree = ((dot(_e19.geometric, rays.direction) > 0.0) == (dot(_e19.shading, rays.direction) > 0.0));
+        normals = Normals(_e19.geometric, pick(pick(isGlass, !(agree), false), _e19.geometric, _e19.shading));
+    }
+    Normals _e38 = normals;
+    return _e38;
+}
+
+uint kindOf(uint code_1) {
+    return (code_1 & 3u);
+}
+
+bool isDielectric(uint code_2) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_2);
+    return pick(_e2, (_e3 == dielectric), false);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
@@ -646,14 +1063,14 @@ vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
     vec3 smaller = ((eta * k) / larger);
-    vec3 a = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
-    vec3 b_1 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_1 * b_1) + vec3(1e-20));
-    vec3 acrossFar = (a + vec3(cosine));
-    vec3 acrossNear = (a - vec3(cosine));
+    vec3 a_2 = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
+    vec3 b_3 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_3 * b_3) + vec3(1e-20));
+    vec3 acrossFar = (a_2 + vec3(cosine));
+    vec3 acrossNear = (a_2 - vec3(cosine));
     vec3 across_3 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a * cosine) + vec3(sine2_));
-    vec3 alongNear = ((a * cosine) - vec3(sine2_));
+    vec3 alongFar = ((a_2 * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a_2 * cosine) - vec3(sine2_));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_3) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
@@ -684,19 +1101,10 @@ vec3 albedoOf(Surface s_3, bool fromBack) {
     return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));
 }
 
-Surface fetchSurface(uint i_11) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_11)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_11)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_11)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_11)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_11)), 0);
-    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
-}
-
-Material fetchMaterial(uint i_12) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_12)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_12)), 0);
-    return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
+Material fetchMaterial(uint i_16) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
+    return Material(t0_4.xyz, t0_4.w, t1_3.x, t1_3.y, t1_3.z, t1_3.w);
 }
 
 void main() {
@@ -714,18 +1122,19 @@ void main() {
     sums.first.w = (_e25 + 1.0);
     uint shape_1 = _e2.hit.shape;
     if ((shape_1 != noShape)) {
-        vec3 _e35 = outwardNormal(shape_1, _e2.ray, _e2.hit.t);
-        bool fromBack_1 = (dot(_e35, _e2.ray.direction) > 0.0);
+        Surface _e32 = fetchSurface(shape_1);
+        bool _e37 = isDielectric(uint(_e32.code));
+        Normals _e38 = normalsAt(_e2.rays, _e2.hit, shape_1, _e37);
+        vec3 direction_10 = _e2.rays.direction;
         vec4 _e42 = sums.first;
-        Surface _e43 = fetchSurface(shape_1);
-        vec3 _e44 = albedoOf(_e43, fromBack_1);
-        sums.first = (_e42 + vec4(_e44, 0.0));
-        vec4 _e49 = sums.second;
-        sums.second = (_e49 + vec4(pick(fromBack_1, -(_e35), _e35), 1.0));
+        vec3 _e47 = albedoOf(_e32, (dot(_e38.geometric, direction_10) > 0.0));
+        sums.first = (_e42 + vec4(_e47, 0.0));
+        vec4 _e52 = sums.second;
+        sums.second = (_e52 + vec4(pick((dot(_e38.shading, direction_10) > 0.0), -(_e38.shading), _e38.shading), 1.0));
     }
-    Layers _e55 = sums;
-    _fs2p_location0 = _e55.first;
-    _fs2p_location1 = _e55.second;
+    Layers _e64 = sums;
+    _fs2p_location0 = _e64.first;
+    _fs2p_location1 = _e64.second;
     return;
 }
 

@@ -54,6 +54,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Bounds {
     vec3 center;
@@ -416,7 +417,8 @@ bool isSphere(uint i_10) {
 
 bool isPlane(uint i_11) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_11 >= _e4);
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
 }
 
 bool isFlat(uint i_12) {

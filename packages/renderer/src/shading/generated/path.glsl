@@ -19,7 +19,9 @@ struct Film {
 struct RayPair {
     vec3 point;
     uint shape;
+    uint triangle;
     float tMin;
+    bool goesOn;
     vec3 direction;
     bool inwards;
     vec3 lightDirection;
@@ -73,6 +75,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Group {
     uint index;
@@ -88,6 +91,8 @@ struct PairHit {
     float t;
     uint shape;
     bool blocked;
+    uint triangle;
+    vec2 weights;
 };
 struct Bounds {
     vec3 center;
@@ -103,6 +108,47 @@ struct Slabs {
     float near;
     float far;
 };
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
+struct MeshHit {
+    float t;
+    uint instance;
+    uint triangle;
+    vec2 weights;
+};
+struct SlabRay {
+    vec3 inverse_;
+    vec3 offset;
+    uvec3 near;
+};
+struct MeshRay {
+    vec3 origin;
+    uint axis;
+    vec3 shear;
+};
+struct Instance {
+    vec4 toMeshX;
+    vec4 toMeshY;
+    vec4 toMeshZ;
+    uint nodes;
+    uint triangles;
+    uint interpolated;
+    uint spare;
+};
+struct Triangle {
+    vec3 a;
+    uint normalA;
+    vec3 b;
+    uint normalB;
+    vec3 c;
+    uint normalC;
+};
+struct TriangleHit {
+    float t;
+    vec2 weights;
+};
 struct Surface {
     vec3 baseColor;
     float code;
@@ -114,6 +160,14 @@ struct Surface {
     float metallic;
     vec3 absorption;
     float spare0_;
+};
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
+struct MeshNormals {
+    vec3 geometric;
+    vec3 shading;
 };
 struct Basis {
     vec3 tangent;
@@ -223,6 +277,16 @@ struct BsdfSample {
     bool delta;
 };
 const uint noShape = 4294967295u;
+const uint noInstance = 4294967295u;
+const uint leastToGreatest = 3u;
+const uint leafBit = 2147483648u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint leaving = 4294967295u;
+const uint placeMask = 268435455u;
+const uint instanceRows = 4u;
+const uint triangleRows = 3u;
+const uint countShift = 28u;
 const uint dielectric = 3u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
@@ -249,6 +313,12 @@ const bool hasTurnedBoxes = true;
 const bool hasQuads = false;
 
 const bool hasPlanes = true;
+
+const bool hasMeshes = false;
+
+uniform highp usampler2D geometry;
+
+uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 
 const bool hasGlass = false;
 
@@ -335,8 +405,8 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
+    uint place_1 = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_1 << 24u)));
     uint used = pick(independent, 0u, _e32);
     uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
@@ -346,10 +416,10 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_14), 15.0);
-    float t_2 = (x_14 - piece);
+    float t_3 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
-    return pick((across < 0.0), -(offset_2), offset_2);
+    float offset_3 = (c.x + (t_3 * (c.y + (t_3 * (c.z + (t_3 * c.w))))));
+    return pick((across < 0.0), -(offset_3), offset_3);
 }
 
 vec2 filterOffset(vec2 u_1) {
@@ -436,16 +506,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_4 = (half_ ^ (half_ >> 16u));
+    uint b_5 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_4);
+    uint _e19 = scramble(_e18, b_5);
     uint _e21 = s.sample_;
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_4 >> 16u) | (b_4 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_5 >> 16u) | (b_5 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -455,10 +525,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_12 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_12.x) > abs(p_12.y));
-    float radius_1 = pick(wide, p_12.x, p_12.y);
-    float ratio_4 = (pick(wide, p_12.y, p_12.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_13 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_13.x) > abs(p_13.y));
+    float radius_1 = pick(wide, p_13.x, p_13.y);
+    float ratio_4 = (pick(wide, p_13.y, p_13.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -530,6 +600,10 @@ vec2 lensPoint_2(inout Sampler s_3) {
     return _e7;
 }
 
+RayPair oneRay(vec3 origin, vec3 direction) {
+    return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
+}
+
 Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     Sampler s_4 = Sampler(0u, 0u, 0u, 0u);
     uint _e4 = frame.seed;
@@ -540,9 +614,9 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
     vec2 _e14 = lensPoint_2(s_4);
     CameraRay _e15 = cameraRay(filmPosition_2, _e14);
-    RayPair rays = RayPair(_e15.origin, noShape, 0.0, _e15.direction, false, _e15.direction, false, -1.0, noShape);
-    Sampler _e36 = s_4;
-    return Path(rays, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e36);
+    RayPair _e18 = oneRay(_e15.origin, _e15.direction);
+    Sampler _e29 = s_4;
+    return Path(_e18, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e29);
 }
 
 Bounds fetchBounds(uint i) {
@@ -550,16 +624,16 @@ Bounds fetchBounds(uint i) {
     return Bounds(t0_.xyz, t0_.w);
 }
 
-float intersectSphere(vec3 origin, vec3 direction, vec3 center, float radius, float tMin, bool startsInside) {
-    vec3 toCenter = (center - origin);
-    float along = dot(toCenter, direction);
-    vec3 across_2 = (toCenter - (along * direction));
+float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin_1);
+    float along = dot(toCenter, direction_1);
+    vec3 across_2 = (toCenter - (along * direction_1));
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far_1 = (along + half_1);
-    float t_3 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
+    float t_4 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -567,7 +641,7 @@ PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
     float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
     float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
     bool nearer = (pathT < found.t);
-    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)));
+    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), 0u, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
@@ -586,8 +660,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_4 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_4)) + cross(q.xyz, t_4));
+    vec3 t_5 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -602,24 +676,24 @@ vec3 turned(vec4 q_1, vec3 v_1) {
     return _e6;
 }
 
-vec3 safeReciprocal(vec3 d, vec3 origin_1) {
-    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_1, vec3(0.0)));
+vec3 safeReciprocal(vec3 d, vec3 origin_2) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
     return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
 }
 
-Slabs boxSlabs(vec3 origin_2, vec3 direction_1, vec3 halfSize) {
-    vec3 _e3 = safeReciprocal(direction_1, origin_2);
-    vec3 middle = (-(origin_2) * _e3);
+Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_2, origin_3);
+    vec3 middle = (-(origin_3) * _e3);
     vec3 reach = (halfSize * abs(_e3));
     vec3 enter = (middle - reach);
     vec3 leave = (middle + reach);
     return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }
 
-float intersectBox(vec3 origin_3, vec3 direction_2, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
-    Slabs _e5 = boxSlabs(origin_3, direction_2, halfSize_1);
-    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
+float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+    float t_6 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_6 > tMin_1), false), t_6, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
@@ -635,14 +709,14 @@ PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
     return _e31;
 }
 
-float intersectQuad(vec3 origin_4, vec3 direction_3, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
     vec3 normal_7 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_3, normal_7);
-    vec3 toCenter_1 = (center_1 - origin_4);
-    float t_6 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_13 = ((t_6 * direction_3) - toCenter_1);
-    bool within = (max(abs(dot(p_13, reciprocalU)), abs(dot(p_13, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
+    float speed = dot(direction_4, normal_7);
+    vec3 toCenter_1 = (center_1 - origin_5);
+    float t_7 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_14 = ((t_7 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_14, reciprocalU)), abs(dot(p_14, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_7 > tMin_2), (t_7 < 1e30), false), within, false), t_7, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -654,13 +728,13 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
     return _e24;
 }
 
-float intersectPlane(vec3 origin_5, vec3 direction_4, vec3 normal, float offset_1, float tMin_3) {
-    float speed_1 = dot(direction_4, normal);
-    float t_7 = ((offset_1 - dot(origin_5, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_5, normal);
+    float t_8 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_8 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_8, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -671,85 +745,350 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
     return _e17;
 }
 
-PairHit tracePair(RayPair p_6) {
-    PairHit found_5 = PairHit(1e30, 4294967295u, false);
-    uint i_7 = 0u;
-    uvec4 ends = frame.shapeEnds;
-    const bool _e12 = hasSpheres;
-    uint _e13 = i_7;
-    if (pick(_e12, (_e13 < ends.x), false)) {
-        while(true) {
-            PairHit _e17 = found_5;
-            uint _e18 = i_7;
-            PairHit _e19 = meetSphere(_e17, p_6, _e18);
-            found_5 = _e19;
-            uint _e21 = i_7;
-            i_7 = (_e21 + 1u);
-            uint _e23 = i_7;
-            if ((_e23 >= ends.x)) {
-                break;
-            }
-        }
-    }
-    const bool _e27 = hasBoxes;
-    uint _e28 = i_7;
-    if (pick(_e27, (_e28 < ends.y), false)) {
-        while(true) {
-            PairHit _e32 = found_5;
-            uint _e33 = i_7;
-            PairHit _e34 = meetBox(_e32, p_6, _e33);
-            found_5 = _e34;
-            uint _e36 = i_7;
-            i_7 = (_e36 + 1u);
-            uint _e38 = i_7;
-            if ((_e38 >= ends.y)) {
-                break;
-            }
-        }
-    }
-    const bool _e42 = hasQuads;
-    uint _e43 = i_7;
-    if (pick(_e42, (_e43 < ends.z), false)) {
-        while(true) {
-            PairHit _e47 = found_5;
-            uint _e48 = i_7;
-            PairHit _e49 = meetQuad(_e47, p_6, _e48);
-            found_5 = _e49;
-            uint _e51 = i_7;
-            i_7 = (_e51 + 1u);
-            uint _e53 = i_7;
-            if ((_e53 >= ends.z)) {
-                break;
-            }
-        }
-    }
-    const bool _e57 = hasPlanes;
-    uint _e58 = i_7;
-    if (pick(_e57, (_e58 < ends.w), false)) {
-        while(true) {
-            PairHit _e62 = found_5;
-            uint _e63 = i_7;
-            PairHit _e64 = meetPlane(_e62, p_6, _e63);
-            found_5 = _e64;
-            uint _e66 = i_7;
-            i_7 = (_e66 + 1u);
-            uint _e68 = i_7;
-            if ((_e68 >= ends.w)) {
-                break;
-            }
-        }
-    }
-    PairHit _e71 = found_5;
-    return _e71;
+bool isMesh(uint i_7) {
+    uint _e4 = frame.shapeEnds.w;
+    return (i_7 >= _e4);
 }
 
-Surface fetchSurface(uint i_8) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_8)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_8)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_8)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_8)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_8)), 0);
-    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size = abs(direction_7);
+    uint axis_3 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+uvec4 geometryRow(uint i_8) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
+    return _e8;
+}
+
+vec4 planes(uint row, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+    uvec3 far_2 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
+    vec4 _e45 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
+    vec4 _e52 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
+    vec4 _e60 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e45, _e52), _e60);
+    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
+    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
+}
+
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+}
+
+float edge(vec2 a, vec2 b) {
+    float p_15 = (a.x * b.y);
+    float q_6 = (a.y * b.x);
+    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_15)));
+}
+
+TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
+    float t_9 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_9, -1.0), (vec2(_e36, _e37) * inverse_2));
+}
+
+Triangle fetchTriangle(uint row_2) {
+    uvec4 _e3 = geometryRow((row_2 + 0u));
+    uvec4 _e6 = geometryRow((row_2 + 1u));
+    uvec4 _e9 = geometryRow((row_2 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool anyHit, LeftTriangle left) {
+    MeshHit hit = MeshHit(0.0, 0u, 0u, vec2(0.0));
+    uint instance = noInstance;
+    uint nodes = 0u;
+    uint triangles = 0u;
+    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
+    MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
+    uint top = 0u;
+    uint current = 0u;
+    bool pops = false;
+    vec3 o = vec3(0.0);
+    vec3 d_1 = vec3(0.0);
+    hit = MeshHit(most, noInstance, 0u, vec2(0.0));
+    SlabRay _e18 = slabRay(origin_9, direction_8);
+    slabs = _e18;
+    MeshRay _e20 = meshRay(origin_9, direction_8);
+    ray_2 = _e20;
+    while(true) {
+        pops = false;
+        uint _e28 = current;
+        if (((_e28 & leafBit) == 0u)) {
+            uint _e33 = nodes;
+            uint _e34 = current;
+            uint node_1 = (_e33 + (_e34 * nodeRows));
+            uvec4 _e40 = geometryRow((node_1 + childrenRow));
+            SlabRay _e41 = slabs;
+            float _e43 = hit.t;
+            vec4 _e44 = enterChildren(node_1, _e41, _e40, _e43);
+            bool a_2 = (_e44.x < _e44.z);
+            bool b_6 = (_e44.y < _e44.w);
+            vec2 t0_2 = pick(a_2, vec2(_e44.z, _e44.x), vec2(_e44.x, _e44.z));
+            uvec2 r0_ = pick(a_2, uvec2(_e40.z, _e40.x), uvec2(_e40.x, _e40.z));
+            vec2 t1_1 = pick(b_6, vec2(_e44.w, _e44.y), vec2(_e44.y, _e44.w));
+            uvec2 r1_ = pick(b_6, uvec2(_e40.w, _e40.y), uvec2(_e40.y, _e40.w));
+            bool c_1 = (t0_2.x < t1_1.x);
+            bool d_2 = (t0_2.y < t1_1.y);
+            vec2 ta = pick(c_1, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
+            uvec2 ra = pick(c_1, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+            vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
+            uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+            bool e_21 = (ta.y < tb.x);
+            vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+            uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+            if ((ta.x < 1e30)) {
+                uint _e134 = top;
+                stack[_e134] = ra.x;
+                uint _e138 = top;
+                top = (_e138 + 1u);
+            }
+            if ((tm.x < 1e30)) {
+                uint _e144 = top;
+                stack[_e144] = rm.x;
+                uint _e148 = top;
+                top = (_e148 + 1u);
+            }
+            if ((tm.y < 1e30)) {
+                uint _e154 = top;
+                stack[_e154] = rm.y;
+                uint _e158 = top;
+                top = (_e158 + 1u);
+            }
+            pops = (tb.y >= 1e30);
+            current = rb.y;
+        } else {
+            uint _e164 = instance;
+            uint _e167 = current;
+            if (pick((_e164 == noInstance), true, (_e167 == leaving))) {
+                uint _e171 = current;
+                bool back = (_e171 == leaving);
+                o = origin_9;
+                d_1 = direction_8;
+                uint _e176 = current;
+                instance = pick(back, noInstance, (_e176 & placeMask));
+                nodes = 0u;
+                if (!(back)) {
+                    uint _e185 = frame.instances;
+                    uint _e186 = instance;
+                    Instance _e190 = fetchInstance((_e185 + (_e186 * instanceRows)));
+                    o = vec3((dot(_e190.toMeshX.xyz, origin_9) + _e190.toMeshX.w), (dot(_e190.toMeshY.xyz, origin_9) + _e190.toMeshY.w), (dot(_e190.toMeshZ.xyz, origin_9) + _e190.toMeshZ.w));
+                    d_1 = vec3(dot(_e190.toMeshX.xyz, direction_8), dot(_e190.toMeshY.xyz, direction_8), dot(_e190.toMeshZ.xyz, direction_8));
+                    nodes = _e190.nodes;
+                    triangles = _e190.triangles;
+                    uint _e223 = top;
+                    stack[_e223] = leaving;
+                    uint _e227 = top;
+                    top = (_e227 + 1u);
+                    current = 0u;
+                }
+                vec3 _e230 = o;
+                vec3 _e231 = d_1;
+                SlabRay _e232 = slabRay(_e230, _e231);
+                slabs = _e232;
+                vec3 _e233 = o;
+                vec3 _e234 = d_1;
+                MeshRay _e235 = meshRay(_e233, _e234);
+                ray_2 = _e235;
+                pops = back;
+            } else {
+                uint _e236 = current;
+                uint place_2 = (_e236 & placeMask);
+                MeshRay _e239 = ray_2;
+                uint _e240 = triangles;
+                Triangle _e244 = fetchTriangle((_e240 + (place_2 * triangleRows)));
+                TriangleHit _e245 = intersectTriangle(_e239, _e244);
+                uint _e246 = instance;
+                bool own_5 = pick((_e246 == left.instance), (place_2 == left.triangle), false);
+                float _e256 = hit.t;
+                bool nearer_1 = pick(pick((_e245.t > least), (_e245.t < _e256), false), !(own_5), false);
+                float _e262 = hit.t;
+                uint _e266 = hit.instance;
+                uint _e267 = instance;
+                uint _e270 = hit.triangle;
+                vec2 _e273 = hit.weights;
+                hit = MeshHit(pick(nearer_1, _e245.t, _e262), pick(nearer_1, _e267, _e266), pick(nearer_1, place_2, _e270), pick(nearer_1, _e245.weights, _e273));
+                if (pick(anyHit, nearer_1, false)) {
+                    break;
+                }
+                uint _e278 = current;
+                current = ((_e278 + 1u) - 268435456u);
+                uint _e283 = current;
+                pops = (((_e283 >> countShift) & 7u) == 0u);
+            }
+        }
+        bool _e290 = pops;
+        if (_e290) {
+            uint _e291 = top;
+            if ((_e291 == 0u)) {
+                break;
+            }
+            uint _e295 = top;
+            top = (_e295 - 1u);
+            uint _e298 = top;
+            uint _e300 = stack[_e298];
+            current = _e300;
+        }
+    }
+    MeshHit _e301 = hit;
+    return _e301;
+}
+
+PairHit meetMeshes(PairHit before, RayPair p_6) {
+    PairHit found_5 = PairHit(0.0, 0u, false, 0u, vec2(0.0));
+    uint i_9 = 0u;
+    found_5 = before;
+    uint first = frame.shapeEnds.w;
+    bool _e11 = isMesh(p_6.shape);
+    LeftTriangle left_1 = LeftTriangle(pick(pick(_e11, (p_6.shape != noShape), false), (p_6.shape - first), noInstance), p_6.triangle);
+    while(true) {
+        uint _e21 = i_9;
+        bool toLight_1 = (_e21 == 1u);
+        float _e25 = found_5.t;
+        bool _e31 = found_5.blocked;
+        float most_1 = pick(toLight_1, pick(_e31, -1.0, p_6.lightDistance), pick(p_6.goesOn, _e25, -1.0));
+        if ((most_1 > 0.0)) {
+            MeshHit _e42 = traverse(p_6.point, pick(toLight_1, p_6.lightDirection, p_6.direction), p_6.tMin, most_1, toLight_1, left_1);
+            bool met = (_e42.instance != noInstance);
+            if (toLight_1) {
+                found_5.blocked = met;
+            } else {
+                if (met) {
+                    bool _e51 = found_5.blocked;
+                    found_5 = PairHit(_e42.t, (first + _e42.instance), _e51, _e42.triangle, _e42.weights);
+                }
+            }
+        }
+        uint _e56 = i_9;
+        i_9 = (_e56 + 1u);
+        uint _e58 = i_9;
+        if ((_e58 >= 2u)) {
+            break;
+        }
+    }
+    PairHit _e61 = found_5;
+    return _e61;
+}
+
+PairHit tracePair(RayPair p_7) {
+    PairHit found_6 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
+    uint i_10 = 0u;
+    uvec4 ends = frame.shapeEnds;
+    const bool _e15 = hasSpheres;
+    uint _e16 = i_10;
+    if (pick(_e15, (_e16 < ends.x), false)) {
+        while(true) {
+            PairHit _e20 = found_6;
+            uint _e21 = i_10;
+            PairHit _e22 = meetSphere(_e20, p_7, _e21);
+            found_6 = _e22;
+            uint _e24 = i_10;
+            i_10 = (_e24 + 1u);
+            uint _e26 = i_10;
+            if ((_e26 >= ends.x)) {
+                break;
+            }
+        }
+    }
+    const bool _e30 = hasBoxes;
+    uint _e31 = i_10;
+    if (pick(_e30, (_e31 < ends.y), false)) {
+        while(true) {
+            PairHit _e35 = found_6;
+            uint _e36 = i_10;
+            PairHit _e37 = meetBox(_e35, p_7, _e36);
+            found_6 = _e37;
+            uint _e39 = i_10;
+            i_10 = (_e39 + 1u);
+            uint _e41 = i_10;
+            if ((_e41 >= ends.y)) {
+                break;
+            }
+        }
+    }
+    const bool _e45 = hasQuads;
+    uint _e46 = i_10;
+    if (pick(_e45, (_e46 < ends.z), false)) {
+        while(true) {
+            PairHit _e50 = found_6;
+            uint _e51 = i_10;
+            PairHit _e52 = meetQuad(_e50, p_7, _e51);
+            found_6 = _e52;
+            uint _e54 = i_10;
+            i_10 = (_e54 + 1u);
+            uint _e56 = i_10;
+            if ((_e56 >= ends.z)) {
+                break;
+            }
+        }
+    }
+    const bool _e60 = hasPlanes;
+    uint _e61 = i_10;
+    if (pick(_e60, (_e61 < ends.w), false)) {
+        while(true) {
+            PairHit _e65 = found_6;
+            uint _e66 = i_10;
+            PairHit _e67 = meetPlane(_e65, p_7, _e66);
+            found_6 = _e67;
+            uint _e69 = i_10;
+            i_10 = (_e69 + 1u);
+            uint _e71 = i_10;
+            if ((_e71 >= ends.w)) {
+                break;
+            }
+        }
+    }
+    const bool _e75 = hasMeshes;
+    if (_e75) {
+        PairHit _e76 = found_6;
+        PairHit _e77 = meetMeshes(_e76, p_7);
+        found_6 = _e77;
+    }
+    PairHit _e78 = found_6;
+    return _e78;
+}
+
+Surface fetchSurface(uint i_11) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_11)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_11)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_11)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_11)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_11)), 0);
+    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
 uint kindOf(uint code) {
@@ -762,120 +1101,161 @@ bool isDielectric(uint code_1) {
     return pick(_e2, (_e3 == dielectric), false);
 }
 
-bool isPlane(uint i_9) {
+bool isPlane(uint i_12) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_9 >= _e4);
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_6, vec3 direction_5, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_6, direction_5, halfSize_2);
+vec3 boxNormal(vec3 origin_10, vec3 direction_9, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_10, direction_9, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_8 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_5, vec3(0.0))));
-    bool onX = (crossed.x == t_8);
-    bool onY = pick(!(onX), (crossed.y == t_8), false);
+    float t_10 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_9, vec3(0.0))));
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 turnedBack(vec4 q_2, vec3 v_2) {
-    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_2);
+vec3 turnedBack(vec4 q_2, vec3 v_3) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
     return _e6;
 }
 
-bool isBox(uint i_10) {
+bool isBox(uint i_13) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_10 >= _e4), (i_10 < _e9), false);
+    return pick((i_13 >= _e4), (i_13 < _e9), false);
 }
 
-bool isSphere(uint i_11) {
+bool isSphere(uint i_14) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_11 < _e4);
+    return (i_14 < _e4);
 }
 
-vec3 normalAt(RayPair p_7, float t_1, uint i_12) {
+vec3 normalAt(RayPair p_8, float t_2, uint i_15) {
     vec3 normal_1 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_12);
-    vec3 origin_7 = (p_7.point - _e3.center);
+    Bounds _e3 = fetchBounds(i_15);
+    vec3 origin_11 = (p_8.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
-        Extent _e11 = fetchExtent(i_12);
+        Extent _e11 = fetchExtent(i_15);
         vec3 _e17 = normal_1;
-        bool _e18 = isPlane(i_12);
+        bool _e18 = isPlane(i_15);
         normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
-        Extent _e22 = fetchExtent(i_12);
-        bool inside = pick((i_12 == p_7.shape), p_7.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_7);
-        vec3 _e31 = turned(_e22.a, p_7.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
+        Extent _e22 = fetchExtent(i_15);
+        bool inside = pick((i_15 == p_8.shape), p_8.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_11);
+        vec3 _e31 = turned(_e22.a, p_8.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
-        bool _e39 = isBox(i_12);
+        bool _e39 = isBox(i_15);
         normal_1 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
         vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_12);
-        normal_1 = pick(_e47, (origin_7 + (t_1 * p_7.direction)), _e43);
+        bool _e47 = isSphere(i_15);
+        normal_1 = pick(_e47, (origin_11 + (t_2 * p_8.direction)), _e43);
     }
     vec3 _e49 = normal_1;
     return normalize(_e49);
 }
 
+vec3 fromOctahedral(uint code_2) {
+    vec2 p_16 = ((vec2(float((code_2 & 65535u)), float((code_2 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_1 = ((1.0 - abs(p_16.x)) - abs(p_16.y));
+    vec2 folded = ((vec2(1.0) - abs(p_16.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_16, vec2(0.0))));
+    return normalize(vec3(pick((z_1 < 0.0), folded, p_16), z_1));
+}
+
+MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
+    uint _e5 = frame.instances;
+    Instance _e9 = fetchInstance((_e5 + (instance_1 * instanceRows)));
+    Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
+    vec3 normal_8 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
+    vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_8));
+    vec3 _e37 = fromOctahedral(_e14.normalA);
+    vec3 _e41 = fromOctahedral(_e14.normalB);
+    vec3 _e46 = fromOctahedral(_e14.normalC);
+    vec3 blended = (((((1.0 - weights.x) - weights.y) * _e37) + (weights.x * _e41)) + (weights.y * _e46));
+    vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * blended);
+    float size_1 = dot(smoothed, smoothed);
+    float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+    bool useful = pick((_e9.interpolated != 0u), (size_1 > 0.0), false);
+    return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
+}
+
+Normals normalsAt(RayPair rays, PairHit hit_1, uint shape, bool isGlass) {
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
+    vec3 _e5 = normalAt(rays, hit_1.t, shape);
+    normals = Normals(_e5, _e5);
+    const bool _e9 = hasMeshes;
+    bool _e10 = isMesh(shape);
+    if (pick(_e9, _e10, false)) {
+        uint _e15 = frame.shapeEnds.w;
+        MeshNormals _e19 = meshNormals((shape - _e15), hit_1.triangle, hit_1.weights);
+        bool agree = ((dot(_e19.geometric, rays.direction) > 0.0) == (dot(_e19.shading, rays.direction) > 0.0));
+        normals = Normals(_e19.geometric, pick(pick(isGlass, !(agree), false), _e19.geometric, _e19.shading));
+    }
+    Normals _e38 = normals;
+    return _e38;
+}
+
 Basis basisAbout(vec3 n) {
-    float side_1 = pick((n.z >= 0.0), 1.0, -1.0);
-    float a_1 = (-1.0 / (side_1 + n.z));
-    float b_5 = ((n.x * n.y) * a_1);
-    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a_1)), (side_1 * b_5), (-(side_1) * n.x)), vec3(b_5, (side_1 + ((n.y * n.y) * a_1)), -(n.y)), n);
+    float side_2 = pick((n.z >= 0.0), 1.0, -1.0);
+    float a_3 = (-1.0 / (side_2 + n.z));
+    float b_7 = ((n.x * n.y) * a_3);
+    return Basis(vec3((1.0 + (((side_2 * n.x) * n.x) * a_3)), (side_2 * b_7), (-(side_2) * n.x)), vec3(b_7, (side_2 + ((n.y * n.y) * a_3)), -(n.y)), n);
 }
 
-vec3 toLocal(Basis b, vec3 v_3) {
-    return vec3(dot(v_3, b.tangent), dot(v_3, b.bitangent), dot(v_3, b.normal));
+vec3 toLocal(Basis b_1, vec3 v_4) {
+    return vec3(dot(v_4, b_1.tangent), dot(v_4, b_1.bitangent), dot(v_4, b_1.normal));
 }
 
-bool isThin(uint code_2) {
+bool isThin(uint code_3) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_2 & 7u) == 7u), false);
+    return pick(_e2, ((code_3 & 7u) == 7u), false);
 }
 
-Emitter fetchEmitter(uint i_13) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
-    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
+Emitter fetchEmitter(uint i_16) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_16)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_16)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_16)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_16)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_16)), 0);
+    return Emitter(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
-int emitterOf(float code_3) {
-    return ((int(code_3) >> 6u) - 1);
+int emitterOf(float code_4) {
+    return ((int(code_4) >> 6u) - 1);
 }
 
-Emitter emitterAt(uint i_14, Emitter only) {
+Emitter emitterAt(uint i_17, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_14);
+        Emitter _e5 = fetchEmitter(i_17);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
     return _e6;
 }
 
-bool isOnDisc(Emitter e, vec3 direction_6) {
-    vec3 chord = (direction_6 + e.u);
+bool isOnDisc(Emitter e, vec3 direction_10) {
+    vec3 chord = (direction_10 + e.u);
     return ((3.1415927 * dot(chord, chord)) < e.area);
 }
 
-float directionalPdf(Emitter e_1, vec3 direction_7) {
-    bool _e7 = isOnDisc(e_1, direction_7);
+float directionalPdf(Emitter e_1, vec3 direction_11) {
+    bool _e7 = isOnDisc(e_1, direction_11);
     return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
 }
 
@@ -883,10 +1263,10 @@ vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
     vec2 low = min(x_9, y_5);
     vec2 high = max(x_9, y_5);
     bvec2 middle_1 = greaterThan(low, (0.41421357 * high));
-    vec2 r = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
-    vec2 z_1 = (r * r);
-    vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
+    vec2 r_1 = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
+    vec2 z_2 = (r_1 * r_1);
+    vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_9));
 }
 
@@ -897,69 +1277,69 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size = uvec2(_e3);
-    uint left = (pick((cell.x == 0u), size.x, cell.x) - 1u);
-    uint right = pick((cell.x == size.x), 0u, cell.x);
+    uvec2 size_2 = uvec2(_e3);
+    uint left_2 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_2.x), 0u, cell.x);
     uint upper = (max(cell.y, 1u) - 1u);
-    uint lower = min(cell.y, (size.y - 1u));
+    uint lower = min(cell.y, (size_2.y - 1u));
     vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_2, upper)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_2, lower)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
     return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_8) {
-    vec2 size_1 = frame.environmentSize;
-    float sine_1 = max(length(direction_8.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_8.z, direction_8.y)), vec2(abs(direction_8.x), sine_1));
-    float turn = (pick((direction_8.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_8.x < 0.0), -1.0, 1.0));
+EnvironmentLight lookUpEnvironment(vec3 direction_12) {
+    vec2 size_3 = frame.environmentSize;
+    float sine_1 = max(length(direction_12.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
+    float turn = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
-    float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
-    float row = floor(fromPole);
-    bool isLower = (direction_8.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
-    float within_1 = (fromPole - row);
-    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    float column = ((fract(((turn * 0.15915494) + _e35)) * size_3.x) + 0.5);
+    float fromPole = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
+    float row_3 = floor(fromPole);
+    bool isLower = (direction_12.y < 0.0);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_3), row_3));
+    float within_2 = (fromPole - row_3);
+    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
     return _e67;
 }
 
-vec3 sky(vec3 direction_9) {
+vec3 sky(vec3 direction_13) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_9.y, 0.0));
+    return mix(_e3, _e6, max(direction_13.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_10) {
+EnvironmentLight skyLight(vec3 direction_14) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_10);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_14);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_10);
+    vec3 _e8 = sky(direction_14);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_2, vec3 direction_11) {
+FarLight farLight(Emitter e_2, vec3 direction_15) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e8 = hasSuns;
     if (_e8) {
-        bool _e12 = isOnDisc(e_2, direction_11);
+        bool _e12 = isOnDisc(e_2, direction_15);
         bool seen = pick((e_2.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_2, direction_11);
+        float _e18 = directionalPdf(e_2, direction_15);
         far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
     if (pick(_e23, (e_2.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_11);
+        EnvironmentLight _e28 = skyLight(direction_15);
         far = FarLight(_e28.radiance, _e28.pdf);
     }
     FarLight _e32 = far;
@@ -968,21 +1348,21 @@ FarLight farLight(Emitter e_2, vec3 direction_11) {
 
 SphereView viewSphere(Emitter e_3, vec3 point) {
     vec3 toCenter_2 = (e_3.position - point);
-    float d_1 = length(toCenter_2);
-    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
-    bool inside_1 = (d_1 <= e_3.radius);
-    float sine_2 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
-    float cosine_10 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
+    float d_3 = length(toCenter_2);
+    float power = abs(((d_3 - e_3.radius) * (d_3 + e_3.radius)));
+    bool inside_1 = (d_3 <= e_3.radius);
+    float sine_2 = min((e_3.radius / max(d_3, 1e-30)), 1.0);
+    float cosine_10 = (sqrt(power) / max(d_3, 1e-30));
+    return SphereView(toCenter_2, d_3, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_12) {
+float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_16) {
     SphereView _e3 = viewSphere(e_4, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_12, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_16, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -999,20 +1379,20 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
 }
 
 float arctangent(float x_10) {
-    float a_2 = abs(x_10);
-    bool steep = (a_2 > 2.4142137);
-    bool middle_2 = pick((a_2 > 0.41421357), !(steep), false);
-    float r_1 = pick(steep, (-1.0 / max(a_2, 1.0)), pick(middle_2, ((a_2 - 1.0) / (a_2 + 1.0)), a_2));
+    float a_4 = abs(x_10);
+    bool steep = (a_4 > 2.4142137);
+    bool middle_2 = pick((a_4 > 0.41421357), !(steep), false);
+    float r_2 = pick(steep, (-1.0 / max(a_4, 1.0)), pick(middle_2, ((a_4 - 1.0) / (a_4 + 1.0)), a_4));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_2 = (r_1 * r_1);
-    float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
-    return (sign(x_10) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
+    float z_3 = (r_2 * r_2);
+    float series_1 = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
+    return (sign(x_10) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
 }
 
 float stretch(float x_11, vec2 y_6, float h) {
-    vec2 r_2 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
-    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_2.y)));
-    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_2.x)));
+    vec2 r_3 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
+    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_3.y)));
+    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_3.x)));
     return (_e16 - _e22);
 }
 
@@ -1021,11 +1401,11 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     vec2 lengths = vec2(length(e_5.u), length(e_5.v));
     vec3 axisX = (e_5.u / vec3(lengths.x));
     vec3 axisY = (e_5.v / vec3(lengths.y));
-    vec3 normal_8 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_8);
-    float least = (1e-7 * (lengths.x + lengths.y));
-    float height_1 = max(abs(signedHeight), least);
-    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    vec3 normal_9 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_9);
+    float least_1 = (1e-7 * (lengths.x + lengths.y));
+    float height_1 = max(abs(signedHeight), least_1);
+    bool lit = pick((abs(signedHeight) > least_1), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_1 = (low_1 + lengths);
     vec2 y_10 = vec2(low_1.y, high_1.y);
@@ -1033,7 +1413,7 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_8 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_9 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1052,18 +1432,18 @@ BoxView viewBox(Emitter e_7, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_13, float distance_3, vec3 normal_2) {
+float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_2) {
     BoxView _e5 = viewBox(e_8, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_13, normal_2))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_14, float distance_4, vec3 normal_3) {
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, vec3 normal_3) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
     if (pick(_e8, (e_9.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_9, point_6, direction_14);
+        float _e13 = spherePdf(e_9, point_6, direction_18);
         pdf = _e13;
     }
     const bool _e15 = hasQuadLights;
@@ -1073,7 +1453,7 @@ float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_14, float distance_4, v
     }
     const bool _e22 = hasBoxLights;
     if (pick(_e22, (e_9.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_9, point_6, direction_14, distance_4, normal_3);
+        float _e27 = boxPdf(e_9, point_6, direction_18, distance_4, normal_3);
         pdf = _e27;
     }
     float _e28 = pdf;
@@ -1092,26 +1472,26 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_11.kind == 5.0), false);
     vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
-    vec3 toLight_1 = pick(isFar, -(e_11.u), (middle_3 - point_7));
-    float distance2_ = dot(toLight_1, toLight_1);
+    vec3 toLight_2 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    float distance2_ = dot(toLight_2, toLight_2);
     float distance_5 = sqrt(distance2_);
     float grown = max((distance_5 + e_11.reach), 1e-15);
-    float above_1 = clamp(((dot(normal_4, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
+    float above_1 = clamp(((dot(normal_4, toLight_2) + e_11.reach) / grown), 0.0, 1.0);
     float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
     float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
     estimate = ((e_11.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_1)) / max(e_11.area, 1e-30));
-        float side_2 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_11.reach) / grown), 0.0);
+        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_2)) / max(e_11.area, 1e-30));
+        float side_3 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_3 > 0.0), ((side_3 + e_11.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
     const bool _e94 = hasPointLights;
     if (_e94) {
         float _e95 = estimate;
-        float _e100 = spotFalloff(e_11, (toLight_1 / vec3(max(distance_5, 1e-15))));
+        float _e100 = spotFalloff(e_11, (toLight_2 / vec3(max(distance_5, 1e-15))));
         estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
     }
     const bool _e108 = hasSky;
@@ -1142,44 +1522,44 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_8, PairHit hit, Surface s_5, vec3 outward, Emitter only_1) {
-    vec3 found_6 = vec3(0.0);
-    uint i_15 = 0u;
-    bool escaped = (hit.shape == noShape);
-    vec3 direction_15 = p_8.rays.direction;
-    bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_15) > 0.0), false);
+vec3 foundLight(Path p_9, PairHit hit_2, Surface s_5, vec3 outward, Emitter only_1) {
+    vec3 found_7 = vec3(0.0);
+    uint i_18 = 0u;
+    bool escaped = (hit_2.shape == noShape);
+    vec3 direction_19 = p_9.rays.direction;
+    bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_19) > 0.0), false);
     int _e21 = emitterOf(s_5.code);
-    found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
+    found_7 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
     uint _e33 = frame.emitterCount;
     if (pick(weighed, (_e33 > 0u), false)) {
-        vec3 emission = found_6;
-        found_6 = vec3(0.0);
-        i_15 = pick(escaped, 0u, uint(max(_e21, 0)));
+        vec3 emission = found_7;
+        found_7 = vec3(0.0);
+        i_18 = pick(escaped, 0u, uint(max(_e21, 0)));
         while(true) {
-            uint _e46 = i_15;
+            uint _e46 = i_18;
             Emitter _e47 = emitterAt(_e46, only_1);
-            FarLight _e48 = farLight(_e47, direction_15);
-            float _e52 = shapePdf(_e47, p_8.rays.point, direction_15, hit.t, outward);
+            FarLight _e48 = farLight(_e47, direction_19);
+            float _e52 = shapePdf(_e47, p_9.rays.point, direction_19, hit_2.t, outward);
             float density = pick(escaped, _e48.pdf, _e52);
-            float _e59 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.total);
+            float _e59 = probabilityOf(_e47, p_9.rays.point, p_9.litSide, p_9.total);
             float pdf_3 = (density * _e59);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
-            vec3 _e63 = found_6;
-            float _e65 = misWeight(p_8.pdf, pdf_3);
-            found_6 = (_e63 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_15;
-            i_15 = (_e74 + 1u);
+            vec3 _e63 = found_7;
+            float _e65 = misWeight(p_9.pdf, pdf_3);
+            found_7 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
+            uint _e74 = i_18;
+            i_18 = (_e74 + 1u);
             const bool _e77 = hasSky;
             const bool _e79 = hasSuns;
-            uint _e84 = i_15;
+            uint _e84 = i_18;
             uint _e87 = frame.emitterCount;
             if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
                 break;
             }
         }
     }
-    vec3 _e90 = found_6;
+    vec3 _e90 = found_7;
     return _e90;
 }
 
@@ -1214,7 +1594,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
-    uint i_16 = 0u;
+    uint i_19 = 0u;
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
@@ -1222,7 +1602,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     if (pick(_e14, (_e17 > 1u), false)) {
         rest = u_4;
         while(true) {
-            uint _e30 = i_16;
+            uint _e30 = i_19;
             Emitter _e31 = fetchEmitter(_e30);
             float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
             float _e33 = total_1;
@@ -1232,16 +1612,16 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
             float _e39 = rest;
             bool take = (_e39 < share_1);
             uint _e41 = chosen;
-            uint _e42 = i_16;
+            uint _e42 = i_19;
             chosen = pick(take, _e42, _e41);
             float _e44 = chosenWeight;
             chosenWeight = pick(take, _e32, _e44);
             float _e46 = rest;
             float _e53 = rest;
             rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_16;
-            i_16 = (_e59 + 1u);
-            uint _e61 = i_16;
+            uint _e59 = i_19;
+            i_19 = (_e59 + 1u);
+            uint _e61 = i_19;
             uint _e64 = frame.emitterCount;
             if ((_e61 >= _e64)) {
                 break;
@@ -1257,30 +1637,30 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     return _e74;
 }
 
-vec3 turnTo(vec3 axis, vec3 v_4) {
-    float s_18 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_3 = (-1.0 / (s_18 + axis.z));
-    float b_6 = ((axis.x * axis.y) * a_3);
-    vec3 x_16 = vec3((1.0 + (((s_18 * axis.x) * axis.x) * a_3)), (s_18 * b_6), (-(s_18) * axis.x));
-    vec3 y_11 = vec3(b_6, (s_18 + ((axis.y * axis.y) * a_3)), -(axis.y));
-    return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
+vec3 turnTo(vec3 axis_1, vec3 v_5) {
+    float s_18 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (s_18 + axis_1.z));
+    float b_8 = ((axis_1.x * axis_1.y) * a_5);
+    vec3 x_16 = vec3((1.0 + (((s_18 * axis_1.x) * axis_1.x) * a_5)), (s_18 * b_8), (-(s_18) * axis_1.x));
+    vec3 y_11 = vec3(b_8, (s_18 + ((axis_1.y * axis_1.y) * a_5)), -(axis_1.y));
+    return (((v_5.x * x_16) + (v_5.y * y_11)) + (v_5.z * axis_1));
 }
 
-ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_5) {
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_5) {
     float oneMinusCosine = (u_5.x * width_1);
     float cosine_12 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_5.y);
     vec2 turn_1 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
     return ConeDirection(_e23, cosine_12, sine2_);
 }
 
 LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
     SphereView _e3 = viewSphere(e_13, point_10);
-    vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_6);
+    vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_6);
     float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_1) + halfChord);
@@ -1292,8 +1672,8 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
 
 vec2 cosineAndSine(float x_13) {
     float h_4 = (0.5 * x_13);
-    float z_3 = (h_4 * h_4);
-    float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
+    float z_4 = (h_4 * h_4);
+    float sine_4 = (((((((-0.00019515296 * z_4) + 0.008332161) * z_4) - 0.16666655) * z_4) * h_4) + h_4);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
@@ -1307,8 +1687,8 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_17 * x_17) + (h_5 * h_5));
     vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
-    float v_8 = mix(ends_1.x, ends_1.y, u_7.y);
-    float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
+    float v_9 = mix(ends_1.x, ends_1.y, u_7.y);
+    float atY = clamp(((v_9 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_9 * v_9)), 1e-12))), y_12.x, y_12.y);
     return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
@@ -1316,27 +1696,27 @@ LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
     QuadView _e3 = viewQuad(e_14, point_11);
     vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
     vec3 _e13 = sphericalRectangle(_e3, u_8);
-    vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_2), _e3.height);
+    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_3), _e3.height);
     float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    return LightSample((toLight_3 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
-    float both = (b_1.faces.x + b_1.faces.y);
-    float at_2 = (u_9.x * b_1.area);
-    bool onX_1 = (at_2 < b_1.faces.x);
+vec4 pointOnFaces(Emitter e_15, BoxView b_2, vec2 u_9) {
+    float both = (b_2.faces.x + b_2.faces.y);
+    float at_2 = (u_9.x * b_2.area);
+    bool onX_1 = (at_2 < b_2.faces.x);
     bool onY_1 = pick(!(onX_1), (at_2 < both), false);
-    float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
-    float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_3 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
-    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
+    float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
+    float within_3 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
+    vec3 p_17 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX_1, p_17.xyz, pick(onY_1, p_17.zxy, p_17.yzx)) * e_15.u) - b_2.point);
+    return vec4(toLight_4, abs(dot(axis_5, toLight_4)));
 }
 
-vec3 rotateBack(vec4 q_5, vec3 v_5) {
-    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_5);
+vec3 rotateBack(vec4 q_5, vec3 v_6) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_6);
     return _e6;
 }
 
@@ -1347,19 +1727,19 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_16 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_16);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
     return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
 }
 
 LightSample samplePoint(Emitter e_17, vec3 point_13) {
-    vec3 toLight_4 = (e_17.position - point_13);
-    float distance_9 = length(toLight_4);
+    vec3 toLight_5 = (e_17.position - point_13);
+    float distance_9 = length(toLight_5);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_5 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_18, vec3 point_14) {
@@ -1391,52 +1771,52 @@ Parts splitProduct(vec2 u_12, uvec2 n_1) {
 
 ChosenCell chooseCell(vec2 u_13) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_2 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_13, (size_2 + uvec2(0u, 1u)));
+    uvec2 size_4 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_13, (size_4 + uvec2(0u, 1u)));
     uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
     float fine = ((float(hash) * 5.9604645e-8) * _e26);
     float x_18 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
-    uint rows = ((size_2.y + 2u) / 2u);
+    uint rows = ((size_4.y + 2u) / 2u);
     bool second = (_e9.whole.y >= rows);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_2.y) - pick(second, rows, 0u)))), 0);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_4.y) - pick(second, rows, 0u)))), 0);
     vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own_5 = (x_18 < entry.x);
+    bool own_6 = (x_18 < entry.x);
     uint other_1 = uint(entry.y);
-    uint otherRow = (other_1 / size_2.x);
-    uvec2 cell_2 = pick(own_5, _e9.whole, uvec2((other_1 - (otherRow * size_2.x)), otherRow));
-    float rest_1 = pick(own_5, (x_18 / max(entry.x, 1e-37)), ((x_18 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    uint otherRow = (other_1 / size_4.x);
+    uvec2 cell_2 = pick(own_6, _e9.whole, uvec2((other_1 - (otherRow * size_4.x)), otherRow));
+    float rest_1 = pick(own_6, (x_18 / max(entry.x, 1e-37)), ((x_18 - entry.x) / max((1.0 - entry.x), 1e-7)));
     return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
-float linearSample(float u_14, float a, float b_2) {
-    vec2 ends_2 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
+float linearSample(float u_14, float a_1, float b_3) {
+    vec2 ends_2 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
     return min((u_14 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_14))), 1e-9)), 1.0);
 }
 
 EnvironmentSample sampleEnvironment(vec2 u_15) {
-    vec2 size_3 = frame.environmentSize;
+    vec2 size_5 = frame.environmentSize;
     ChosenCell _e4 = chooseCell(u_15);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_3 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_5.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_9 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_9), mix(_e6.b.w, _e6.d.w, t_9));
-    bool isLower_1 = ((2.0 * cell_3.y) > size_3.y);
-    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_3.y) + (0.5 - t_9)), (cell_3.y + (t_9 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
+    float t_11 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_11), mix(_e6.b.w, _e6.d.w, t_11));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_5.y);
+    float fromPole_1 = pick(isLower_1, ((size_5.y - cell_3.y) + (0.5 - t_11)), (cell_3.y + (t_11 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_5.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_5.x) - _e85));
     float nearest = floor((halfTurns + 0.5));
-    bool back = (fract((0.5 * nearest)) > 0.0);
+    bool back_1 = (fract((0.5 * nearest)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
-    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
+    vec2 phi_1 = (_e100 * pick(back_1, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_17 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_5);
-    return EnvironmentSample(direction_17, _e119);
+    vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
+    return EnvironmentSample(direction_21, _e119);
 }
 
 LightSample sampleSky(vec2 u_16) {
@@ -1500,9 +1880,9 @@ LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     return _e74;
 }
 
-bool isConductor(uint code_4) {
+bool isConductor(uint code_5) {
     const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_4);
+    uint _e3 = kindOf(code_5);
     return pick(_e2, (_e3 == conductor), false);
 }
 
@@ -1530,9 +1910,9 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
     return (specular / max((specular + diffuse), 1e-20));
 }
 
-bool isMetallicRoughness(uint code_5) {
+bool isMetallicRoughness(uint code_6) {
     const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_5);
+    uint _e3 = kindOf(code_6);
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
@@ -1552,36 +1932,36 @@ float stretched(vec3 w_1, float alpha_1) {
 }
 
 Outgoing outgoing(Surface s_10, vec3 wo_1) {
-    Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_7 = uint(s_10.code);
-    bool _e4 = isConductor(code_7);
-    bool _e5 = isDielectric(code_7);
-    o = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
+    Outgoing o_1 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+    uint code_8 = uint(s_10.code);
+    bool _e4 = isConductor(code_8);
+    bool _e5 = isDielectric(code_8);
+    o_1 = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e16 = hasMetallicRoughness;
     if (_e16) {
-        float _e19 = o.share;
+        float _e19 = o_1.share;
         float _e23 = specularShare(s_10.baseColor, s_10.metallic, wo_1.z);
-        bool _e24 = isMetallicRoughness(code_7);
-        o.share = pick(_e24, _e23, _e19);
+        bool _e24 = isMetallicRoughness(code_8);
+        o_1.share = pick(_e24, _e23, _e19);
     }
     const bool _e27 = hasGlass;
     if (_e27) {
-        bool _e32 = isThin(code_7);
+        bool _e32 = isThin(code_8);
         float _e33 = indexRatio(s_10.eta.x, wo_1.z, _e32);
-        bool _e34 = isDielectric(code_7);
-        o.ratio = pick(_e34, _e33, 1.0);
+        bool _e34 = isDielectric(code_8);
+        o_1.ratio = pick(_e34, _e33, 1.0);
     }
     const bool _e38 = hasConductors;
     const bool _e40 = hasMetallicRoughness;
     const bool _e43 = hasGlass;
     if (pick(pick(_e38, true, _e40), true, _e43)) {
         float _e47 = reflectionBound(wo_1, s_10.alpha);
-        bool _e48 = isDielectric(code_7);
-        o.bound = pick(_e48, 1.0, _e47);
+        bool _e48 = isDielectric(code_8);
+        o_1.bound = pick(_e48, 1.0, _e47);
         float _e53 = stretched(wo_1, s_10.alpha);
-        o.stretched = _e53;
+        o_1.stretched = _e53;
     }
-    Outgoing _e54 = o;
+    Outgoing _e54 = o_1;
     return _e54;
 }
 
@@ -1597,14 +1977,14 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k_1) {
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
     vec3 smaller = ((eta_1 * k_1) / larger_1);
-    vec3 a_4 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
-    vec3 b_7 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_7 * b_7) + vec3(1e-20));
-    vec3 acrossFar = (a_4 + vec3(cosine_3));
-    vec3 acrossNear = (a_4 - vec3(cosine_3));
+    vec3 a_6 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_9 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_9 * b_9) + vec3(1e-20));
+    vec3 acrossFar = (a_6 + vec3(cosine_3));
+    vec3 acrossNear = (a_6 - vec3(cosine_3));
     vec3 across_4 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_4 * cosine_3) + vec3(sine2_1));
-    vec3 alongNear = ((a_4 * cosine_3) - vec3(sine2_1));
+    vec3 alongFar = ((a_6 * cosine_3) + vec3(sine2_1));
+    vec3 alongNear = ((a_6 * cosine_3) - vec3(sine2_1));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
@@ -1630,7 +2010,7 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
 
 vec3 facetReflectance(Surface s_11, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_8 = uint(s_11.code);
+    uint code_9 = uint(s_11.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_11.baseColor, s_11.metallic);
@@ -1641,15 +2021,15 @@ vec3 facetReflectance(Surface s_11, float cosine_7, float ratio_2) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_11.baseColor, s_11.eta, s_11.k, cosine_7);
-        bool _e21 = isConductor(code_8);
+        bool _e21 = isConductor(code_9);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_8);
+        bool _e26 = isThin(code_9);
         float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_8);
+        bool _e29 = isDielectric(code_9);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -1664,21 +2044,21 @@ float singleScatteringAlbedo(float cosine_8, float alpha_3) {
 }
 
 vec3 compensation(Surface s_12, float cosine_9) {
-    uint code_9 = uint(s_12.code);
-    bool _e8 = isDielectric(code_9);
-    bool asked = pick(((code_9 & 8u) != 0u), !(_e8), false);
+    uint code_10 = uint(s_12.code);
+    bool _e8 = isDielectric(code_10);
+    bool asked = pick(((code_10 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_9, s_12.alpha);
     vec3 _e17 = facetReflectance(s_12, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_13, Outgoing o_1, vec3 wi) {
+FacetLobe evaluateFacets(Surface s_13, Outgoing o_2, vec3 wi) {
     vec3 passes = vec3(0.0);
-    vec3 wo_5 = o_1.wo;
+    vec3 wo_5 = o_2.wo;
     bool _e6 = isDielectric(uint(s_13.code));
     const bool _e8 = hasGlass;
     bool crossing = pick(_e8, ((wo_5.z < 0.0) != (wi.z < 0.0)), false);
-    vec3 m_1 = (wo_5 + (wi * pick(crossing, o_1.ratio, 1.0)));
+    vec3 m_1 = (wo_5 + (wi * pick(crossing, o_2.ratio, 1.0)));
     float m2_1 = max(dot(m_1, m_1), 1e-20);
     vec3 h_6 = (m_1 * inversesqrt(m2_1));
     float oh = dot(wo_5, h_6);
@@ -1688,12 +2068,12 @@ FacetLobe evaluateFacets(Surface s_13, Outgoing o_1, vec3 wi) {
     bool faces_1 = pick((((oh * h_6.z) * wo_5.z) >= 0.0), (((ih * h_6.z) * wi.z) >= 0.0), false);
     float _e52 = facetDensity(h_6, s_13.alpha);
     float spread = (pick(crossing, (abs((oh * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_13, abs(oh), o_1.ratio);
+    vec3 _e60 = facetReflectance(s_13, abs(oh), o_2.ratio);
     passes = pick(crossing, (vec3(1.0) - _e60), _e60);
     float _e69 = stretched(wi, s_13.alpha);
-    float masked = (zi / max(((zi * o_1.stretched) + (zo * _e69)), 1e-20));
+    float masked = (zi / max(((zi * o_2.stretched) + (zo * _e69)), 1e-20));
     float _e76 = passes.x;
-    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_1.ratio * o_1.ratio), 1.0));
+    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_2.ratio * o_2.ratio), 1.0));
     const bool _e86 = hasCompensation;
     if (_e86) {
         vec3 _e87 = passes;
@@ -1701,11 +2081,11 @@ FacetLobe evaluateFacets(Surface s_13, Outgoing o_1, vec3 wi) {
         passes = (_e87 * _e88);
     }
     vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_1.bound * zo) + o_1.stretched)), abs(oh));
+    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_2.bound * zo) + o_2.stretched)), abs(oh));
 }
 
-bool isSmooth(uint code_6) {
-    return ((code_6 & 32u) != 0u);
+bool isSmooth(uint code_7) {
+    return ((code_7 & 32u) != 0u);
 }
 
 float mirrorShare(float reflectivity) {
@@ -1713,35 +2093,35 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec4 evaluateBsdf(Surface s_14, Outgoing o_2, vec3 wi_1) {
+vec4 evaluateBsdf(Surface s_14, Outgoing o_3, vec3 wi_1) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_1.z, 0.0));
     value = (vec4(s_14.baseColor, 1.0) * lambert);
-    dark = pick((o_2.wo.z < 0.0), true, (wi_1.z <= 0.0));
+    dark = pick((o_3.wo.z < 0.0), true, (wi_1.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_10 = uint(s_14.code);
-        FacetLobe _e32 = evaluateFacets(s_14, o_2, wi_1);
+        uint code_11 = uint(s_14.code);
+        FacetLobe _e32 = evaluateFacets(s_14, o_3, wi_1);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_14.baseColor, s_14.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_10);
+            bool _e43 = isMetallicRoughness(code_11);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_10);
-        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_2.share * _e32.pdf)));
+        bool _e52 = isSmooth(code_11);
+        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_3.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_10);
-        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_2.share)) * lambert)));
+        uint _e62 = kindOf(code_11);
+        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_3.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_10);
-        bool _e68 = isDielectric(code_10);
+        bool _e67 = isSmooth(code_11);
+        bool _e68 = isDielectric(code_11);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_14.reflectivity);
@@ -1766,10 +2146,10 @@ vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_19) {
     return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_20) {
-    float side_3 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_20);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_4, vec2 u_20) {
+    float side_4 = pick((o_4.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_4.wo * side_4), max(alpha_5, 0.001), o_4.bound, u_20);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_4);
 }
 
 vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_3) {
@@ -1782,12 +2162,12 @@ vec3 mirrored(vec3 wo_4) {
     return vec3(-(wo_4.xy), wo_4.z);
 }
 
-BsdfSample sampleLobe(Surface s_15, Outgoing o_4, vec3 u_21) {
+BsdfSample sampleLobe(Surface s_15, Outgoing o_5, vec3 u_21) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi_2 = vec3(0.0);
     float probability_1 = 0.0;
     vec3 weight = vec3(0.0);
-    vec3 wo_6 = o_4.wo;
+    vec3 wo_6 = o_5.wo;
     float _e5 = mirrorShare(s_15.reflectivity);
     float base_2 = (1.0 - _e5);
     float choice_1 = ((u_21.z - _e5) / base_2);
@@ -1797,30 +2177,30 @@ BsdfSample sampleLobe(Surface s_15, Outgoing o_4, vec3 u_21) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_15.code);
-        bool _e29 = isDielectric(code_11);
-        bool _e30 = isSmooth(code_11);
-        vec3 _e33 = sampleFacet(s_15.alpha, _e30, o_4, u_21.xy);
+        uint code_12 = uint(s_15.code);
+        bool _e29 = isDielectric(code_12);
+        bool _e30 = isSmooth(code_12);
+        vec3 _e33 = sampleFacet(s_15.alpha, _e30, o_5, u_21.xy);
         float oh_1 = max(dot(wo_6, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_15, oh_1, o_4.ratio);
+        vec3 _e38 = facetReflectance(s_15, oh_1, o_5.ratio);
         bool crossing_1 = pick(_e29, (choice_1 >= _e38.x), false);
         wi_2 = (((2.0 * oh_1) * _e33) - wo_6);
-        probability_1 = (base_2 * o_4.share);
-        weight = (_e38 / vec3(o_4.share));
+        probability_1 = (base_2 * o_5.share);
+        weight = (_e38 / vec3(o_5.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_11);
+            bool _e56 = isThin(code_12);
             vec3 _e57 = wi_2;
-            vec3 _e59 = refracted(wo_6, _e33, o_4.ratio);
+            vec3 _e59 = refracted(wo_6, _e33, o_5.ratio);
             wi_2 = pick(crossing_1, pick(_e56, -(wo_6), _e59), _e57);
             float _e63 = probability_1;
             probability_1 = pick(_e29, (base_2 * pick(crossing_1, (1.0 - _e38.x), _e38.x)), _e63);
             vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing_1, !(_e56), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e71);
+            weight = pick(_e29, vec3(pick(pick(crossing_1, !(_e56), false), (1.0 / (o_5.ratio * o_5.ratio)), 1.0)), _e71);
         }
         float _e88 = wi_2.z;
         bool lost = pick(!(_e30), (crossing_1 != ((wo_6.z < 0.0) != (_e88 < 0.0))), false);
-        bool specular_1 = (choice_1 < o_4.share);
+        bool specular_1 = (choice_1 < o_5.share);
         vec3 _e98 = drawn.direction;
         vec3 _e99 = wi_2;
         drawn.direction = pick(specular_1, _e99, _e98);
@@ -1855,12 +2235,12 @@ BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
     return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_1), drawn_1.delta);
 }
 
-vec3 toWorld(Basis b_3, vec3 v_6) {
-    return (((v_6.x * b_3.tangent) + (v_6.y * b_3.bitangent)) + (v_6.z * b_3.normal));
+vec3 toWorld(Basis b_4, vec3 v_7) {
+    return (((v_7.x * b_4.tangent) + (v_7.y * b_4.bitangent)) + (v_7.z * b_4.normal));
 }
 
-float max3_(vec3 v_7) {
-    return max(max(v_7.x, v_7.y), v_7.z);
+float max3_(vec3 v_8) {
+    return max(max(v_8.x, v_8.y), v_8.z);
 }
 
 float unitFloat(uint h_3) {
@@ -1880,102 +2260,104 @@ float nextHash(inout Sampler s_16) {
     return _e21;
 }
 
-bool isFlat(uint i_17) {
+bool isFlat(uint i_20) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_17 >= _e4);
+    return (i_20 >= _e4);
 }
 
-void meetSurface(inout Path p_9, PairHit hit_1) {
-    RayPair rays_1 = p_9.rays;
-    bool escaped_1 = (hit_1.shape == noShape);
-    uint shape = pick(escaped_1, 0u, hit_1.shape);
-    Surface _e10 = fetchSurface(shape);
+void meetSurface(inout Path p_10, PairHit hit_3) {
+    RayPair rays_1 = p_10.rays;
+    bool escaped_1 = (hit_3.shape == noShape);
+    uint shape_1 = pick(escaped_1, 0u, hit_3.shape);
+    Surface _e10 = fetchSurface(shape_1);
     bool _e13 = isDielectric(uint(_e10.code));
-    vec3 point_16 = (rays_1.point + (hit_1.t * rays_1.direction));
-    vec3 _e20 = normalAt(rays_1, hit_1.t, shape);
-    Basis _e29 = basisAbout(pick(pick((dot(_e20, rays_1.direction) > 0.0), !(_e13), false), -(_e20), _e20));
+    vec3 point_16 = (rays_1.point + (hit_3.t * rays_1.direction));
+    Normals _e19 = normalsAt(rays_1, hit_3, shape_1, _e13);
+    vec3 outward_1 = _e19.shading;
+    Basis _e29 = basisAbout(pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e13), false), -(outward_1), outward_1));
     vec3 _e32 = toLocal(_e29, -(rays_1.direction));
     const bool _e34 = hasGlass;
     if (_e34) {
         bool _e37 = isThin(uint(_e10.code));
         bool inside_4 = pick(pick(pick(_e13, !(_e37), false), (_e32.z < 0.0), false), !(escaped_1), false);
-        vec3 _e47 = p_9.throughput;
-        p_9.throughput = (_e47 * exp((-(_e10.absorption) * pick(inside_4, hit_1.t, 0.0))));
+        vec3 _e47 = p_10.throughput;
+        p_10.throughput = (_e47 * exp((-(_e10.absorption) * pick(inside_4, hit_3.t, 0.0))));
     }
     Emitter _e57 = fetchEmitter(0u);
-    vec3 _e59 = p_9.radiance;
-    vec3 _e61 = p_9.throughput;
-    Path _e62 = p_9;
-    vec3 _e63 = foundLight(_e62, hit_1, _e10, _e20, _e57);
-    p_9.radiance = (_e59 + (_e61 * _e63));
+    vec3 _e59 = p_10.radiance;
+    vec3 _e61 = p_10.throughput;
+    Path _e62 = p_10;
+    vec3 _e64 = foundLight(_e62, hit_3, _e10, _e19.geometric, _e57);
+    p_10.radiance = (_e59 + (_e61 * _e64));
     vec3 litSide = pick(_e13, vec3(0.0), _e29.normal);
-    vec3 _e71 = next3d(p_9.sampler_);
-    vec3 _e73 = next3d(p_9.sampler_);
-    EmitterChoice _e75 = chooseEmitter(point_16, litSide, _e71.z);
-    Emitter _e77 = emitterAt(_e75.index, _e57);
-    LightSample _e79 = sampleEmitter(_e77, point_16, _e71.xy);
-    float lightPdf = (_e79.pdf * _e75.probability);
-    Outgoing _e83 = outgoing(_e10, _e32);
-    vec3 _e85 = toLocal(_e29, _e79.direction);
-    vec4 _e86 = evaluateBsdf(_e10, _e83, _e85);
-    bool alone = pick(_e79.delta, true, pick((_e77.shape < 0.0), (_e79.distance_ < 1e30), false));
-    float _e97 = misWeight(lightPdf, _e86.w);
-    float lightWeight = (pick(alone, 1.0, _e97) / lightPdf);
-    BsdfSample _e101 = sampleLobe(_e10, _e83, _e73);
-    vec4 _e103 = evaluateBsdf(_e10, _e83, _e101.direction);
-    BsdfSample _e104 = completed(_e101, _e103);
-    vec3 _e106 = toWorld(_e29, _e104.direction);
-    uint _e109 = p_9.depth;
-    uint _e112 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e109 != _e112), false);
-    vec3 _e116 = p_9.throughput;
-    vec3 contribution = (((_e116 * _e86.xyz) * _e79.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((_e86.xyz * _e79.radiance), vec3(0.0))), false);
-    p_9.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e138 = p_9.throughput;
-    vec3 throughput = (_e138 * _e104.weight);
-    float _e141 = max3_(throughput);
-    uint _e147 = p_9.depth;
-    float survival = pick((_e147 < rouletteDepth), 1.0, min((_e141 / 0.33333334), 0.95));
-    float _e157 = max3_(throughput);
-    float _e162 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(goesOn, (_e104.pdf > 0.0), false), (_e157 > 0.0), false), (_e162 < survival), false);
-    p_9.throughput = (throughput / vec3(survival));
-    uint _e170 = p_9.depth;
-    p_9.depth = (_e170 + 1u);
-    p_9.pdf = pick(_e104.delta, 0.0, _e104.pdf);
-    p_9.litSide = litSide;
-    p_9.total = _e75.total;
-    bool _e180 = isFlat(shape);
-    bool solid = !(_e180);
-    uint lightShape = pick((_e77.shape >= 0.0), uint(max(_e77.shape, 0.0)), noShape);
-    p_9.rays = RayPair(point_16, shape, (1e-5 * length(point_16)), _e106, pick(solid, (dot(_e106, _e20) < 0.0), false), _e79.direction, pick(solid, (dot(_e79.direction, _e20) < 0.0), false), pick(lit_1, _e79.distance_, -1.0), lightShape);
+    vec3 _e72 = next3d(p_10.sampler_);
+    vec3 _e74 = next3d(p_10.sampler_);
+    EmitterChoice _e76 = chooseEmitter(point_16, litSide, _e72.z);
+    Emitter _e78 = emitterAt(_e76.index, _e57);
+    LightSample _e80 = sampleEmitter(_e78, point_16, _e72.xy);
+    float lightPdf = (_e80.pdf * _e76.probability);
+    Outgoing _e84 = outgoing(_e10, _e32);
+    vec3 _e86 = toLocal(_e29, _e80.direction);
+    vec4 _e87 = evaluateBsdf(_e10, _e84, _e86);
+    bool alone = pick(_e80.delta, true, pick((_e78.shape < 0.0), (_e80.distance_ < 1e30), false));
+    float _e98 = misWeight(lightPdf, _e87.w);
+    float lightWeight = (pick(alone, 1.0, _e98) / lightPdf);
+    BsdfSample _e102 = sampleLobe(_e10, _e84, _e74);
+    vec4 _e104 = evaluateBsdf(_e10, _e84, _e102.direction);
+    BsdfSample _e105 = completed(_e102, _e104);
+    vec3 _e107 = toWorld(_e29, _e105.direction);
+    uint _e110 = p_10.depth;
+    uint _e113 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e110 != _e113), false);
+    vec3 _e117 = p_10.throughput;
+    vec3 contribution = (((_e117 * _e87.xyz) * _e80.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((_e87.xyz * _e80.radiance), vec3(0.0))), false);
+    p_10.light = pick(lit_1, contribution, vec3(0.0));
+    vec3 _e139 = p_10.throughput;
+    vec3 throughput = (_e139 * _e105.weight);
+    float _e142 = max3_(throughput);
+    uint _e148 = p_10.depth;
+    float survival = pick((_e148 < rouletteDepth), 1.0, min((_e142 / 0.33333334), 0.95));
+    float _e158 = max3_(throughput);
+    float _e163 = nextHash(p_10.sampler_);
+    p_10.alive = pick(pick(pick(goesOn, (_e105.pdf > 0.0), false), (_e158 > 0.0), false), (_e163 < survival), false);
+    p_10.throughput = (throughput / vec3(survival));
+    uint _e171 = p_10.depth;
+    p_10.depth = (_e171 + 1u);
+    p_10.pdf = pick(_e105.delta, 0.0, _e105.pdf);
+    p_10.litSide = litSide;
+    p_10.total = _e76.total;
+    bool _e181 = isFlat(shape_1);
+    bool solid = !(_e181);
+    uint lightShape = pick((_e78.shape >= 0.0), uint(max(_e78.shape, 0.0)), noShape);
+    bool _e198 = p_10.alive;
+    p_10.rays = RayPair(point_16, shape_1, hit_3.triangle, (1e-5 * length(point_16)), _e198, _e107, pick(solid, (dot(_e107, outward_1) < 0.0), false), _e80.direction, pick(solid, (dot(_e80.direction, outward_1) < 0.0), false), pick(lit_1, _e80.distance_, -1.0), lightShape);
     return;
 }
 
-void extendPath(inout Path p_10) {
-    RayPair _e2 = p_10.rays;
+void extendPath(inout Path p_11) {
+    RayPair _e2 = p_11.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_10.radiance;
-    vec3 _e7 = p_10.light;
-    p_10.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_10.rays.lightDistance = -1.0;
-    bool _e17 = p_10.alive;
+    vec3 _e5 = p_11.radiance;
+    vec3 _e7 = p_11.light;
+    p_11.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_11.rays.lightDistance = -1.0;
+    bool _e17 = p_11.alive;
     if (_e17) {
-        meetSurface(p_10, _e3);
+        meetSurface(p_11, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_11) {
-    return pick(!(p_11.alive), (p_11.rays.lightDistance < 0.0), false);
+bool isOver(Path p_12) {
+    return pick(!(p_12.alive), (p_12.rays.lightDistance < 0.0), false);
 }
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, 0.0, vec3(0.0), false, vec3(0.0), false, 0.0, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, 0u, 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 pixel_3 = uvec2(fragment.xy);
     uint _e5 = frame.sampleIndex;

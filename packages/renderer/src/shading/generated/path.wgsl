@@ -26,11 +26,11 @@ struct Film {
 // pixel are dealt out to several threads of one workgroup, whose sums are then added in a fixed order: the same input gives the same
 // film.
 // First column and row, columns and rows of the part of the film that is traced.
-@group(0) @binding(5) var<uniform> region: vec4u;
+@group(0) @binding(6) var<uniform> region: vec4u;
 
-@group(0) @binding(6) var film: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(7) var film: texture_storage_2d<rgba32float, write>;
 
-@group(0) @binding(7) var filmSquares: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(8) var filmSquares: texture_storage_2d<rgba32float, write>;
 
 // A workgroup is a tile of pixels times the threads that share a pixel's samples.
 const tile = vec2u(8u, 4u);
@@ -91,7 +91,7 @@ fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   var s = startSampler(pixel, sampleIndex, frame.seed);
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = RayPair(camera.origin, noShape, 0.0, camera.direction, false, camera.direction, false, -1.0, noShape);
+  let rays = oneRay(camera.origin, camera.direction);
   return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
 }
 
@@ -114,7 +114,7 @@ fn isOver(p: Path) -> bool {
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn tracePair(p: RayPair) -> PairHit {
-  var found = PairHit(miss, noShape, false);
+  var found = PairHit(miss, noShape, false, 0u, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
   if (hasSpheres & (i < ends.x)) {
@@ -153,6 +153,9 @@ fn tracePair(p: RayPair) -> PairHit {
       }
     }
   }
+  if (hasMeshes) {
+    found = meetMeshes(found, p);
+  }
   return found;
 }
 
@@ -180,8 +183,12 @@ struct RayPair {
   // The shape that the point lies on. A ray that leaves it outwards (or a flat one) does not meet it at once; of one that goes
   // inwards only its far side counts.
   shape: u32,
+  // Of a mesh: the triangle, which no ray that leaves it meets.
+  triangle: u32,
   // ray.wesl, Start.tMin
   tMin: f32,
+  // Whether the path's ray is wanted.
+  goesOn: bool,
   direction: vec3f,
   inwards: bool,
   lightDirection: vec3f,
@@ -211,7 +218,8 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let surface = fetchSurface(shape);
   let isGlass = isDielectric(u32(surface.code));
   let point = rays.point + hit.t * rays.direction;
-  let outward = normalAt(rays, hit.t, shape);
+  let normals = normalsAt(rays, hit, shape, isGlass);
+  let outward = normals.shading;
   // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
   let basis = basisAbout(select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isGlass));
   let wo = toLocal(basis, -rays.direction);
@@ -220,7 +228,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
   let only = fetchEmitter(0u);
-  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, outward, only);
+  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, normals.geometric, only);
 
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(basis.normal, vec3f(0.0), isGlass);
@@ -252,7 +260,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).total = choice.total;
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(point, shape, relativeTMin * length(point), direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape);
+  (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape);
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
@@ -272,25 +280,17 @@ fn isDielectric(code: u32) -> bool {
   return hasGlass & (kindOf(code) == dielectric);
 }
 
-// The geometric normal where the path's ray ends: unit length, out of solids.
-fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
-  let b = fetchBounds(i);
-  let origin = p.point - b.center;
-  var normal = b.center;
-  if (hasQuads) {
-    let e = fetchExtent(i);
-    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
+// Out of solids, or to the front of triangles. Only meshes have two; and where the two of a glass body do not agree on which side a ray
+// comes from, the geometric one is right.
+fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
+  let outward = normalAt(rays, hit.t, shape);
+  var normals = Normals(outward, outward);
+  if (hasMeshes & isMesh(shape)) {
+    let n = meshNormals(shape - frame.shapeEnds.w, hit.triangle, hit.weights);
+    let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
+    normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
   }
-  if (hasBoxes) {
-    let e = fetchExtent(i);
-    let inside = (i == p.shape) & p.inwards;
-    let face = boxNormal(turned(e.a, origin), turned(e.a, p.direction), e.b.xyz, p.tMin, inside);
-    normal = select(normal, turnedBack(e.a, face), isBox(i));
-  }
-  if (hasSpheres) {
-    normal = select(normal, origin + t * p.direction, isSphere(i));
-  }
-  return normalize(normal);
+  return normals;
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -543,6 +543,9 @@ struct PairHit {
   shape: u32,
   // Whether the light is hidden.
   blocked: bool,
+  // Of a mesh: which triangle, and how much its second and third vertex count.
+  triangle: u32,
+  weights: vec2f,
 }
 
 
@@ -583,6 +586,132 @@ fn kindOf(code: u32) -> u32 {
 
 const dielectric = 3u;
 
+// The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
+fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
+  let b = fetchBounds(i);
+  let origin = p.point - b.center;
+  var normal = b.center;
+  if (hasQuads) {
+    let e = fetchExtent(i);
+    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
+  }
+  if (hasBoxes) {
+    let e = fetchExtent(i);
+    let inside = (i == p.shape) & p.inwards;
+    let face = boxNormal(turned(e.a, origin), turned(e.a, p.direction), e.b.xyz, p.tMin, inside);
+    normal = select(normal, turnedBack(e.a, face), isBox(i));
+  }
+  if (hasSpheres) {
+    normal = select(normal, origin + t * p.direction, isSphere(i));
+  }
+  return normalize(normal);
+}
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+// Triangle meshes, and such with shading normals of their own.
+override hasMeshes = false;
+
+// Rows after those of all other shapes, in the order of the instances.
+fn isMesh(i: u32) -> bool {
+  return i >= frame.shapeEnds.w;
+}
+
+// Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
+fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
+  let blended = (1.0 - weights.x - weights.y) * fromOctahedral(triangle.normalA) + weights.x * fromOctahedral(triangle.normalB) + weights.y * fromOctahedral(triangle.normalC);
+  let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blended;
+  let size = dot(smoothed, smoothed);
+  let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
+  // Normals that cancel out, between two that look opposite ways, are none.
+  let useful = (i.interpolated != 0u) & (size > 0.0);
+  return MeshNormals(geometric, select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful));
+}
+
+fn fetchInstance(row: u32) -> Instance {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  let r3 = geometryRow(row + 3u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
+}
+
+const instanceRows = 4u;
+
+fn fetchTriangle(row: u32) -> Triangle {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
+}
+
+const triangleRows = 3u;
+
+// Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
+// EGSR 2010). packed-scene/octahedral.ts writes them.
+fn fromOctahedral(code: u32) -> vec3f {
+  let p = vec2f(f32(code & 0xffffu), f32(code >> 16u)) * (2.0 / 65534.0) - 1.0;
+  let z = 1.0 - abs(p.x) - abs(p.y);
+  let folded = (1.0 - abs(p.yx)) * select(vec2f(1.0), vec2f(-1.0), p < vec2f(0.0));
+  return normalize(vec3f(select(p, folded, z < 0.0), z));
+}
+
+// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
+struct MeshNormals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+fn geometryRow(i: u32) -> vec4u {
+  return geometry[i];
+}
+
+struct Instance {
+  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
+  toMeshX: vec4f,
+  // y
+  toMeshY: vec4f,
+  // z
+  toMeshZ: vec4f,
+  // row of the root of its tree
+  nodes: u32,
+  // row of its first triangle
+  triangles: u32,
+  // 1: shading normals are interpolated; 0: triangles are flat
+  interpolated: u32,
+  // unused
+  spare: u32,
+}
+
+
+// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
+@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
+
+struct Triangle {
+  // first vertex, in the space of its mesh
+  a: vec3f,
+  // its shading normal, octahedral, 16 bits each
+  normalA: u32,
+  // second vertex
+  b: vec3f,
+  // its shading normal
+  normalB: u32,
+  // third vertex
+  c: vec3f,
+  // its shading normal
+  normalC: u32,
+}
+
+
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
@@ -606,7 +735,7 @@ fn fetchExtent(i: u32) -> Extent {
 }
 
 fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.z;
+  return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
 
 struct Extent {
@@ -1714,7 +1843,7 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   let pathT = select(t.x, miss, own & !p.inwards);
   let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
   let nearer = pathT < found.t;
-  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance));
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), 0u, vec2f(0.0));
 }
 
 fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
@@ -1774,6 +1903,245 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
+// Both rays at one place in the program, one after the other: they go different ways through the trees.
+fn meetMeshes(before: PairHit, p: RayPair) -> PairHit {
+  var found = before;
+  let first = frame.shapeEnds.w;
+  let left = LeftTriangle(select(noInstance, p.shape - first, isMesh(p.shape) & (p.shape != noShape)), p.triangle);
+  var i = 0u;
+  loop {
+    let toLight = i == 1u;
+    let most = select(select(-1.0, found.t, p.goesOn), select(p.lightDistance, -1.0, found.blocked), toLight);
+    if (most > 0.0) {
+      let hit = traverse(p.point, select(p.direction, p.lightDirection, toLight), p.tMin, most, toLight, left);
+      let met = hit.instance != noInstance;
+      if (toLight) {
+        found.blocked = met;
+      } else if (met) {
+        found = PairHit(hit.t, first + hit.instance, found.blocked, hit.triangle, hit.weights);
+      }
+    }
+    i++;
+    if (i >= 2u) {
+      break;
+    }
+  }
+  return found;
+}
+
+// The triangle that a ray starts on; it is flat, so that no ray meets it again.
+struct LeftTriangle {
+  instance: u32,
+  triangle: u32,
+}
+
+
+const noInstance = 0xffffffffu;
+
+// Only what is farther than `least` and nearer than `most` counts; with `anyHit` the first that is found.
+fn traverse(origin: vec3f, direction: vec3f, least: f32, most: f32, anyHit: bool, left: LeftTriangle) -> MeshHit {
+  var hit = MeshHit(most, noInstance, 0u, vec2f(0.0));
+  var instance = noInstance;
+  var nodes = 0u;
+  var triangles = 0u;
+  var slabs = slabRay(origin, direction);
+  var ray = meshRay(origin, direction);
+  var top = 0u;
+  var current = 0u;
+  loop {
+    var pops = false;
+    if ((current & leafBit) == 0u) {
+      let node = nodes + current * nodeRows;
+      let r = geometryRow(node + childrenRow);
+      let t = enterChildren(node, slabs, r, hit.t);
+      // Farthest first onto the stack: a sorting network of five exchanges.
+      let a = t.x < t.z;
+      let b = t.y < t.w;
+      let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
+      let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
+      let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
+      let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
+      let c = t0.x < t1.x;
+      let d = t0.y < t1.y;
+      let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
+      let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
+      let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
+      let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
+      let e = ta.y < tb.x;
+      let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
+      let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
+      if (ta.x < 1e30) {
+        stack[top] = ra.x;
+        top++;
+      }
+      if (tm.x < 1e30) {
+        stack[top] = rm.x;
+        top++;
+      }
+      if (tm.y < 1e30) {
+        stack[top] = rm.y;
+        top++;
+      }
+      pops = tb.y >= 1e30;
+      current = rb.y;
+    } else if ((instance == noInstance) | (current == leaving)) {
+      // Into an instance, or back into the world.
+      let back = current == leaving;
+      var o = origin;
+      var d = direction;
+      instance = select(current & placeMask, noInstance, back);
+      nodes = 0u;
+      if (!back) {
+        let i = fetchInstance(frame.instances + instance * instanceRows);
+        o = vec3f(dot(i.toMeshX.xyz, origin) + i.toMeshX.w, dot(i.toMeshY.xyz, origin) + i.toMeshY.w, dot(i.toMeshZ.xyz, origin) + i.toMeshZ.w);
+        d = vec3f(dot(i.toMeshX.xyz, direction), dot(i.toMeshY.xyz, direction), dot(i.toMeshZ.xyz, direction));
+        nodes = i.nodes;
+        triangles = i.triangles;
+        stack[top] = leaving;
+        top++;
+        current = 0u;
+      }
+      slabs = slabRay(o, d);
+      ray = meshRay(o, d);
+      pops = back;
+    } else {
+      // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
+      let place = current & placeMask;
+      let found = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
+      let own = (instance == left.instance) & (place == left.triangle);
+      let nearer = (found.t > least) & (found.t < hit.t) & !own;
+      hit = MeshHit(select(hit.t, found.t, nearer), select(hit.instance, instance, nearer), select(hit.triangle, place, nearer), select(hit.weights, found.weights, nearer));
+      if (anyHit & nearer) {
+        break;
+      }
+      current = current + 1u - (1u << countShift);
+      pops = ((current >> countShift) & 7u) == 0u;
+    }
+    if (pops) {
+      if (top == 0u) {
+        break;
+      }
+      top--;
+      current = stack[top];
+    }
+  }
+  return hit;
+}
+
+struct MeshHit {
+  t: f32,
+  instance: u32,
+  triangle: u32,
+  // Of the triangle's second and third vertex.
+  weights: vec2f,
+}
+
+
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+// References: encode-wide-bvh.ts.
+const leafBit = 0x80000000u;
+
+// On the stack: here the ray leaves the instance.
+const leaving = 0xffffffffu;
+
+// Rows of a node; from the rows of least to those of greatest places; and where the references are.
+const nodeRows = 7u;
+
+const childrenRow = 6u;
+
+// Where the ray enters each child, 1e30 where it does not.
+fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
+  // The row of the far planes is the other one of the two.
+  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
+  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  let entered = select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
+  return select(vec4f(1e30), entered, children != vec4u(0u));
+}
+
+// pack-geometry.ts refuses trees that need more.
+var<private> stack: array<u32, 64>;
+
+const leastToGreatest = 3u;
+
+fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
+  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
+const slabRounding = 1.0 + 1e-6;
+
+// What the slabs of boxes are worked out with.
+struct SlabRay {
+  inverse: vec3f,
+  // -origin * inverse
+  offset: vec3f,
+  // From a node to the rows that hold the near planes.
+  near: vec3u,
+}
+
+
+const placeMask = 0x0fffffffu;
+
+fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
+  let a = turnedTo(ray.axis, triangle.a - ray.origin);
+  let b = turnedTo(ray.axis, triangle.b - ray.origin);
+  let c = turnedTo(ray.axis, triangle.c - ray.origin);
+  let pa = a.xy + a.z * ray.shear.xy;
+  let pb = b.xy + b.z * ray.shear.xy;
+  let pc = c.xy + c.z * ray.shear.xy;
+  let u = edge(pc, pb);
+  let v = edge(pa, pc);
+  let w = edge(pb, pa);
+  let sum = u + v + w;
+  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
+  let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
+  let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
+  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse);
+}
+
+const countShift = 28u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
+fn edge(a: vec2f, b: vec2f) -> f32 {
+  let p = a.x * b.y;
+  let q = a.y * b.x;
+  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+struct TriangleHit {
+  // Below 0: missed.
+  t: f32,
+  // How much the second and third vertex count.
+  weights: vec2f,
+}
+
+
+// A ray in the space of a mesh.
+struct MeshRay {
+  origin: vec3f,
+  // The axis along which the direction is longest: 0, 1 or 2.
+  axis: u32,
+  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
+  shear: vec3f,
+}
+
+
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
 
 @group(0) @binding(3) var previousSquares: texture_2d<f32>;
@@ -1819,6 +2187,11 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
     skipGroup(s);
   }
   return u;
+}
+
+// A ray that starts on no shape, without one to a light.
+fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
+  return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
@@ -1958,4 +2331,6 @@ struct Frame {
   environmentSize: vec2f,
   // film samples that this call adds, from sampleIndex on; 1 where passes draw
   sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
 }

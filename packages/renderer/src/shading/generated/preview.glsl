@@ -44,6 +44,7 @@ struct Frame {
     float environmentTurn;
     vec2 environmentSize;
     uint sampleCount;
+    uint instances;
 };
 struct Start {
     vec3 point;
@@ -355,7 +356,8 @@ bool isSphere(uint i_8) {
 
 bool isPlane(uint i_9) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_9 >= _e4);
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_9 >= _e4), (i_9 < _e9), false);
 }
 
 bool isFlat(uint i_10) {

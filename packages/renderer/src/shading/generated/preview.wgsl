@@ -151,7 +151,7 @@ fn isSphere(i: u32) -> bool {
 }
 
 fn isPlane(i: u32) -> bool {
-  return i >= frame.shapeEnds.z;
+  return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
 
 fn fetchExtent(i: u32) -> Extent {
@@ -431,6 +431,8 @@ struct Frame {
   environmentSize: vec2f,
   // film samples that this call adds, from sampleIndex on; 1 where passes draw
   sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
 }
 
 

@@ -1,0 +1,62 @@
+/** Bounds of all nodes from those of the primitives. Children come after their parents, so one pass from the end does it. */
+
+/** Writes the union of the boxes of both children into node i. */
+export function uniteChildren(bounds: Float32Array, i: number, second: number): void {
+  const to = 6 * i;
+  const a = to + 6;
+  const b = 6 * second;
+  for (let k = 0; k < 3; k++) {
+    const least = bounds[b + k]!;
+    bounds[to + k] = bounds[a + k]! < least ? bounds[a + k]! : least;
+    const greatest = bounds[b + 3 + k]!;
+    bounds[to + 3 + k] = bounds[a + 3 + k]! > greatest ? bounds[a + 3 + k]! : greatest;
+  }
+}
+
+function uniteLeaf(
+  bounds: Float32Array,
+  node: number,
+  boxes: Float32Array,
+  order: Uint32Array,
+  begin: number,
+  end: number,
+) {
+  let x0 = Infinity;
+  let y0 = Infinity;
+  let z0 = Infinity;
+  let x1 = -Infinity;
+  let y1 = -Infinity;
+  let z1 = -Infinity;
+  for (let k = begin; k < end; k++) {
+    const i = order[k]! * 6;
+    if (boxes[i]! < x0) x0 = boxes[i]!;
+    if (boxes[i + 1]! < y0) y0 = boxes[i + 1]!;
+    if (boxes[i + 2]! < z0) z0 = boxes[i + 2]!;
+    if (boxes[i + 3]! > x1) x1 = boxes[i + 3]!;
+    if (boxes[i + 4]! > y1) y1 = boxes[i + 4]!;
+    if (boxes[i + 5]! > z1) z1 = boxes[i + 5]!;
+  }
+  const to = node * 6;
+  bounds[to] = x0;
+  bounds[to + 1] = y0;
+  bounds[to + 2] = z0;
+  bounds[to + 3] = x1;
+  bounds[to + 4] = y1;
+  bounds[to + 5] = z1;
+}
+
+/** `boxes` as in primitive-boxes.ts. */
+export function boundNodes(
+  nodeCount: number,
+  links: Uint32Array,
+  order: Uint32Array,
+  boxes: Float32Array,
+  bounds: Float32Array,
+): void {
+  for (let i = nodeCount - 1; i >= 0; i--) {
+    const count = links[2 * i + 1]!;
+    const first = links[2 * i]!;
+    if (count === 0) uniteChildren(bounds, i, first);
+    else uniteLeaf(bounds, i, boxes, order, first, first + count);
+  }
+}

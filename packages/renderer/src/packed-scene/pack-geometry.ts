@@ -1,0 +1,121 @@
+/**
+ * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
+ * instances; then, mesh by mesh, the nodes of its tree and its triangles. The first part is written for every frame that moves, in
+ * coordinates relative to the eye; the second only when other meshes come in.
+ */
+
+import { buildBvh } from '../bvh/build-bvh.ts';
+import { type Bvh, leafCount } from '../bvh/bvh.ts';
+import type { Mesh } from '../scene/mesh.ts';
+import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
+import { inverse, type Placement, placementOf } from '../scene/placement.ts';
+import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
+import { subtract } from '../scene/vec3.ts';
+import { encodeWideBvh } from './encode-wide-bvh.ts';
+import { GEOMETRY_ROW, geometryRows } from './layout.ts';
+import { type PackedMesh, packMesh } from './pack-mesh.ts';
+import { type Block, createBlock, writeStruct } from './write-struct.ts';
+
+export interface PackedGeometry {
+  /** Rows before those of the meshes: room for the tree over the instances, and for them. */
+  readonly movingRows: number;
+  /** What they hold. */
+  readonly moving: Block;
+  /** Row of the first instance. */
+  readonly instances: number;
+  /** In the order in which their rows follow one another. */
+  readonly meshes: readonly PackedMesh[];
+  /** All rows. */
+  readonly rows: number;
+}
+
+/** Rows of the longest stack in traverse.wesl. */
+const STACK = 64;
+const NODE_ROWS = geometryRows('WideNode');
+const INSTANCE_ROWS = geometryRows('Instance');
+const ROW_BYTES = GEOMETRY_ROW * 4;
+
+/** A tree that leads deeper than a kernel can go: triangles by the thousand at one place, or nested to no end. */
+export class DeepTreeError extends Error {
+  override readonly name = 'DeepTreeError';
+}
+
+interface Placed {
+  readonly shape: MeshShape;
+  readonly mesh: Mesh;
+}
+
+/** `shapes`: those of the scene that are meshes, in the order of their rows. Every mesh has its data. */
+export function packGeometry(scene: Scene, shapes: readonly MeshShape[], eye: Vec3): PackedGeometry {
+  const placed = shapes.map((shape) => ({ shape, mesh: dataOf(scene, shape) }));
+  const meshes = new Map([...new Set(placed.map(({ mesh }) => mesh))].map((mesh) => [mesh, packMesh(mesh)]));
+  // Twice the room that is needed, so that a few more instances move nothing.
+  const room = 2 ** Math.ceil(Math.log2(Math.max(shapes.length, 1)));
+  const instances = room * NODE_ROWS;
+  const movingRows = instances + room * INSTANCE_ROWS;
+  const starts = new Map<Mesh, number>();
+  let rows = movingRows;
+  for (const [mesh, { nodes, triangles }] of meshes) {
+    starts.set(mesh, rows);
+    rows += (nodes.length + triangles.length) / GEOMETRY_ROW;
+  }
+  const moving = createBlock(movingRows * ROW_BYTES);
+  const deepest = Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed));
+  writeTree(moving, placed, eye, deepest);
+  placed.forEach(({ shape, mesh }, i) => {
+    const nodes = starts.get(mesh)!;
+    const triangles = nodes + meshes.get(mesh)!.nodes.length / GEOMETRY_ROW;
+    writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
+      ...rowsInto(placementOf(shape), eye),
+      nodes,
+      triangles,
+      interpolated: mesh.normals ? 1 : 0,
+    });
+  });
+  return { movingRows, moving, instances, meshes: [...meshes.values()], rows };
+}
+
+function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {
+  const data = meshes[mesh]?.data;
+  if (!data) throw new TypeError(`The mesh "${mesh}" has not been loaded.`);
+  return data;
+}
+
+function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest: number): void {
+  const { words, stackNeed } = encodeWideBvh(treeOver(placed, eye));
+  // One more to find the way back out of an instance.
+  const need = stackNeed + 1 + deepest;
+  if (need > STACK)
+    throw new DeepTreeError(
+      `A ray may have to remember ${need} nodes on its way through the meshes; kernels remember ${STACK}.`,
+    );
+  moving.u32.set(words);
+}
+
+/** Over the instances' boxes, relative to the eye; each instance is a leaf of its own. */
+function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
+  const corners = placed.flatMap(({ shape, mesh }) => {
+    const { min, max } = placedBounds(meshBounds(mesh), placementOf(shape));
+    return [...subtract(min, eye), ...subtract(max, eye)];
+  });
+  // A triangle from corner to corner of a box has that box.
+  const indices = Uint32Array.from(
+    { length: placed.length * 3 },
+    (_, i) => 2 * Math.floor(i / 3) + (i % 3 === 1 ? 1 : 0),
+  );
+  const bvh = buildBvh({ positions: new Float32Array(corners), indices }, { leafSize: 1, maxLeafSize: 1 });
+  for (let i = 0; i < bvh.nodeCount; i++) {
+    const count = leafCount(bvh, i);
+    if (count > 1) throw new Error(`A leaf of ${count} instances.`);
+    // Leaves name instances, not places.
+    if (count === 1) bvh.links[2 * i] = bvh.order[bvh.links[2 * i]!]!;
+  }
+  return bvh;
+}
+
+/** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
+function rowsInto(placement: Placement, eye: Vec3) {
+  const { x, y, z, origin } = inverse({ ...placement, origin: subtract(placement.origin, eye) });
+  const row = (axis: 0 | 1 | 2) => [x[axis], y[axis], z[axis], origin[axis]];
+  return { toMeshX: row(0), toMeshY: row(1), toMeshZ: row(2) };
+}
