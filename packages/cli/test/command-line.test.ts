@@ -206,6 +206,15 @@ describe(`films, by ${backend}`, () => {
     expect(existsSync(inFolder('x.exr'))).toBe(false);
   });
 
+  test('ranges cut where blocks end, at 256 and 512, are one run', async () => {
+    expect((await render('--spp 530 -o long.npy')).code).toBe(0);
+    const parts = ['0-255', '256-511', '512-529'].map((range) => ({ range, file: `b${range}.part` }));
+    for (const { range, file } of parts) expect((await render(`--samples ${range} -o ${file}`)).code).toBe(0);
+    const { code, stdout } = await mirrorball(`merge ${parts.map(({ file }) => file).join(' ')} -o blocks.npy`);
+    expect([code, stdout]).toEqual([0, expect.stringContaining('530 samples a pixel (0-529)')]);
+    expect(bytesOf('blocks.npy').equals(bytesOf('long.npy'))).toBe(true);
+  });
+
   test('--region and --pixel have the values of the whole picture, exactly', async () => {
     expect((await render('--spp 5 -o all.npy')).code).toBe(0);
     expect((await render('--spp 5 --region 7,3,5,11 -o some.npy')).code).toBe(0);

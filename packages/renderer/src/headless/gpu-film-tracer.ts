@@ -9,10 +9,13 @@ import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOpti
 /** Films of 16-bit floats sum up fewer samples than this; places and numbers of shapes would not survive in them. */
 const LEAST_FILM_SAMPLES = 1024;
 /**
- * Samples of one call, where calls may add many: few enough for the first of them on a fast GPU, and always the same ones together,
- * since their sums are rounded together.
+ * Where calls may add many samples, groups of so many are rounded together (path_entries.wesl), and a call has so many groups at most.
+ * The film is the same however many it has, but where one is cut.
  */
-const BATCH = 256;
+const GROUP = 32;
+const MOST_GROUPS = 8;
+/** As long a call may take if a group does not take longer, milliseconds: what is begun of it is lost when the work is to end early. */
+const LONGEST_CALL = 500;
 /** Calls that may wait on the device: it never idles, and an interruption is heard soon. */
 const MOST_IN_FLIGHT = 4;
 
@@ -84,9 +87,7 @@ export class GpuFilmTracer implements FilmTracer {
     const inFlight: Promise<boolean>[] = [];
     const stopped = () => signal?.aborted === true;
     while (film.samples < held + count && !stopped()) {
-      const next = film.nextSample;
-      const batch = this.#stages.addsMany ? BATCH - (next % BATCH) : 1;
-      const most = Math.min(batch, held + count - film.samples);
+      const most = Math.min(this.#samplesOfCall(film.nextSample), held + count - film.samples);
       const sample = this.#stages.addSamples(most, this.#controller, () => {}, stopped);
       sample.catch(() => {}); // awaited below, or not at all when an earlier one failed
       inFlight.push(sample);
@@ -95,6 +96,16 @@ export class GpuFilmTracer implements FilmTracer {
       onProgress?.(film.samples - held);
     }
     await Promise.all(inFlight);
+  }
+
+  /** How many from `next` on, up to the end of a group. */
+  #samplesOfCall(next: number): number {
+    if (!this.#stages.addsMany) return 1;
+    const { width, height } = this.#job!.area;
+    const { cost } = this.#controller;
+    const samples = cost ? (LONGEST_CALL - cost.fixed) / (cost.perPixel * width * height) : 0;
+    const groups = Math.min(Math.max(Math.floor(samples / GROUP), 1), MOST_GROUPS);
+    return groups * GROUP - (next % GROUP);
   }
 
   #orLost<Result>(work: Promise<Result>): Promise<Result> {
