@@ -13,6 +13,10 @@ const listed = (names: string): string => names.replace(/ (?:or|and) (?=")|, (?=
 const allowedForms: readonly Form[] = [
   [/^(?:.*: )?a number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
   [/^(?:.*: )?a whole number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的整数`],
+  [
+    /^(?:.*: )?-1 for no limit, or a whole number from (\S+) to (\S+)$/,
+    (low, high) => `-1（不限），或 ${low} 到 ${high} 之间的整数`,
+  ],
   [/^one number of .*: from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
   [
     /: a list of three numbers, each from (\S+) to (\S+)$/,
