@@ -57,8 +57,7 @@ export class Stages {
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
   #content: Content | null = null;
-  /** What the film's newest whole picture shows, when it is no picture. */
-  #pictured: Sight | null = null;
+  #shown: Sight | null = null;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -90,6 +89,10 @@ export class Stages {
   get film(): Film {
     return this.#film;
   }
+  /** What the film's newest whole picture shows, when it is no picture. */
+  get shown(): Sight | null {
+    return this.#shown;
+  }
 
   /** Lays the film aside with all that is in it, and takes an empty one. */
   park(): void {
@@ -103,7 +106,7 @@ export class Stages {
     this.#film.destroy();
     this.#film = this.#parked!;
     this.#parked = null;
-    this.#pictured = null;
+    this.#shown = null;
     this.#aim(shot, this.#film.width, this.#film.height);
   }
 
@@ -251,7 +254,7 @@ export class Stages {
   #complete(count: number, submitted: () => void): void {
     this.#pending = false;
     this.film.swap(count);
-    this.#pictured = this.#sight();
+    this.#shown = this.#sight();
     submitted();
   }
 
@@ -286,7 +289,7 @@ export class Stages {
     const picture = this.film.picture ?? this.#parked?.picture;
     if (!picture) return false;
     const { film, width, height } = picture;
-    if (this.#pictured && this.film.picture) this.#aovDisplay!.show(film, width, height, this.#pictured);
+    if (this.#shown && this.film.picture) this.#aovDisplay!.show(film, width, height, this.#shown);
     else this.#display.show(film.layers[0]!, width, height, look);
     return true;
   }
