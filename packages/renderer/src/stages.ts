@@ -11,7 +11,7 @@ import type { FrameController } from './frame-controller.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
-import { drawPath } from './integrator/path/path.ts';
+import { drawPath, groupsOf, MOST_GROUPS } from './integrator/path/path.ts';
 import type { ProgramPlan } from './integrator/path/path-programs.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
@@ -185,7 +185,7 @@ export class Stages {
     this.#table.write(packed.table.f32, packed.rows);
   }
 
-  /** How many samples one call of `addSamples` may add; as many as one likes, or 1. */
+  /** Whether one call of `addSamples` may add more than one: of as many groups as integrator/path/path.ts says. */
   get addsMany(): boolean {
     return this.#pass.addsMany;
   }
@@ -206,6 +206,8 @@ export class Stages {
     const { width, height } = film;
     const { x, y, ...area } = this.#shot!.area ?? { x: 0, y: 0, width, height };
     const pass = this.#pass;
+    if (pass.addsMany && groupsOf(film.nextSample, count) > MOST_GROUPS)
+      throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);
     this.#writeFrame(count);
     const columns = { firstColumn: x, columnCount: area.width };
     const end = y + area.height;

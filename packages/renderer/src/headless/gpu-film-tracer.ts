@@ -1,6 +1,7 @@
 /** Traces films on a GPU device with the same stages that draw on a canvas. */
 import { FrameController } from '../frame-controller.ts';
 import { type Device, DeviceError } from '../gpu/device.ts';
+import { MOST_GROUPS, SAMPLES_OF_GROUP } from '../integrator/path/path.ts';
 import type { ProgramPlan } from '../integrator/path/path-programs.ts';
 import { Stages } from '../stages.ts';
 import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
@@ -8,12 +9,6 @@ import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOpti
 
 /** Films of 16-bit floats sum up fewer samples than this; places and numbers of shapes would not survive in them. */
 const LEAST_FILM_SAMPLES = 1024;
-/**
- * Where calls may add many samples, groups of so many are rounded together (path_entries.wesl), and a call has so many groups at most.
- * The film is the same however many it has, but where one is cut.
- */
-const GROUP = 32;
-const MOST_GROUPS = 8;
 /** As long a call may take if a group does not take longer, milliseconds: what is begun of it is lost when the work is to end early. */
 const LONGEST_CALL = 500;
 /** Calls that may wait on the device: it never idles, and an interruption is heard soon. */
@@ -104,8 +99,8 @@ export class GpuFilmTracer implements FilmTracer {
     const { width, height } = this.#job!.area;
     const { cost } = this.#controller;
     const samples = cost ? (LONGEST_CALL - cost.fixed) / (cost.perPixel * width * height) : 0;
-    const groups = Math.min(Math.max(Math.floor(samples / GROUP), 1), MOST_GROUPS);
-    return groups * GROUP - (next % GROUP);
+    const groups = Math.min(Math.max(Math.floor(samples / SAMPLES_OF_GROUP), 1), MOST_GROUPS);
+    return groups * SAMPLES_OF_GROUP - (next % SAMPLES_OF_GROUP);
   }
 
   #orLost<Result>(work: Promise<Result>): Promise<Result> {

@@ -39,7 +39,7 @@ const pixels = 32u;
 
 const shares = 4u;
 
-// Samples of a group, which begins at a multiple of it. A dispatch has samples of 8 groups at most: headless/gpu-film-tracer.ts.
+// Samples of a group, which begins at a multiple of it. A dispatch touches 8 groups at most: path.ts.
 const group = 32u;
 
 // A thread's share of each group.
