@@ -41,6 +41,25 @@ test('a click focuses on what is there, a drag does not; so does a key, and the 
   await expect(distance).toHaveAccessibleDescription('Only path tracing uses this');
 });
 
+test('the address has a lens; it stays when the view is reset, and goes with the scene', async ({
+  page,
+  openStudio,
+}) => {
+  await openStudio({ backend: 'webgl2', query: { ...query, aperture: 0.05, focus: 2.5 } });
+  const lens = async () => {
+    const { aperture = 0, focusDistance = 0 } = (await rendererState(page))?.camera ?? {};
+    return [aperture, focusDistance];
+  };
+  await soon(lens).toEqual([0.05, 2.5]);
+  await expect(page.getByRole('slider', { name: 'Focus distance' })).toHaveAttribute('aria-valuetext', '2.50 m');
+  await page.getByRole('slider', { name: 'Aperture (radius)' }).fill('0');
+  await soon(lens).toEqual([0, 2.5]);
+  await page.keyboard.press('r');
+  await soon(lens).toEqual([0.05, 2.5]);
+  await page.keyboard.press('1');
+  await soon(lens).toEqual([0, 0]);
+});
+
 test('a still by the CPU says that it traces no paths', async ({ page, openStudio }) => {
   await openStudio({ query: { ...query, backend: 'cpu', lang: 'zh' } });
   const notice = page.getByText('路径追踪需要 WebGPU 或 WebGL2。');

@@ -19,6 +19,8 @@ for (const entry of ENTRIES)
     expect(film.samples).toBe(SAMPLES);
     expect(film.brightest, 'the brightest sum').toBeGreaterThan(SAMPLES / 100);
     for (const difference of film.runs) expect(difference, 'four runs, relative').toBeLessThanOrEqual(1e-6);
+    // On top of one another the same additions come in the same order, however many of them a call has.
+    expect(film.goneOn, 'gone on with, interrupted, relative').toEqual([0, 0]);
     // Sums of the device alone, in 32 bits: each addition may round by 2^-24 of what is there by then.
     expect(film.sums, 'sums of four runs, relative').toBeLessThan(SAMPLES * 2 ** -24);
     // Not only about: a pixel does not know which part it is traced in.

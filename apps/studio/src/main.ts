@@ -1,5 +1,5 @@
 import { batch } from '@preact/signals';
-import type { Renderer } from 'mirrorball';
+import type { Renderer, Scene } from 'mirrorball';
 import { takeScene } from './actions.ts';
 import { mountApp } from './app.tsx';
 import { dictionary, startLanguage } from './i18n.ts';
@@ -28,7 +28,7 @@ function start(): void {
   startLanguage(parameters.lang);
   followTheme();
   followStageSize(parameters.size);
-  takeScene(builtInScene(parameters.scene));
+  takeScene(throughLens(builtInScene(parameters.scene), parameters));
   takeParameters(parameters);
 
   const session = openSession(parameters.backend);
@@ -49,6 +49,16 @@ function start(): void {
     document.getElementById('loading')?.replaceChildren(parameters.ui ? '' : dictionary.peek().noticeNothing(reason));
     notify('error', (t) => t.noticeNothing(reason));
   });
+}
+
+/** The lens becomes the scene's own, so that it stays when the view is moved and taken back. */
+function throughLens<Shown extends { readonly scene: Scene }>(shown: Shown, given: UrlParameters): Shown {
+  const { camera } = shown.scene;
+  const lens = {
+    ...(given.aperture !== null && { aperture: given.aperture }),
+    ...(given.focus !== null && { focusDistance: given.focus }),
+  };
+  return { ...shown, scene: { ...shown.scene, camera: { ...camera, ...lens } } };
 }
 
 /** On a page this low, such as a phone on its side, the panel would hide too much: it starts folded. */

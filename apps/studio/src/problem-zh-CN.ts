@@ -25,6 +25,10 @@ const allowedForms: readonly Form[] = [
     /: a list of (\d+) numbers, each from (\S+) to (\S+)$/,
     (count, low, high) => `由 ${count} 个数组成的列表，每个数在 ${low} 到 ${high} 之间`,
   ],
+  [
+    /^(?:.*: )?-1 for no limit, or a whole number from (\S+) to (\S+)$/,
+    (low, high) => `-1（不限），或 ${low} 到 ${high} 之间的整数`,
+  ],
   [/^one number of .*: from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
   [
     /: a list of three numbers, each from (\S+) to (\S+)$/,

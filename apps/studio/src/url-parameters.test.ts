@@ -12,7 +12,7 @@ test('an empty address leaves everything open and shows the controls', () => {
 
 test('every parameter is read', () => {
   const address =
-    '?scene=mirror-blocks&backend=webgl2&size=512&reflections=10&samples=9&exposure=-0.5&tone=agx&integrator=path&depth=8&view=normal&compare=samples&time=1.3&paused=1&lang=zh&ui=0&scale=0.5&adaptive=0&seed=1';
+    '?scene=mirror-blocks&backend=webgl2&size=512&reflections=10&samples=9&exposure=-0.5&tone=agx&integrator=path&depth=8&aperture=0.02&focus=3.5&view=normal&compare=samples&time=1.3&paused=1&lang=zh&ui=0&scale=0.5&adaptive=0&seed=1';
   expect(readParameters(address, scenes)).toEqual({
     scene: 'mirror-blocks',
     backend: 'webgl2',
@@ -23,6 +23,8 @@ test('every parameter is read', () => {
     tone: 'agx',
     integrator: 'path',
     depth: 8,
+    aperture: 0.02,
+    focus: 3.5,
     view: 'normal',
     compare: 'samples',
     time: 1.3,
@@ -38,10 +40,15 @@ test('every parameter is read', () => {
 });
 
 test('what cannot be understood is left out and named', () => {
-  const parameters = readParameters('?scene=nope&reflections=65&samples=2.5&time=&scale=NaN&paused=yes', scenes);
+  const parameters = readParameters(
+    '?scene=nope&reflections=65&samples=2.5&time=&scale=NaN&paused=yes&aperture=-1&focus=1e10',
+    scenes,
+  );
   expect(parameters).toMatchObject({ scene: null, reflections: null, samples: null, time: null, scale: null });
   expect(parameters.problems).toEqual([
     'scene=nope (cube-room, mirror-blocks)',
+    'aperture=-1 (0 … 1000000000)',
+    'focus=1e10 (0 … 1000000000)',
     'reflections=65 (0 … 64)',
     'samples=2.5 (1 … 256)',
     'time= (0 … 1000000)',

@@ -7,6 +7,7 @@ import { en } from './en.ts';
  *     ?scene=cube-room      one of the built-in scenes: cube-room, mirror-blocks, moving-shadows, materials
  *     &backend=webgl2       webgpu, webgl2 or cpu; else the best there is
  *     &integrator=path      classic or path     &depth=8       segments of a path, 1 … 4096; -1: no limit
+ *     &aperture=0.02        radius of the lens, metres, 0: a pinhole     &focus=3.5    metres to what is sharp, 0: as far as the target
  *     &reflections=10       0 … 64               &samples=9     points on each light, 1 … 256
  *     &exposure=0.5         stops, −10 … 10      &compare=reflections    or samples: three strips side by side
  *     &tone=agx             tone mapping: none, aces, agx or neutral
@@ -25,6 +26,8 @@ export interface UrlParameters {
   readonly size: number | null;
   readonly integrator: 'classic' | 'path' | null;
   readonly depth: number | null;
+  readonly aperture: number | null;
+  readonly focus: number | null;
   readonly reflections: number | null;
   readonly samples: number | null;
   readonly exposure: number | null;
@@ -46,6 +49,8 @@ export interface UrlParameters {
 
 const VIEWS = Object.keys(en.viewNames) as readonly ViewName[];
 
+/** Metres, as in scene files. */
+const FARTHEST = 1e9;
 /** So many parameters that there are not are named. */
 const MOST_UNKNOWN = 8;
 
@@ -107,6 +112,8 @@ export function readParameters(search: string, sceneIds: readonly string[]): Url
     size: read.number('size', 1, 8192, true),
     integrator: read.choice('integrator', ['classic', 'path']),
     depth: read.depth('depth'),
+    aperture: read.number('aperture', 0, FARTHEST),
+    focus: read.number('focus', 0, FARTHEST),
     reflections: read.number('reflections', 0, 64, true),
     samples: read.number('samples', 1, 256, true),
     exposure: read.number('exposure', -10, 10),

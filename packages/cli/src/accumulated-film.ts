@@ -1,16 +1,14 @@
 /**
  * The film on this side of the device: double-precision sums of blocks of samples, each block summed up in float32 where it was
- * traced. Blocks begin at multiples of BLOCK whatever the run, so that one run, or several merged, add the same numbers; and since
- * the block that is open when a run is interrupted is kept as it is, a resumed run gives the same film bit for bit.
+ * traced. They end at the same samples whatever the run (blocks.ts), so that one run, or several merged, add the same numbers; and
+ * since the block that is open when a run is interrupted is kept as it is, a resumed run gives the same film bit for bit.
  *
  * The spread of the blocks' means tells the standard error of each pixel: se² = (Σ S_b²/n_b − S²/N) / ((B − 1) N), with S_b the sum
  * of block b, n_b its samples, B blocks and N samples in all (the weighted variance of batch means).
  */
 import { type FilmSums, samplesIn } from 'mirrorball/headless';
+import { blockEnd } from './blocks.ts';
 import { countOf, joinRanges, type SampleRange } from './sample-ranges.ts';
-
-/** Samples in a block: few enough for float32, many enough that reading the film costs little. */
-export const BLOCK = 32;
 
 /** Sums of a block that is not complete. */
 export interface OpenBlock {
@@ -61,7 +59,8 @@ export class AccumulatedFilm {
   put(first: number, sums: FilmSums): void {
     if (sums[3] === 0) return;
     this.#open = { first, sums };
-    if ((rangeOf(this.#open).last + 1) % BLOCK === 0) this.close();
+    const { last } = rangeOf(this.#open);
+    if (last === blockEnd(last)) this.close();
   }
 
   /** Adds the open block as it is. */
@@ -121,14 +120,17 @@ export class AccumulatedFilm {
    * against a perfect picture would be. Null while fewer than two blocks are closed.
    */
   error(): number | null {
-    const { blocks, ranges } = this.#closed;
+    const { sums, squares, blocks, ranges } = this.#closed;
     if (this.#error?.blocks === blocks) return this.#error.error;
-    const errors = this.standardErrors();
-    if (!errors) return null;
+    if (blocks < 2) return null;
     const n = countOf(ranges);
     let total = 0;
-    for (let i = 0; i < errors.length; i++) total += errors[i]! ** 2 / ((this.#closed.sums[i]! / n) ** 2 + DARK);
-    this.#error = { blocks, error: Math.sqrt(total / errors.length) };
+    // Without an array of all errors: it is asked for after each block, and a fast GPU would wait for it.
+    for (let i = 0; i < sums.length; i++) {
+      const mean = sums[i]! / n;
+      total += Math.max(squares[i]! - sums[i]! * mean, 0) / (mean * mean + DARK);
+    }
+    this.#error = { blocks, error: Math.sqrt(total / ((blocks - 1) * n * sums.length)) };
     return this.#error.error;
   }
 }

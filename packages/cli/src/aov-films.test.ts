@@ -36,6 +36,8 @@ test('what a format cannot hold is refused with what can', () => {
 test('an error needs two blocks of samples', () => {
   expect(() => checkErrorKnown(['error'], { first: 0, last: 31 })).toThrow('--spp 64');
   expect(() => checkErrorKnown(['error'], { first: 0, last: 32 })).not.toThrow();
+  expect(() => checkErrorKnown(['error'], { first: 256, last: 511 })).toThrow('all others blocks of 256');
+  expect(() => checkErrorKnown(['error'], { first: 256, last: 512 })).not.toThrow();
   expect(() => checkErrorKnown(['depth'], { first: 0, last: 0 })).not.toThrow();
 });
 

@@ -2,8 +2,8 @@
 import { AOVS, type Aov, type AovName, aovIds, type FilmJob, firstHitAov, isFirstHit } from 'mirrorball/headless';
 import { type Channel, type FloatPicture, formatOf, fromInterleaved, namesFor } from 'mirrorball/picture-files';
 import type { AccumulatedFilm } from './accumulated-film.ts';
-import { BLOCK } from './accumulated-film.ts';
 import type { AovFilms } from './aov-films.ts';
+import { blocksIn } from './blocks.ts';
 import { usage } from './exit-codes.ts';
 import type { SampleRange } from './sample-ranges.ts';
 
@@ -43,10 +43,12 @@ export function checkAovs(names: readonly AovName[] | undefined, output: string 
 const fits = ({ kind }: Aov, format: string): boolean => kind === 'colour' || !['PNG', 'HDR'].includes(format);
 
 /** The error is that of blocks of samples, and needs two. */
-export function checkErrorKnown(names: readonly AovName[] | undefined, { first, last }: SampleRange): void {
-  const blocks = Math.floor(last / BLOCK) - Math.floor(first / BLOCK) + 1;
-  if (names?.includes('error') && blocks < 2)
-    throw usage(`--aov error needs samples of two blocks of ${BLOCK} at least: --spp ${BLOCK * 2}, say.`);
+export function checkErrorKnown(names: readonly AovName[] | undefined, wanted: SampleRange): void {
+  if (names?.includes('error') && blocksIn(wanted) < 2)
+    throw usage(
+      '--aov error needs samples of two blocks at least, --spp 64, say: ' +
+        'the first 256 samples are blocks of 32, all others blocks of 256.',
+    );
 }
 
 /** Channels side by side, pixel by pixel. */

@@ -54,6 +54,11 @@ test('all options of render', () => {
   });
 });
 
+test('merge may leave gaps', () => {
+  expect(parse(...'merge a.part b.part -o x.exr --allow-gaps'.split(' ')).code).toBeNull();
+  expect(parse('render', 'a.json', '-o', 'x.exr', '--allow-gaps').code).toBe(EXIT.usage);
+});
+
 test('what is left out', () => {
   const { options } = parse('render', 'a.json', '-o', 'x.png');
   const rest = {

@@ -49,6 +49,7 @@ export interface RenderOptions extends OutputOptions {
 export interface MergeOptions extends OutputOptions {
   readonly output: string;
   readonly backend: BackendChoice;
+  readonly allowGaps?: boolean;
 }
 
 export interface BenchOptions extends CommonOptions {
@@ -128,7 +129,9 @@ function addRender(program: Command, actions: Actions): void {
 function addOthers(program: Command, actions: Actions): void {
   const merge = program.command('merge').description('put part files of one picture together');
   merge.argument('<parts...>', 'what `render -o x.part` or an interrupted run wrote');
-  pictureOptions(merge.addOption(output().makeOptionMandatory())).addOption(json());
+  merge.addOption(output().makeOptionMandatory());
+  merge.addOption(new Option('--allow-gaps', 'the whole picture, black where pixels are in no part'));
+  pictureOptions(merge).addOption(json());
   merge.action((parts: string[], options: MergeOptions) => actions.merge(parts, options));
   program
     .command('compare')

@@ -55,6 +55,10 @@ export function identityOf(
   return { scene: sceneHash(scene), time, width, height, region, integrator, seed, settings };
 }
 
+export const regionOf = ({ region: [x, y, width, height] }: FilmIdentity): FilmArea => ({ x, y, width, height });
+/** All pixels of the picture. */
+export const wholeOf = ({ width, height }: FilmIdentity): FilmArea => ({ x: 0, y: 0, width, height });
+
 /** In what two differ, each as a phrase for people; empty: they are parts of one picture. */
 export function differences(there: FilmIdentity, here: FilmIdentity): string[] {
   const flat = ({ settings, ...rest }: FilmIdentity): Record<string, unknown> => ({ ...rest, ...settings });

@@ -91,6 +91,8 @@ function readHeader(text: string): Header | null {
       region.length === 4 &&
       region[2] * region[3] > 0 &&
       region[2] * region[3] <= MOST_PIXELS &&
+      region[0] + region[2] <= identity.width &&
+      region[1] + region[3] <= identity.height &&
       Array.isArray(ranges) &&
       ranges.every(
         ({ first, last }, i) => isCount(first) && isCount(last) && first <= last && first > (ranges[i - 1]?.last ?? -1),

@@ -1,6 +1,6 @@
 /** Films as picture files, and pictures for comparing from any file that holds one. */
 import { readFile } from 'node:fs/promises';
-import { linearToSrgb, srgbToLinear } from 'mirrorball/headless';
+import { type FilmArea, linearToSrgb, srgbToLinear } from 'mirrorball/headless';
 import {
   arrayAsPicture,
   type FloatPicture,
@@ -14,7 +14,9 @@ import {
 import { aovChannels, aovFile, aovPicture, aovTexts, holdsLayers, mayBeHalf, type WithAovs } from './aov-pictures.ts';
 import type { OutputOptions } from './arguments.ts';
 import { CommandError, EXIT, usage } from './exit-codes.ts';
+import { regionOf } from './film-identity.ts';
 import { type Part, readPart, writePart } from './part-file.ts';
+import { assembled } from './regions.ts';
 import { formatRanges } from './sample-ranges.ts';
 import { writeAtomically } from './write-atomically.ts';
 
@@ -34,6 +36,12 @@ export function checkOutputName(path: string): void {
 
 const COLOURS = ['R', 'G', 'B'];
 
+/** A film with its AOVs, if any are wanted. */
+export interface FilmToWrite {
+  readonly part: Part;
+  readonly aovs: WithAovs | null;
+}
+
 /** Writes the film in the format of the file's name; gives the files, the picture's first: more than one where AOVs need their own. */
 export async function writeFilm(
   path: string,
@@ -41,36 +49,68 @@ export async function writeFilm(
   options: OutputOptions,
   aovs: WithAovs | null = null,
 ): Promise<string[]> {
-  if (isPart(path)) {
-    await writePart(path, part);
-    return [path];
-  }
-  const { film, identity } = part;
-  const [, , width, height] = identity.region;
+  if (!isPart(path)) return writePictures(path, [{ part, aovs }], regionOf(part.identity), options);
+  await writePart(path, part);
+  return [path];
+}
+
+/** The same of several films of one picture, each of other pixels, in one file that shows `area` of it. */
+export async function writePictures(
+  path: string,
+  films: readonly FilmToWrite[],
+  area: FilmArea,
+  options: OutputOptions,
+): Promise<string[]> {
+  const [{ part, aovs }] = films as [FilmToWrite];
   const exposure = options.exposure ?? part.exposure;
-  const texts = {
-    ...part.texts,
-    Render: JSON.stringify({ ...identity, samples: formatRanges(film.ranges) }),
-    ...(aovs && aovTexts(aovs)),
-  };
-  const picture = fromInterleaved(width, height, COLOURS, film.mean());
+  const texts = { ...part.texts, Render: renderText(films, area), ...(aovs && aovTexts(aovs)) };
+  const together = (pictureOf: (film: FilmToWrite) => FloatPicture): FloatPicture => ({
+    ...assembled(
+      area,
+      films.map((film) => ({ region: regionOf(film.part.identity), picture: pictureOf(film) })),
+    ),
+    texts,
+  });
   if (!aovs || holdsLayers(path)) {
-    const channels = [...picture.channels, ...(aovs ? aovChannels(film, aovs) : [])];
-    await writePicture(path, { ...picture, channels, texts }, options, exposure);
+    await writePicture(path, together(withLayers), options, exposure);
     return [path];
   }
   const files = aovs.names.map((name) => ({ name, file: aovFile(path, name) }));
   for (const { name, file } of files)
     await writePicture(
       file,
-      { ...aovPicture(name, film, aovs), texts },
+      together((film) => aovPicture(name, film.part.film, film.aovs!)),
       options,
       // A share of light is no light: it has no exposure.
       name === 'albedo' ? 0 : exposure,
     );
   // Last, so that with it all are there.
-  await writePicture(path, { ...picture, texts }, options, exposure);
+  await writePicture(path, together(colours), options, exposure);
   return [path, ...files.map(({ file }) => file)];
+}
+
+function colours({ part: { film, identity } }: FilmToWrite): FloatPicture {
+  const { width, height } = regionOf(identity);
+  return fromInterleaved(width, height, COLOURS, film.mean());
+}
+
+function withLayers(film: FilmToWrite): FloatPicture {
+  const picture = colours(film);
+  const { part, aovs } = film;
+  return aovs ? { ...picture, channels: [...picture.channels, ...aovChannels(part.film, aovs)] } : picture;
+}
+
+/** Of what the picture is; where not all pixels have the same samples, region by region. */
+function renderText(films: readonly FilmToWrite[], { x, y, width, height }: FilmArea): string {
+  const [{ part }] = films as [FilmToWrite];
+  const regions = films.map(({ part: { identity, film } }) => ({
+    region: identity.region,
+    samples: formatRanges(film.ranges),
+  }));
+  const pixels = films.reduce((sum, film) => sum + film.part.film.pixels, 0);
+  const [{ samples }] = regions as [(typeof regions)[0]];
+  const even = pixels === width * height && regions.every((each) => each.samples === samples);
+  return JSON.stringify({ ...part.identity, region: [x, y, width, height], ...(even ? { samples } : { regions }) });
 }
 
 async function writePicture(

@@ -1,6 +1,7 @@
 /** Brings a film to its samples, block by block, until it has them, is good enough, has taken its time, or is interrupted. */
 import type { FilmSums, FilmTracer } from 'mirrorball/headless';
-import { type AccumulatedFilm, BLOCK } from './accumulated-film.ts';
+import type { AccumulatedFilm } from './accumulated-film.ts';
+import { blockEnd } from './blocks.ts';
 import { startClock } from './clock.ts';
 import type { Progress } from './progress.ts';
 import { missingFrom, type SampleRange } from './sample-ranges.ts';
@@ -35,11 +36,10 @@ export async function runFilm(
   try {
     for (const { first, last } of missingFrom(goal.wanted, film.ranges)) {
       for (let next = first; next <= last; ) {
-        const end = Math.min(last, blockEnd(next));
         // However short the time is, one sample there will be.
-        const signal = film.samples > 0 ? clock.signal : interrupted;
-        const until = film.samples > 0 ? end : next;
-        next += await addSamples(tracer, film, next, until, signal, progress, savings);
+        const alone = goal.untilTime !== undefined && film.samples === 0;
+        const end = alone ? next : Math.min(last, blockEnd(next));
+        next += await addSamples(tracer, film, next, end, alone ? interrupted : clock.signal, progress, savings);
         const ending = endingNow(film, goal, interrupted, clock.signal);
         if (ending) return ending;
         if (savings.due()) await savings.save();
@@ -51,8 +51,6 @@ export async function runFilm(
     clock.stop();
   }
 }
-
-const blockEnd = (sample: number): number => sample - (sample % BLOCK) + BLOCK - 1;
 
 /**
  * Goes on with the film's open block when it ends just before `first`, else begins one. Gives how many samples were added: fewer than

@@ -206,6 +206,15 @@ describe(`films, by ${backend}`, () => {
     expect(existsSync(inFolder('x.exr'))).toBe(false);
   });
 
+  test('ranges cut where blocks end, at 256 and 512, are one run', async () => {
+    expect((await render('--spp 530 -o long.npy')).code).toBe(0);
+    const parts = ['0-255', '256-511', '512-529'].map((range) => ({ range, file: `b${range}.part` }));
+    for (const { range, file } of parts) expect((await render(`--samples ${range} -o ${file}`)).code).toBe(0);
+    const { code, stdout } = await mirrorball(`merge ${parts.map(({ file }) => file).join(' ')} -o blocks.npy`);
+    expect([code, stdout]).toEqual([0, expect.stringContaining('530 samples a pixel (0-529)')]);
+    expect(bytesOf('blocks.npy').equals(bytesOf('long.npy'))).toBe(true);
+  });
+
   test('--region and --pixel have the values of the whole picture, exactly', async () => {
     expect((await render('--spp 5 -o all.npy')).code).toBe(0);
     expect((await render('--spp 5 --region 7,3,5,11 -o some.npy')).code).toBe(0);
@@ -218,6 +227,44 @@ describe(`films, by ${backend}`, () => {
     const { stdout } = await render('--spp 5 --pixel 20,15');
     const at = (15 * 24 + 20) * 3;
     expect(stdout.trim().split(' ').map(Number)).toEqual(Array.from(all.subarray(at, at + 3)));
+  });
+
+  test('regions merged are the whole picture, samples and all; where one is missing, with a word only', async () => {
+    const tiles = ['0,0,10,16', '10,0,14,9', '10,9,14,7'];
+    const files = tiles.map((_, i) => `tile${i}.part`);
+    for (const [i, tile] of tiles.entries())
+      expect((await render(`--spp 40 --region ${tile} -o ${files[i]}`)).code).toBe(0);
+    expect((await render('--spp 40 -o tiled.npy')).code).toBe(0);
+    const [first, second, third] = files;
+    const all = await mirrorball(`merge ${third} ${first} ${second} -o tiles.npy`);
+    expect([all.code, all.stdout]).toEqual([0, expect.stringContaining('3 regions, 40 samples a pixel (0-39)')]);
+    expect(bytesOf('tiles.npy').equals(bytesOf('tiled.npy'))).toBe(true);
+
+    // A part of them goes on like one of the whole picture.
+    expect((await mirrorball(`merge ${files.join(' ')} -o tiles.part`)).code).toBe(0);
+    expect((await render('--spp 45 -o tiles.part --resume')).code).toBe(0);
+    expect((await render('--spp 45 -o more.npy')).code).toBe(0);
+    expect((await mirrorball('merge tiles.part -o gone-on.npy')).code).toBe(0);
+    expect(largestDifference(pixelsOf('gone-on.npy'), pixelsOf('more.npy'))).toBeLessThanOrEqual(1e-6);
+
+    const gap = await mirrorball(`merge ${first} ${third} -o gap.npy`);
+    expect([gap.code, existsSync(inFolder('gap.npy'))]).toEqual([2, false]);
+    expect(gap.stderr).toContain('126 of 384 pixels are in no part: 10,0,14,9. Render these regions');
+    const allowed = await mirrorball(`merge ${first} ${third} -o gap.npy --allow-gaps --json`);
+    expect([allowed.code, allowed.events.at(-1)!.gaps]).toEqual([0, [{ x: 10, y: 0, width: 14, height: 9 }]]);
+    const [whole, holed] = [pixelsOf('tiles.npy'), pixelsOf('gap.npy')];
+    const within = (i: number) => Math.floor(i / 3) % 24 < 10 || i >= 9 * 24 * 3;
+    expect(Array.from(holed)).toEqual(Array.from(whole, (value, i) => (within(i) ? value : 0)));
+    // One region alone is a picture of its own, but where gaps are allowed.
+    expect((await mirrorball(`merge ${first} -o alone.npy`)).code).toBe(0);
+    expect(pixelsOf('alone.npy')).toHaveLength(10 * 16 * 3);
+    expect((await mirrorball(`merge ${first} -o alone.npy --allow-gaps`)).code).toBe(0);
+    expect(pixelsOf('alone.npy')).toHaveLength(whole.length);
+    expect((await mirrorball(`merge ${first} -o x.part --allow-gaps`)).code).toBe(2);
+
+    expect((await render('--spp 40 --region 8,0,4,16 -o across.part')).code).toBe(0);
+    const across = await mirrorball(`merge ${files.join(' ')} across.part -o x.exr`);
+    expect([across.code, across.stderr]).toEqual([2, expect.stringContaining('hold some of the same pixels')]);
   });
 
   test('frames are pictures of their times; what is there is kept by --resume', async () => {
@@ -347,6 +394,17 @@ describe(`AOVs, by ${backend}`, () => {
     expect([merged.code, merged.stderr]).toEqual([0, expect.any(String)]);
     for (const name of ['depth', 'albedo', 'indirect'])
       expect(largestDifference(pixelsOf(`two.${name}.npy`), pixelsOf(`one.${name}.npy`))).toBeLessThan(1e-5);
+    for (const [name, tile] of Object.entries({ left: '0,0,7,14', right: '7,0,13,14' }))
+      expect((await render(`--spp 12 --region ${tile} -o ${name}.part`)).code).toBe(0);
+    const tiled = `merge right.part left.part --backend ${backend} ${aov},samples`;
+    expect((await mirrorball(`${tiled} -o tiles.npy`)).code).toBe(0);
+    for (const name of ['depth', 'albedo', 'indirect'])
+      expect(pixelsOf(`tiles.${name}.npy`)).toEqual(pixelsOf(`one.${name}.npy`));
+    expect((await mirrorball(`merge right.part --backend ${backend} ${aov},samples -o g.exr --allow-gaps`)).code).toBe(
+      0,
+    );
+    const counts = layer('g.exr', 'samples');
+    expect([counts.length, counts[6], counts[7]]).toEqual([20 * 14, 0, 12]);
     expect((await render(`--spp 12 -o cut.npy --region 3,2,5,4 ${aov}`)).code).toBe(0);
     const [cut, whole] = [pixelsOf('cut.depth.npy'), pixelsOf('one.depth.npy')];
     expect(Array.from(cut)).toEqual(

@@ -201,7 +201,7 @@ export class CpuRenderer implements Renderer {
 
   async readFilm() {
     if (!this.#film) throw new Error('Nothing has been rendered yet.');
-    return { ...this.#film, pixels: this.#film.pixels.slice() };
+    return { ...this.#film, view: 'picture' as const, pixels: this.#film.pixels.slice() };
   }
 
   dispose(): void {

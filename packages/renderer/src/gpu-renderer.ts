@@ -3,6 +3,7 @@ import { FrameFigures } from './frame-figures.ts';
 import { type Device, DeviceError } from './gpu/device.ts';
 import { refuseMeshes } from './packed-scene/refuse-meshes.ts';
 import { Painter } from './painter.ts';
+import { readShown } from './read-film.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
 import { requireScene } from './scene-file/require-scene.ts';
@@ -220,17 +221,15 @@ export class GpuRenderer implements Renderer {
   }
 
   async readFilm() {
-    const { view } = this.settings;
-    if (view !== 'picture')
-      throw new Error(`The film holds the view "${view}". Set view to "picture" to read the picture.`);
     const painter = await this.#waitForPainter();
-    // The film of a picture that was never asked for, or only of the preview, is not the integrator's.
-    if (painter.filmRevision >= 0 && !painter.filmComplete)
+    const held = painter.stages.shown?.view ?? 'picture';
+    // What the preview drew is not the integrator's, and what is of another view is not what is asked for.
+    if (painter.filmRevision >= 0 && !(painter.filmComplete && held === this.settings.view))
       await painter.stages.ready(this.#view.subject).then(() => this.render());
     while (painter === this.#painter && painter.stages.pending && painter.stages.film.samples === 0) await pause(4);
-    const { film } = (await this.#waitForPainter()).stages;
-    if (film.samples === 0) throw new Error('Nothing has been rendered yet.');
-    return { width: film.width, height: film.height, pixels: await film.read() };
+    const { stages } = await this.#waitForPainter();
+    if (stages.film.samples === 0) throw new Error('Nothing has been rendered yet.');
+    return readShown(stages);
   }
 
   #use(stages: Stages): void {

@@ -92,6 +92,19 @@ export interface RendererOptions {
   onDevice?: (event: 'lost' | 'restored' | 'failed', reason: string) => void;
 }
 
+/** What `readFilm` gives. */
+export interface ShownFilm {
+  /** What it is of. */
+  readonly view: ViewName;
+  readonly width: number;
+  readonly height: number;
+  /**
+   * Four numbers a pixel, row 0 on top, the last of them the number of samples. Of the picture mean radiance, linear RGB. Of another view
+   * its values as docs/aov.md says: three, or one and two zeros; places in metres of the world, normals between −1 and 1.
+   */
+  readonly pixels: Float32Array;
+}
+
 /** The public face of Mirrorball. All units as in `Scene`: metres, seconds, degrees, stops, linear Rec.709. */
 export interface Renderer {
   readonly backend: Backend;
@@ -121,7 +134,7 @@ export interface Renderer {
   speed: number;
   /** Draws one frame now and resolves when the device has finished it. */
   render(): Promise<void>;
-  /** The film of the picture (not of another `view`): linear RGB + sample count, float32, width × height × 4, row 0 on top; mean radiance. */
-  readFilm(): Promise<{ width: number; height: number; pixels: Float32Array }>;
+  /** The film of `settings.view`, before exposure and tone mapping; draws a frame of it first where there is none. The CPU has the picture only. */
+  readFilm(): Promise<ShownFilm>;
   dispose(): void;
 }

@@ -12,7 +12,7 @@ import { GeometryBuffer } from './geometry-buffer.ts';
 import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
-import { drawPath } from './integrator/path/path.ts';
+import { drawPath, groupsOf, MOST_GROUPS } from './integrator/path/path.ts';
 import type { ProgramPlan } from './integrator/path/path-programs.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
@@ -59,8 +59,7 @@ export class Stages {
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
   #content: Content | null = null;
-  /** What the film's newest whole picture shows, when it is no picture. */
-  #pictured: Sight | null = null;
+  #shown: Sight | null = null;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -93,6 +92,10 @@ export class Stages {
   get film(): Film {
     return this.#film;
   }
+  /** What the film's newest whole picture shows, when it is no picture. */
+  get shown(): Sight | null {
+    return this.#shown;
+  }
 
   /** Lays the film aside with all that is in it, and takes an empty one. */
   park(): void {
@@ -106,7 +109,7 @@ export class Stages {
     this.#film.destroy();
     this.#film = this.#parked!;
     this.#parked = null;
-    this.#pictured = null;
+    this.#shown = null;
     this.#aim(shot, this.#film.width, this.#film.height);
   }
 
@@ -186,7 +189,7 @@ export class Stages {
     this.#table.write(packed.table.f32, packed.rows);
   }
 
-  /** How many samples one call of `addSamples` may add; as many as one likes, or 1. */
+  /** Whether one call of `addSamples` may add more than one: of as many groups as integrator/path/path.ts says. */
   get addsMany(): boolean {
     return this.#pass.addsMany;
   }
@@ -207,6 +210,8 @@ export class Stages {
     const { width, height } = film;
     const { x, y, ...area } = this.#shot!.area ?? { x: 0, y: 0, width, height };
     const pass = this.#pass;
+    if (pass.addsMany && groupsOf(film.nextSample, count) > MOST_GROUPS)
+      throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);
     this.#writeFrame(count);
     const columns = { firstColumn: x, columnCount: area.width };
     const end = y + area.height;
@@ -256,7 +261,7 @@ export class Stages {
   #complete(count: number, submitted: () => void): void {
     this.#pending = false;
     this.film.swap(count);
-    this.#pictured = this.#sight();
+    this.#shown = this.#sight();
     submitted();
   }
 
@@ -291,7 +296,7 @@ export class Stages {
     const picture = this.film.picture ?? this.#parked?.picture;
     if (!picture) return false;
     const { film, width, height } = picture;
-    if (this.#pictured && this.film.picture) this.#aovDisplay!.show(film, width, height, this.#pictured);
+    if (this.#shown && this.film.picture) this.#aovDisplay!.show(film, width, height, this.#shown);
     else this.#display.show(film.layers[0]!, width, height, look);
     return true;
   }

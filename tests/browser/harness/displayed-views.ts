@@ -55,15 +55,28 @@ export async function displayedView(backend: GpuBackend, view: AovView, width: n
   await renderer.setScene(scene);
   renderer.set({ view, integrator, maxSamples: 1 });
   await renderer.render();
-  const refused = await renderer.readFilm().catch((error: Error) => error.message);
+  const shown = await renderer.readFilm();
+  // Nobody has drawn it: it is drawn when it is read.
+  renderer.set({ view: 'picture' });
+  const picture = await renderer.readFilm();
+  renderer.set({ view });
+  await renderer.render();
   renderer.set({ view: 'picture' });
   const [features, data] = [film('features', width, height), film('data', width, height)];
   const ids = firstHitAov('primitive-id', data, scene, integrator);
   const source = view === 'albedo' || view === 'normal' ? features : data;
   const values = firstHitAov(view, source, scene, integrator);
   const count = values.length / ids.length;
+  const film4 = Float32Array.from({ length: 4 * ids.length }, (_, i) =>
+    i % 4 === 3 ? 1 : i % 4 < count ? values[Math.floor(i / 4) * count + (i % 4)]! : 0,
+  );
   const bytes = Array.from(ids).flatMap((id, pixel) =>
     colorOf(view, values.subarray(pixel * count, (pixel + 1) * count), id).map((x) => Math.round(255 * x)),
   );
-  return { bytes, refused: String(refused) };
+  const off = film4.filter((value, i) => Math.abs(value - shown.pixels[i]!) > 1e-4 * Math.max(Math.abs(value), 1));
+  return {
+    bytes,
+    film: { view: shown.view, length: shown.pixels.length, off: off.length },
+    picture: { view: picture.view, brightest: Math.max(...picture.pixels.filter((_, i) => i % 4 < 3)) },
+  };
 }

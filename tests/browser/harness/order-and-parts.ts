@@ -68,7 +68,24 @@ async function joined(tracer: GpuFilmTracer, firsts: readonly number[], count: n
   return film.mean();
 }
 
-/** How far the sums of `samples` at once are from those of four runs, in two orders, and of parts; squares count too. */
+/** Samples that calls on top of one another begin at: groups of 32 are rounded together where passes compute. */
+const CUTS = [32, 96, 128];
+
+async function onTopOfOneAnother(tracer: GpuFilmTracer, samples: number): Promise<FilmSums> {
+  let film: FilmSums | null = null;
+  for (const [i, first] of [0, ...CUTS].entries()) film = await tracer.trace(first, (CUTS[i] ?? samples) - first, film);
+  return film!;
+}
+
+/** Ends as soon as a sample is done, and goes on from there. */
+async function interrupted(tracer: GpuFilmTracer, samples: number): Promise<FilmSums> {
+  const stop = new AbortController();
+  const begun = await tracer.trace(0, samples, null, { signal: stop.signal, onProgress: () => stop.abort() });
+  const held = begun[3]!;
+  return held < samples ? tracer.trace(held, samples - held, held > 0 ? begun : null) : begun;
+}
+
+/** How far the sums of `samples` at once are from those of four runs, in two orders, of runs that went on, and of parts; squares count too. */
 export async function orderAndParts(entry: Entry, name: string, samples: number, seed: number) {
   const tracer = await open(entry);
   const scene = sceneNamed(name);
@@ -84,6 +101,7 @@ export async function orderAndParts(entry: Entry, name: string, samples: number,
   const runs = [];
   for (const firsts of orders) runs.push(apart(await joined(tracer, firsts, quarter), film));
   const whole = await tracer.trace(0, samples, null);
+  const goneOn = [await onTopOfOneAnother(tracer, samples), await interrupted(tracer, samples)];
   const quarters: FilmSums[] = [];
   for (const first of orders[1]!) quarters.push(await tracer.trace(first, quarter, null));
   const union = new Float64Array(whole.length).fill(Number.NaN);
@@ -96,6 +114,7 @@ export async function orderAndParts(entry: Entry, name: string, samples: number,
     samples: whole[3],
     brightest: Math.max(...whole.subarray(0, whole.length / 2)),
     runs,
+    goneOn: goneOn.map((sums) => apart(sums, whole)),
     sums: apart(merged(quarters), whole),
     parts: apart(union, whole),
   };

@@ -89,8 +89,9 @@ export class Film {
     const texels = 4 * width * height;
     const layers = this.current.layers.slice(0, count);
     const sums = new Float32Array(texels * layers.length);
-    for (const [i, layer] of layers.entries())
-      sums.set(await this.#device.read(layer, width, height, x, y), i * texels);
+    // At once, since samples may be added meanwhile.
+    const read = await Promise.all(layers.map((layer) => this.#device.read(layer, width, height, x, y)));
+    for (const [i, values] of read.entries()) sums.set(values, i * texels);
     return sums;
   }
 

@@ -60,7 +60,7 @@ export interface FilmTracer {
   /**
    * Adds the film samples `first` … `first + count − 1` in this order, in float32, to `onto` (to zero when null). Every pixel of
    * the result (but of `data`) has the same number of samples in its alpha. Traced in one call or several, on top of one another,
-   * the sums are the same bit for bit.
+   * the sums are the same bit for bit; paths by a GPU that computes, if the calls begin at multiples of 32 samples, else to rounding.
    */
   trace(first: number, count: number, onto: FilmSums | null, options?: TraceOptions): Promise<FilmSums>;
   dispose(): void | Promise<void>;

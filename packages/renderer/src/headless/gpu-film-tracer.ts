@@ -1,6 +1,7 @@
 /** Traces films on a GPU device with the same stages that draw on a canvas. */
 import { FrameController } from '../frame-controller.ts';
 import { type Device, DeviceError } from '../gpu/device.ts';
+import { MOST_GROUPS, SAMPLES_OF_GROUP } from '../integrator/path/path.ts';
 import type { ProgramPlan } from '../integrator/path/path-programs.ts';
 import { Stages } from '../stages.ts';
 import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
@@ -8,11 +9,8 @@ import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOpti
 
 /** Films of 16-bit floats sum up fewer samples than this; places and numbers of shapes would not survive in them. */
 const LEAST_FILM_SAMPLES = 1024;
-/**
- * Samples of one call, where calls may add many: few enough for the first of them on a fast GPU, and always the same ones together,
- * since their sums are rounded together.
- */
-const BATCH = 256;
+/** As long a call may take if a group does not take longer, milliseconds: what is begun of it is lost when the work is to end early. */
+const LONGEST_CALL = 500;
 /** Calls that may wait on the device: it never idles, and an interruption is heard soon. */
 const MOST_IN_FLIGHT = 4;
 
@@ -84,9 +82,7 @@ export class GpuFilmTracer implements FilmTracer {
     const inFlight: Promise<boolean>[] = [];
     const stopped = () => signal?.aborted === true;
     while (film.samples < held + count && !stopped()) {
-      const next = film.nextSample;
-      const batch = this.#stages.addsMany ? BATCH - (next % BATCH) : 1;
-      const most = Math.min(batch, held + count - film.samples);
+      const most = Math.min(this.#samplesOfCall(film.nextSample), held + count - film.samples);
       const sample = this.#stages.addSamples(most, this.#controller, () => {}, stopped);
       sample.catch(() => {}); // awaited below, or not at all when an earlier one failed
       inFlight.push(sample);
@@ -95,6 +91,16 @@ export class GpuFilmTracer implements FilmTracer {
       onProgress?.(film.samples - held);
     }
     await Promise.all(inFlight);
+  }
+
+  /** How many from `next` on, up to the end of a group. */
+  #samplesOfCall(next: number): number {
+    if (!this.#stages.addsMany) return 1;
+    const { width, height } = this.#job!.area;
+    const { cost } = this.#controller;
+    const samples = cost ? (LONGEST_CALL - cost.fixed) / (cost.perPixel * width * height) : 0;
+    const groups = Math.min(Math.max(Math.floor(samples / SAMPLES_OF_GROUP), 1), MOST_GROUPS);
+    return groups * SAMPLES_OF_GROUP - (next % SAMPLES_OF_GROUP);
   }
 
   #orLost<Result>(work: Promise<Result>): Promise<Result> {

@@ -220,12 +220,22 @@ export const trackSchema = object('a track: an object with "target" and "keys"',
   ),
 });
 
+const depthRule = `segments of a path: -1 for no limit, or a whole number from 1 to ${SCENE_LIMITS.maxDepth}`;
+const depth = v.pipe(
+  v.number(depthRule),
+  v.integer(depthRule),
+  v.minValue(-1, depthRule),
+  v.maxValue(SCENE_LIMITS.maxDepth, depthRule),
+  v.notValue(0, depthRule),
+  v.description(depthRule),
+);
+
 const renderRule = 'the render settings: an object';
 const render = object(renderRule, {
   integrator: v.optional(choice('the way to trace light', ['classic', 'path']), 'classic'),
   maxReflections: v.optional(integer('mirror rays that may follow a ray', 0, SCENE_LIMITS.maxReflections), 5),
   lightSamples: v.optional(integer('sample points on each light', 1, SCENE_LIMITS.lightSamples), 9),
-  maxDepth: v.optional(integer('segments of a path, -1 = no limit', -1, SCENE_LIMITS.maxDepth), -1),
+  maxDepth: v.optional(depth, -1),
   exposure: v.optional(number('the exposure in stops', -32, 32), 0),
   toneMapping: v.optional(choice('how bright light is fitted to the screen', TONE_MAPPINGS), 'none'),
 });

@@ -19,6 +19,17 @@ import pathWgsl from '../../shading/generated/path.wgsl?raw';
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
 
+/**
+ * Where a call may add many samples, groups of so many are rounded together, and it may touch so many groups at most: the compute pass
+ * keeps their sums apart (path_entries.wesl). The film is the same however many it touches, but where one is cut.
+ */
+export const SAMPLES_OF_GROUP = 32;
+export const MOST_GROUPS = 8;
+
+/** How many groups these samples touch. */
+export const groupsOf = (first: number, count: number): number =>
+  Math.floor((first + count - 1) / SAMPLES_OF_GROUP) - Math.floor(first / SAMPLES_OF_GROUP) + 1;
+
 const PATH: PassSource = {
   label: 'path',
   wgsl: { vertex: fullScreenWgsl, fragment: pathWgsl },

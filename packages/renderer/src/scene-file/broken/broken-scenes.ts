@@ -166,6 +166,8 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['too many lights', (s) => Object.assign(s.lights, many(16, s.lights.lamp)), ['/lights']],
   ['null as lights', (s) => (s.lights = null), ['/lights']],
   ['too many reflections', (s) => (s.render = { maxReflections: 65 }), ['/render/maxReflections']],
+  ['paths without a segment', (s) => (s.render = { maxDepth: 0 }), ['/render/maxDepth']],
+  ['half a path segment', (s) => (s.render = { maxDepth: 1.5 }), ['/render/maxDepth']],
   ['half a light sample', (s) => (s.render = { lightSamples: 1.5 }), ['/render/lightSamples']],
   ['an unknown tone mapping', (s) => (s.render = { toneMapping: 'ACES' }), ['/render/toneMapping']],
   ['an unknown integrator', (s) => (s.render = { integrator: 'magic' }), ['/render/integrator']],

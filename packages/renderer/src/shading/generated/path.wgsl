@@ -23,8 +23,8 @@ struct Film {
 }
 
 // A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
-// pixel are dealt out to several threads of one workgroup, whose sums are then added in a fixed order: the same input gives the same
-// film.
+// pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
+// fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
 // First column and row, columns and rows of the part of the film that is traced.
 @group(0) @binding(6) var<uniform> region: vec4u;
 
@@ -39,26 +39,35 @@ const pixels = 32u;
 
 const shares = 4u;
 
+// Samples of a group, which begins at a multiple of it. A dispatch touches 8 groups at most: path.ts.
+const group = 32u;
+
+// A thread's share of each group.
+var<private> ownSums: array<vec3f, 8>;
+
+var<private> ownSquares: array<vec3f, 8>;
+
+// All shares of one group.
 var<workgroup> sums: array<vec3f, 128>;
 
 var<workgroup> squares: array<vec3f, 128>;
 
-@compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let place = thread % pixels;
-  let inRegion = group.xy * tile + vec2u(place % tile.x, place / tile.x);
+  let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
   let pixel = region.xy + inRegion;
   let inside = all(inRegion < region.zw);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
+  let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread / pixels;
-  var sum = vec3f(0.0);
-  var square = vec3f(0.0);
   if (index < end) {
     var p = startPath(pixel, index);
     loop {
       extendPath(&p);
       if (isOver(p)) {
-        sum += p.radiance;
-        square += p.radiance * p.radiance;
+        let i = index / group - firstGroup;
+        ownSums[i] += p.radiance;
+        ownSquares[i] += p.radiance * p.radiance;
         index += shares;
         if (index >= end) {
           break;
@@ -67,24 +76,35 @@ var<workgroup> squares: array<vec3f, 128>;
       }
     }
   }
-  sums[thread] = sum;
-  squares[thread] = square;
-  workgroupBarrier();
-  if ((thread >= pixels) | !inside) {
+  let adds = (thread < pixels) & inside;
+  var sum = vec4f(0.0);
+  var square = vec4f(0.0);
+  if (adds & (frame.sampleIndex > 0u)) {
+    sum = textureLoad(previousFilm, pixel, 0);
+    square = textureLoad(previousSquares, pixel, 0);
+  }
+  let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
+  for (var g = 0u; g < groups; g++) {
+    sums[thread] = ownSums[g];
+    squares[thread] = ownSquares[g];
+    workgroupBarrier();
+    if (adds) {
+      var groupSum = sums[thread];
+      var groupSquare = squares[thread];
+      for (var i = thread + pixels; i < pixels * shares; i += pixels) {
+        groupSum += sums[i];
+        groupSquare += squares[i];
+      }
+      sum += vec4f(groupSum, 0.0);
+      square += vec4f(groupSquare, 0.0);
+    }
+    workgroupBarrier();
+  }
+  if (!adds) {
     return;
   }
-  for (var i = thread + pixels; i < pixels * shares; i += pixels) {
-    sum += sums[i];
-    square += squares[i];
-  }
-  var before = vec4f(0.0);
-  var squaresBefore = vec4f(0.0);
-  if (frame.sampleIndex > 0u) {
-    before = textureLoad(previousFilm, pixel, 0);
-    squaresBefore = textureLoad(previousSquares, pixel, 0);
-  }
-  textureStore(film, pixel, before + vec4f(sum, f32(frame.sampleCount)));
-  textureStore(filmSquares, pixel, squaresBefore + vec4f(square, 0.0));
+  textureStore(film, pixel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
+  textureStore(filmSquares, pixel, square);
 }
 
 fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
