@@ -160,6 +160,7 @@ export const STRUCTS = {
     environmentSize: field('vec2f', 'columns and rows of the map of the sky'),
     sampleCount: field('u32', 'film samples that this call adds, from sampleIndex on; 1 where passes draw'),
     instances: field('u32', 'row of the first instance of a mesh; the tree over them begins in row 0'),
+    instanceCount: field('u32', 'instances of meshes'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),

@@ -106,6 +106,7 @@ export function packFrame(
     planesCutView: packed.planesCutView ? 1 : 0,
     environmentTurn: packed.environmentTurn,
     instances: packed.geometry?.instances ?? 0,
+    instanceCount: packed.geometry?.instanceCount ?? 0,
     environmentSize: [packed.environment?.width ?? 0, packed.environment?.height ?? 0],
   });
 }

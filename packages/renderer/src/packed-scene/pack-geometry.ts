@@ -21,8 +21,9 @@ export interface PackedGeometry {
   readonly movingRows: number;
   /** What they hold. */
   readonly moving: Block;
-  /** Row of the first instance. */
+  /** Row of the first instance, and how many there are. */
   readonly instances: number;
+  readonly instanceCount: number;
   /** In the order in which their rows follow one another. */
   readonly meshes: readonly PackedMesh[];
   /** All rows. */
@@ -72,7 +73,7 @@ export function packGeometry(scene: Scene, shapes: readonly MeshShape[], eye: Ve
       interpolated: mesh.normals ? 1 : 0,
     });
   });
-  return { movingRows, moving, instances, meshes: [...meshes.values()], rows };
+  return { movingRows, moving, instances, instanceCount: shapes.length, meshes: [...meshes.values()], rows };
 }
 
 function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {

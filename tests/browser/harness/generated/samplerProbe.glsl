@@ -41,6 +41,7 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
     uint instances;
+    uint instanceCount;
 };
 struct Sampler {
     uint key;

@@ -223,6 +223,8 @@ struct Frame {
   sampleCount: u32,
   // row of the first instance of a mesh; the tree over them begins in row 0
   instances: u32,
+  // instances of meshes
+  instanceCount: u32,
 }
 
 

@@ -291,6 +291,8 @@ struct Frame {
   sampleCount: u32,
   // row of the first instance of a mesh; the tree over them begins in row 0
   instances: u32,
+  // instances of meshes
+  instanceCount: u32,
 }
 
 
@@ -606,30 +608,14 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
-// Both rays at one place in the program, one after the other: they go different ways through the trees.
-fn meetMeshes(before: PairHit, p: RayPair) -> PairHit {
-  var found = before;
+fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
   let first = frame.shapeEnds.w;
   let left = LeftTriangle(select(noInstance, p.shape - first, isMesh(p.shape) & (p.shape != noShape)), p.triangle);
-  var i = 0u;
-  loop {
-    let toLight = i == 1u;
-    let most = select(select(-1.0, found.t, p.goesOn), select(p.lightDistance, -1.0, found.blocked), toLight);
-    if (most > 0.0) {
-      let hit = traverse(p.point, select(p.direction, p.lightDirection, toLight), p.tMin, most, toLight, left);
-      let met = hit.instance != noInstance;
-      if (toLight) {
-        found.blocked = met;
-      } else if (met) {
-        found = PairHit(hit.t, first + hit.instance, found.blocked, hit.triangle, hit.weights);
-      }
-    }
-    i++;
-    if (i >= 2u) {
-      break;
-    }
-  }
-  return found;
+  let most = select(-1.0, found.t, p.goesOn);
+  let lightMost = select(p.lightDistance, -1.0, found.blocked);
+  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), left);
+  let met = hit.instance != noInstance;
+  return PairHit(select(found.t, hit.t, met), select(found.shape, first + hit.instance, met), found.blocked | hit.blocked, hit.triangle, hit.weights);
 }
 
 // The triangle that a ray starts on; it is flat, so that no ray meets it again.
@@ -646,22 +632,30 @@ fn isMesh(i: u32) -> bool {
   return i >= frame.shapeEnds.w;
 }
 
-// Only what is farther than `least` and nearer than `most` counts; with `anyHit` the first that is found.
-fn traverse(origin: vec3f, direction: vec3f, least: f32, most: f32, anyHit: bool, left: LeftTriangle) -> MeshHit {
-  var hit = MeshHit(most, noInstance, 0u, vec2f(0.0));
+fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
+  var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
+  var toLight = !(rays.most > 0.0);
+  // Of the present ray.
+  var most = select(rays.most, rays.lightMost, toLight);
   var instance = noInstance;
   var nodes = 0u;
   var triangles = 0u;
-  var slabs = slabRay(origin, direction);
-  var ray = meshRay(origin, direction);
+  var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
+  var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
   var top = 0u;
-  var current = 0u;
+  // The only instance needs no tree above it, and no way back.
+  let alone = frame.instanceCount == 1u;
+  let first = select(beginning, leafBit, alone);
+  var current = first;
+  if ((frame.instanceCount == 0u) | !(most > 0.0)) {
+    return found;
+  }
   loop {
     var pops = false;
     if ((current & leafBit) == 0u) {
       let node = nodes + current * nodeRows;
       let r = geometryRow(node + childrenRow);
-      let t = enterChildren(node, slabs, r, hit.t);
+      let t = enterChildren(node, slabs, r, most);
       // Farthest first onto the stack: a sorting network of five exchanges.
       let a = t.x < t.z;
       let b = t.y < t.w;
@@ -692,76 +686,113 @@ fn traverse(origin: vec3f, direction: vec3f, least: f32, most: f32, anyHit: bool
       }
       pops = tb.y >= 1e30;
       current = rb.y;
-    } else if ((instance == noInstance) | (current == leaving)) {
+    } else if ((instance == noInstance) | (current >= beginning)) {
       // Into an instance, or back into the world.
-      let back = current == leaving;
-      var o = origin;
-      var d = direction;
-      instance = select(current & placeMask, noInstance, back);
+      let toWorld = current >= beginning;
+      pops = current == leaving;
+      instance = select(current & placeMask, noInstance, toWorld);
+      var o = rays.origin;
+      var d = select(rays.direction, rays.lightDirection, toLight);
       nodes = 0u;
-      if (!back) {
+      if (!toWorld) {
         let i = fetchInstance(frame.instances + instance * instanceRows);
-        o = vec3f(dot(i.toMeshX.xyz, origin) + i.toMeshX.w, dot(i.toMeshY.xyz, origin) + i.toMeshY.w, dot(i.toMeshZ.xyz, origin) + i.toMeshZ.w);
-        d = vec3f(dot(i.toMeshX.xyz, direction), dot(i.toMeshY.xyz, direction), dot(i.toMeshZ.xyz, direction));
+        let p = vec4f(o, 1.0);
+        o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
+        d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
         nodes = i.nodes;
         triangles = i.triangles;
-        stack[top] = leaving;
-        top++;
-        current = 0u;
+        if (!alone) {
+          stack[top] = leaving;
+          top++;
+        }
       }
+      current = 0u;
       slabs = slabRay(o, d);
       ray = meshRay(o, d);
-      pops = back;
     } else {
       // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
       let place = current & placeMask;
-      let found = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
+      let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
       let own = (instance == left.instance) & (place == left.triangle);
-      let nearer = (found.t > least) & (found.t < hit.t) & !own;
-      hit = MeshHit(select(hit.t, found.t, nearer), select(hit.instance, instance, nearer), select(hit.triangle, place, nearer), select(hit.weights, found.weights, nearer));
-      if (anyHit & nearer) {
-        break;
-      }
+      let nearer = (hit.t > rays.least) & (hit.t < most) & !own;
       current = current + 1u - (1u << countShift);
       pops = ((current >> countShift) & 7u) == 0u;
+      if (nearer) {
+        if (toLight) {
+          found.blocked = true;
+          break;
+        }
+        most = hit.t;
+        found = MeshHit(hit.t, instance, place, hit.weights, false);
+      }
     }
     if (pops) {
-      if (top == 0u) {
-        break;
+      if (top > 0u) {
+        top--;
+        current = stack[top];
+      } else {
+        if (toLight | !(rays.lightMost > 0.0)) {
+          break;
+        }
+        toLight = true;
+        most = rays.lightMost;
+        instance = noInstance;
+        current = first;
       }
-      top--;
-      current = stack[top];
     }
   }
-  return hit;
+  return found;
 }
+
+struct MeshRays {
+  origin: vec3f,
+  direction: vec3f,
+  lightDirection: vec3f,
+  // What is nearer does not count.
+  least: f32,
+  // Nor what is farther; 0 or less: there is no such ray.
+  most: f32,
+  lightMost: f32,
+}
+
 
 struct MeshHit {
   t: f32,
+  // noInstance: nothing met.
   instance: u32,
   triangle: u32,
   // Of the triangle's second and third vertex.
   weights: vec2f,
+  // Whether something is in the light's way.
+  blocked: bool,
 }
 
 
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+// What the slabs of boxes are worked out with.
+struct SlabRay {
+  inverse: vec3f,
+  // -origin * inverse
+  offset: vec3f,
+  // From a node to the rows that hold the near planes.
+  near: vec3u,
 }
 
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+
+// A ray in the space of a mesh.
+struct MeshRay {
+  origin: vec3f,
+  // The axis along which the direction is longest: 0, 1 or 2.
+  axis: u32,
+  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
+  shear: vec3f,
 }
+
+
+// A ray begins, in the world.
+const beginning = 0xfffffffeu;
 
 // References: encode-wide-bvh.ts.
 const leafBit = 0x80000000u;
-
-// On the stack: here the ray leaves the instance.
-const leaving = 0xffffffffu;
 
 // Rows of a node; from the rows of least to those of greatest places; and where the references are.
 const nodeRows = 7u;
@@ -797,17 +828,22 @@ fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
 // Rounding of the distances to a box, relative; of the box itself the encoder takes care.
 const slabRounding = 1.0 + 1e-6;
 
-// What the slabs of boxes are worked out with.
-struct SlabRay {
-  inverse: vec3f,
-  // -origin * inverse
-  offset: vec3f,
-  // From a node to the rows that hold the near planes.
-  near: vec3u,
-}
-
+// On the stack: here the ray leaves the instance.
+const leaving = 0xffffffffu;
 
 const placeMask = 0x0fffffffu;
+
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
 
 fn fetchInstance(row: u32) -> Instance {
   let r0 = geometryRow(row + 0u);
@@ -837,6 +873,11 @@ struct Instance {
 }
 
 
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
 fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
   let a = turnedTo(ray.axis, triangle.a - ray.origin);
   let b = turnedTo(ray.axis, triangle.b - ray.origin);
@@ -865,11 +906,6 @@ const triangleRows = 3u;
 
 const countShift = 28u;
 
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
 fn edge(a: vec2f, b: vec2f) -> f32 {
   let p = a.x * b.y;
   let q = a.y * b.x;
@@ -881,16 +917,6 @@ struct TriangleHit {
   t: f32,
   // How much the second and third vertex count.
   weights: vec2f,
-}
-
-
-// A ray in the space of a mesh.
-struct MeshRay {
-  origin: vec3f,
-  // The axis along which the direction is longest: 0, 1 or 2.
-  axis: u32,
-  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
-  shear: vec3f,
 }
 
 
@@ -1089,22 +1115,22 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
   let difference = eta * eta - k * k - sine2;
   let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
   // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
-  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least0);
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least);
   let smaller = eta * k / larger;
   let a = select(smaller, larger, difference > vec3f(0.0));
   let b = select(larger, smaller, difference > vec3f(0.0));
   // Sums of squares, not multiplied out: rounding never takes them below 0. least: an index of 1 along the surface is no 0 / 0.
-  let b2 = b * b + least0;
+  let b2 = b * b + least;
   let acrossFar = a + cosine;
   let acrossNear = a - cosine;
   let across = (acrossNear * acrossNear + b2) / (acrossFar * acrossFar + b2);
   let alongFar = a * cosine + sine2;
   let alongNear = a * cosine - sine2;
-  let b2cosine2 = b2 * cosine2 + least0;
+  let b2cosine2 = b2 * cosine2 + least;
   return 0.5 * across * (1.0 + (alongNear * alongNear + b2cosine2) / (alongFar * alongFar + b2cosine2));
 }
 
-const least0 = 1e-20;
+const least = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
   let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);

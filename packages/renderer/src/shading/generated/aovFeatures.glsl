@@ -76,6 +76,7 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
     uint instances;
+    uint instanceCount;
 };
 struct Group {
     uint index;
@@ -105,11 +106,20 @@ struct LeftTriangle {
     uint instance;
     uint triangle;
 };
+struct MeshRays {
+    vec3 origin;
+    vec3 direction;
+    vec3 lightDirection;
+    float least;
+    float most;
+    float lightMost;
+};
 struct MeshHit {
     float t;
     uint instance;
     uint triangle;
     vec2 weights;
+    bool blocked;
 };
 struct SlabRay {
     vec3 inverse_;
@@ -172,10 +182,11 @@ struct Material {
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
-const uint leastToGreatest = 3u;
+const uint beginning = 4294967294u;
 const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
+const uint leastToGreatest = 3u;
 const uint leaving = 4294967295u;
 const uint placeMask = 268435455u;
 const uint instanceRows = 4u;
@@ -580,22 +591,6 @@ bool isMesh(uint i_7) {
     return (i_7 >= _e4);
 }
 
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size = abs(direction_7);
-    uint axis_1 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_1, direction_7);
-    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
 uvec4 geometryRow(uint i_8) {
     uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
     return _e8;
@@ -628,6 +623,22 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size = abs(direction_7);
+    uint axis_1 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
 float edge(vec2 a, vec2 b) {
     float p_10 = (a.x * b.y);
     float q_3 = (a.y * b.x);
@@ -658,8 +669,10 @@ Triangle fetchTriangle(uint row_2) {
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
-MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool anyHit, LeftTriangle left) {
-    MeshHit hit = MeshHit(0.0, 0u, 0u, vec2(0.0));
+MeshHit traverse(MeshRays rays, LeftTriangle left) {
+    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    bool toLight = false;
+    float most = 0.0;
     uint instance = noInstance;
     uint nodes = 0u;
     uint triangles = 0u;
@@ -670,28 +683,37 @@ MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool 
     bool pops = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
-    hit = MeshHit(most, noInstance, 0u, vec2(0.0));
-    SlabRay _e18 = slabRay(origin_9, direction_8);
-    slabs = _e18;
-    MeshRay _e20 = meshRay(origin_9, direction_8);
-    ray_2 = _e20;
+    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
+    toLight = !((rays.most > 0.0));
+    bool _e17 = toLight;
+    most = pick(_e17, rays.lightMost, rays.most);
+    uint _e45 = frame.instanceCount;
+    bool alone = (_e45 == 1u);
+    uint first = pick(alone, leafBit, beginning);
+    current = first;
+    uint _e54 = frame.instanceCount;
+    float _e57 = most;
+    if (pick((_e54 == 0u), true, !((_e57 > 0.0)))) {
+        MeshHit _e62 = found_5;
+        return _e62;
+    }
     while(true) {
         pops = false;
-        uint _e28 = current;
-        if (((_e28 & leafBit) == 0u)) {
-            uint _e33 = nodes;
-            uint _e34 = current;
-            uint node_1 = (_e33 + (_e34 * nodeRows));
-            uvec4 _e40 = geometryRow((node_1 + childrenRow));
-            SlabRay _e41 = slabs;
-            float _e43 = hit.t;
-            vec4 _e44 = enterChildren(node_1, _e41, _e40, _e43);
-            bool a_1 = (_e44.x < _e44.z);
-            bool b_2 = (_e44.y < _e44.w);
-            vec2 t0_2 = pick(a_1, vec2(_e44.z, _e44.x), vec2(_e44.x, _e44.z));
-            uvec2 r0_ = pick(a_1, uvec2(_e40.z, _e40.x), uvec2(_e40.x, _e40.z));
-            vec2 t1_1 = pick(b_2, vec2(_e44.w, _e44.y), vec2(_e44.y, _e44.w));
-            uvec2 r1_ = pick(b_2, uvec2(_e40.w, _e40.y), uvec2(_e40.y, _e40.w));
+        uint _e65 = current;
+        if (((_e65 & leafBit) == 0u)) {
+            uint _e70 = nodes;
+            uint _e71 = current;
+            uint node_1 = (_e70 + (_e71 * nodeRows));
+            uvec4 _e77 = geometryRow((node_1 + childrenRow));
+            SlabRay _e78 = slabs;
+            float _e79 = most;
+            vec4 _e80 = enterChildren(node_1, _e78, _e77, _e79);
+            bool a_1 = (_e80.x < _e80.z);
+            bool b_2 = (_e80.y < _e80.w);
+            vec2 t0_2 = pick(a_1, vec2(_e80.z, _e80.x), vec2(_e80.x, _e80.z));
+            uvec2 r0_ = pick(a_1, uvec2(_e77.z, _e77.x), uvec2(_e77.x, _e77.z));
+            vec2 t1_1 = pick(b_2, vec2(_e80.w, _e80.y), vec2(_e80.y, _e80.w));
+            uvec2 r1_ = pick(b_2, uvec2(_e77.w, _e77.y), uvec2(_e77.y, _e77.w));
             bool c_1 = (t0_2.x < t1_1.x);
             bool d_2 = (t0_2.y < t1_1.y);
             vec2 ta = pick(c_1, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
@@ -702,201 +724,194 @@ MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool 
             vec2 tm = pick(e, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
             uvec2 rm = pick(e, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
             if ((ta.x < 1e30)) {
-                uint _e134 = top;
-                stack[_e134] = ra.x;
-                uint _e138 = top;
-                top = (_e138 + 1u);
+                uint _e170 = top;
+                stack[_e170] = ra.x;
+                uint _e174 = top;
+                top = (_e174 + 1u);
             }
             if ((tm.x < 1e30)) {
-                uint _e144 = top;
-                stack[_e144] = rm.x;
-                uint _e148 = top;
-                top = (_e148 + 1u);
+                uint _e180 = top;
+                stack[_e180] = rm.x;
+                uint _e184 = top;
+                top = (_e184 + 1u);
             }
             if ((tm.y < 1e30)) {
-                uint _e154 = top;
-                stack[_e154] = rm.y;
-                uint _e158 = top;
-                top = (_e158 + 1u);
+                uint _e190 = top;
+                stack[_e190] = rm.y;
+                uint _e194 = top;
+                top = (_e194 + 1u);
             }
             pops = (tb.y >= 1e30);
             current = rb.y;
         } else {
-            uint _e164 = instance;
-            uint _e167 = current;
-            if (pick((_e164 == noInstance), true, (_e167 == leaving))) {
-                uint _e171 = current;
-                bool back = (_e171 == leaving);
-                o = origin_9;
-                d_1 = direction_8;
-                uint _e176 = current;
-                instance = pick(back, noInstance, (_e176 & placeMask));
+            uint _e200 = instance;
+            uint _e203 = current;
+            if (pick((_e200 == noInstance), true, (_e203 >= beginning))) {
+                uint _e207 = current;
+                bool toWorld = (_e207 >= beginning);
+                uint _e210 = current;
+                pops = (_e210 == leaving);
+                uint _e213 = current;
+                instance = pick(toWorld, noInstance, (_e213 & placeMask));
+                o = rays.origin;
+                bool _e222 = toLight;
+                d_1 = pick(_e222, rays.lightDirection, rays.direction);
                 nodes = 0u;
-                if (!(back)) {
-                    uint _e185 = frame.instances;
-                    uint _e186 = instance;
-                    Instance _e190 = fetchInstance((_e185 + (_e186 * instanceRows)));
-                    o = vec3((dot(_e190.toMeshX.xyz, origin_9) + _e190.toMeshX.w), (dot(_e190.toMeshY.xyz, origin_9) + _e190.toMeshY.w), (dot(_e190.toMeshZ.xyz, origin_9) + _e190.toMeshZ.w));
-                    d_1 = vec3(dot(_e190.toMeshX.xyz, direction_8), dot(_e190.toMeshY.xyz, direction_8), dot(_e190.toMeshZ.xyz, direction_8));
-                    nodes = _e190.nodes;
-                    triangles = _e190.triangles;
-                    uint _e223 = top;
-                    stack[_e223] = leaving;
-                    uint _e227 = top;
-                    top = (_e227 + 1u);
-                    current = 0u;
+                if (!(toWorld)) {
+                    uint _e229 = frame.instances;
+                    uint _e230 = instance;
+                    Instance _e234 = fetchInstance((_e229 + (_e230 * instanceRows)));
+                    vec3 _e235 = o;
+                    vec4 p_11 = vec4(_e235, 1.0);
+                    o = vec3(dot(_e234.toMeshX, p_11), dot(_e234.toMeshY, p_11), dot(_e234.toMeshZ, p_11));
+                    vec3 _e247 = d_1;
+                    vec3 _e251 = d_1;
+                    vec3 _e255 = d_1;
+                    d_1 = vec3(dot(_e234.toMeshX.xyz, _e247), dot(_e234.toMeshY.xyz, _e251), dot(_e234.toMeshZ.xyz, _e255));
+                    nodes = _e234.nodes;
+                    triangles = _e234.triangles;
+                    if (!(alone)) {
+                        uint _e262 = top;
+                        stack[_e262] = leaving;
+                        uint _e266 = top;
+                        top = (_e266 + 1u);
+                    }
                 }
-                vec3 _e230 = o;
-                vec3 _e231 = d_1;
-                SlabRay _e232 = slabRay(_e230, _e231);
-                slabs = _e232;
-                vec3 _e233 = o;
-                vec3 _e234 = d_1;
-                MeshRay _e235 = meshRay(_e233, _e234);
-                ray_2 = _e235;
-                pops = back;
+                current = 0u;
+                vec3 _e269 = o;
+                vec3 _e270 = d_1;
+                SlabRay _e271 = slabRay(_e269, _e270);
+                slabs = _e271;
+                vec3 _e272 = o;
+                vec3 _e273 = d_1;
+                MeshRay _e274 = meshRay(_e272, _e273);
+                ray_2 = _e274;
             } else {
-                uint _e236 = current;
-                uint place_2 = (_e236 & placeMask);
-                MeshRay _e239 = ray_2;
-                uint _e240 = triangles;
-                Triangle _e244 = fetchTriangle((_e240 + (place_2 * triangleRows)));
-                TriangleHit _e245 = intersectTriangle(_e239, _e244);
-                uint _e246 = instance;
-                bool own_4 = pick((_e246 == left.instance), (place_2 == left.triangle), false);
-                float _e256 = hit.t;
-                bool nearer_1 = pick(pick((_e245.t > least), (_e245.t < _e256), false), !(own_4), false);
-                float _e262 = hit.t;
-                uint _e266 = hit.instance;
-                uint _e267 = instance;
-                uint _e270 = hit.triangle;
-                vec2 _e273 = hit.weights;
-                hit = MeshHit(pick(nearer_1, _e245.t, _e262), pick(nearer_1, _e267, _e266), pick(nearer_1, place_2, _e270), pick(nearer_1, _e245.weights, _e273));
-                if (pick(anyHit, nearer_1, false)) {
+                uint _e275 = current;
+                uint place_2 = (_e275 & placeMask);
+                MeshRay _e278 = ray_2;
+                uint _e279 = triangles;
+                Triangle _e283 = fetchTriangle((_e279 + (place_2 * triangleRows)));
+                TriangleHit _e284 = intersectTriangle(_e278, _e283);
+                uint _e285 = instance;
+                bool own_4 = pick((_e285 == left.instance), (place_2 == left.triangle), false);
+                float _e295 = most;
+                bool nearer_1 = pick(pick((_e284.t > rays.least), (_e284.t < _e295), false), !(own_4), false);
+                uint _e300 = current;
+                current = ((_e300 + 1u) - 268435456u);
+                uint _e305 = current;
+                pops = (((_e305 >> countShift) & 7u) == 0u);
+                if (nearer_1) {
+                    bool _e312 = toLight;
+                    if (_e312) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = _e284.t;
+                    uint _e317 = instance;
+                    found_5 = MeshHit(_e284.t, _e317, place_2, _e284.weights, false);
+                }
+            }
+        }
+        bool _e321 = pops;
+        if (_e321) {
+            uint _e322 = top;
+            if ((_e322 > 0u)) {
+                uint _e326 = top;
+                top = (_e326 - 1u);
+                uint _e329 = top;
+                uint _e331 = stack[_e329];
+                current = _e331;
+            } else {
+                bool _e332 = toLight;
+                if (pick(_e332, true, !((rays.lightMost > 0.0)))) {
                     break;
                 }
-                uint _e278 = current;
-                current = ((_e278 + 1u) - 268435456u);
-                uint _e283 = current;
-                pops = (((_e283 >> countShift) & 7u) == 0u);
+                toLight = true;
+                most = rays.lightMost;
+                instance = noInstance;
+                current = first;
             }
-        }
-        bool _e290 = pops;
-        if (_e290) {
-            uint _e291 = top;
-            if ((_e291 == 0u)) {
-                break;
-            }
-            uint _e295 = top;
-            top = (_e295 - 1u);
-            uint _e298 = top;
-            uint _e300 = stack[_e298];
-            current = _e300;
         }
     }
-    MeshHit _e301 = hit;
-    return _e301;
+    MeshHit _e341 = found_5;
+    return _e341;
 }
 
-PairHit meetMeshes(PairHit before, RayPair p_5) {
-    PairHit found_5 = PairHit(0.0, 0u, false, 0u, vec2(0.0));
-    uint i_9 = 0u;
-    found_5 = before;
-    uint first = frame.shapeEnds.w;
-    bool _e11 = isMesh(p_5.shape);
-    LeftTriangle left_1 = LeftTriangle(pick(pick(_e11, (p_5.shape != noShape), false), (p_5.shape - first), noInstance), p_5.triangle);
-    while(true) {
-        uint _e21 = i_9;
-        bool toLight = (_e21 == 1u);
-        float _e25 = found_5.t;
-        bool _e31 = found_5.blocked;
-        float most_1 = pick(toLight, pick(_e31, -1.0, p_5.lightDistance), pick(p_5.goesOn, _e25, -1.0));
-        if ((most_1 > 0.0)) {
-            MeshHit _e42 = traverse(p_5.point, pick(toLight, p_5.lightDirection, p_5.direction), p_5.tMin, most_1, toLight, left_1);
-            bool met = (_e42.instance != noInstance);
-            if (toLight) {
-                found_5.blocked = met;
-            } else {
-                if (met) {
-                    bool _e51 = found_5.blocked;
-                    found_5 = PairHit(_e42.t, (first + _e42.instance), _e51, _e42.triangle, _e42.weights);
-                }
-            }
-        }
-        uint _e56 = i_9;
-        i_9 = (_e56 + 1u);
-        uint _e58 = i_9;
-        if ((_e58 >= 2u)) {
-            break;
-        }
-    }
-    PairHit _e61 = found_5;
-    return _e61;
+PairHit meetMeshes(PairHit found_6, RayPair p_5) {
+    uint first_1 = frame.shapeEnds.w;
+    bool _e10 = isMesh(p_5.shape);
+    LeftTriangle left_1 = LeftTriangle(pick(pick(_e10, (p_5.shape != noShape), false), (p_5.shape - first_1), noInstance), p_5.triangle);
+    float most_1 = pick(p_5.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_5.lightDistance);
+    MeshHit _e31 = traverse(MeshRays(p_5.point, p_5.direction, p_5.lightDirection, p_5.tMin, most_1, lightMost), left_1);
+    bool met = (_e31.instance != noInstance);
+    return PairHit(pick(met, _e31.t, found_6.t), pick(met, (first_1 + _e31.instance), found_6.shape), pick(found_6.blocked, true, _e31.blocked), _e31.triangle, _e31.weights);
 }
 
 PairHit tracePair(RayPair p_6) {
-    PairHit found_6 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
-    uint i_10 = 0u;
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
+    uint i_9 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e15 = hasSpheres;
-    uint _e16 = i_10;
+    uint _e16 = i_9;
     if (pick(_e15, (_e16 < ends.x), false)) {
         while(true) {
-            PairHit _e20 = found_6;
-            uint _e21 = i_10;
+            PairHit _e20 = found_7;
+            uint _e21 = i_9;
             PairHit _e22 = meetSphere(_e20, p_6, _e21);
-            found_6 = _e22;
-            uint _e24 = i_10;
-            i_10 = (_e24 + 1u);
-            uint _e26 = i_10;
+            found_7 = _e22;
+            uint _e24 = i_9;
+            i_9 = (_e24 + 1u);
+            uint _e26 = i_9;
             if ((_e26 >= ends.x)) {
                 break;
             }
         }
     }
     const bool _e30 = hasBoxes;
-    uint _e31 = i_10;
+    uint _e31 = i_9;
     if (pick(_e30, (_e31 < ends.y), false)) {
         while(true) {
-            PairHit _e35 = found_6;
-            uint _e36 = i_10;
+            PairHit _e35 = found_7;
+            uint _e36 = i_9;
             PairHit _e37 = meetBox(_e35, p_6, _e36);
-            found_6 = _e37;
-            uint _e39 = i_10;
-            i_10 = (_e39 + 1u);
-            uint _e41 = i_10;
+            found_7 = _e37;
+            uint _e39 = i_9;
+            i_9 = (_e39 + 1u);
+            uint _e41 = i_9;
             if ((_e41 >= ends.y)) {
                 break;
             }
         }
     }
     const bool _e45 = hasQuads;
-    uint _e46 = i_10;
+    uint _e46 = i_9;
     if (pick(_e45, (_e46 < ends.z), false)) {
         while(true) {
-            PairHit _e50 = found_6;
-            uint _e51 = i_10;
+            PairHit _e50 = found_7;
+            uint _e51 = i_9;
             PairHit _e52 = meetQuad(_e50, p_6, _e51);
-            found_6 = _e52;
-            uint _e54 = i_10;
-            i_10 = (_e54 + 1u);
-            uint _e56 = i_10;
+            found_7 = _e52;
+            uint _e54 = i_9;
+            i_9 = (_e54 + 1u);
+            uint _e56 = i_9;
             if ((_e56 >= ends.z)) {
                 break;
             }
         }
     }
     const bool _e60 = hasPlanes;
-    uint _e61 = i_10;
+    uint _e61 = i_9;
     if (pick(_e60, (_e61 < ends.w), false)) {
         while(true) {
-            PairHit _e65 = found_6;
-            uint _e66 = i_10;
+            PairHit _e65 = found_7;
+            uint _e66 = i_9;
             PairHit _e67 = meetPlane(_e65, p_6, _e66);
-            found_6 = _e67;
-            uint _e69 = i_10;
-            i_10 = (_e69 + 1u);
-            uint _e71 = i_10;
+            found_7 = _e67;
+            uint _e69 = i_9;
+            i_9 = (_e69 + 1u);
+            uint _e71 = i_9;
             if ((_e71 >= ends.w)) {
                 break;
             }
@@ -904,11 +919,11 @@ PairHit tracePair(RayPair p_6) {
     }
     const bool _e75 = hasMeshes;
     if (_e75) {
-        PairHit _e76 = found_6;
+        PairHit _e76 = found_7;
         PairHit _e77 = meetMeshes(_e76, p_6);
-        found_6 = _e77;
+        found_7 = _e77;
     }
-    PairHit _e78 = found_6;
+    PairHit _e78 = found_7;
     return _e78;
 }
 
@@ -930,27 +945,27 @@ Sight look(vec2 fragment_2) {
     return Sight(_e22, _e28, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
-Surface fetchSurface(uint i_11) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_11)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_11)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_11)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_11)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_11)), 0);
+Surface fetchSurface(uint i_10) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_10)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_10)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_10)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_10)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_10)), 0);
     return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-bool isPlane(uint i_12) {
+bool isPlane(uint i_11) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_10, vec3 direction_9, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_10, direction_9, halfSize_2);
+vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_10 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_9, vec3(0.0))));
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
     bool onX = (crossed.x == t_10);
     bool onY = pick(!(onX), (crossed.y == t_10), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
@@ -961,56 +976,56 @@ vec3 turnedBack(vec4 q_2, vec3 v_3) {
     return _e6;
 }
 
-bool isBox(uint i_13) {
+bool isBox(uint i_12) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_13 >= _e4), (i_13 < _e9), false);
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
 }
 
-bool isSphere(uint i_14) {
+bool isSphere(uint i_13) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_14 < _e4);
+    return (i_13 < _e4);
 }
 
-vec3 normalAt(RayPair p_7, float t_2, uint i_15) {
+vec3 normalAt(RayPair p_7, float t_2, uint i_14) {
     vec3 normal_1 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_15);
-    vec3 origin_11 = (p_7.point - _e3.center);
+    Bounds _e3 = fetchBounds(i_14);
+    vec3 origin_10 = (p_7.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
-        Extent _e11 = fetchExtent(i_15);
+        Extent _e11 = fetchExtent(i_14);
         vec3 _e17 = normal_1;
-        bool _e18 = isPlane(i_15);
+        bool _e18 = isPlane(i_14);
         normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
-        Extent _e22 = fetchExtent(i_15);
-        bool inside = pick((i_15 == p_7.shape), p_7.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_11);
+        Extent _e22 = fetchExtent(i_14);
+        bool inside = pick((i_14 == p_7.shape), p_7.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_10);
         vec3 _e31 = turned(_e22.a, p_7.direction);
         vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
-        bool _e39 = isBox(i_15);
+        bool _e39 = isBox(i_14);
         normal_1 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
         vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_15);
-        normal_1 = pick(_e47, (origin_11 + (t_2 * p_7.direction)), _e43);
+        bool _e47 = isSphere(i_14);
+        normal_1 = pick(_e47, (origin_10 + (t_2 * p_7.direction)), _e43);
     }
     vec3 _e49 = normal_1;
     return normalize(_e49);
 }
 
 vec3 fromOctahedral(uint code) {
-    vec2 p_11 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z = ((1.0 - abs(p_11.x)) - abs(p_11.y));
-    vec2 folded = ((vec2(1.0) - abs(p_11.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_11, vec2(0.0))));
-    return normalize(vec3(pick((z < 0.0), folded, p_11), z));
+    vec2 p_12 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z = ((1.0 - abs(p_12.x)) - abs(p_12.y));
+    vec2 folded = ((vec2(1.0) - abs(p_12.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_12, vec2(0.0))));
+    return normalize(vec3(pick((z < 0.0), folded, p_12), z));
 }
 
 MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
@@ -1030,16 +1045,16 @@ MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
     return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
 }
 
-Normals normalsAt(RayPair rays, PairHit hit_1, uint shape, bool isGlass) {
+Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
     Normals normals = Normals(vec3(0.0), vec3(0.0));
-    vec3 _e5 = normalAt(rays, hit_1.t, shape);
+    vec3 _e5 = normalAt(rays_1, hit.t, shape);
     normals = Normals(_e5, _e5);
     const bool _e9 = hasMeshes;
     bool _e10 = isMesh(shape);
     if (pick(_e9, _e10, false)) {
         uint _e15 = frame.shapeEnds.w;
-        MeshNormals _e19 = meshNormals((shape - _e15), hit_1.triangle, hit_1.weights);
-        bool agree = ((dot(_e19.geometric, rays.direction) > 0.0) == (dot(_e19.shading, rays.direction) > 0.0));
+        MeshNormals _e19 = meshNormals((shape - _e15), hit.triangle, hit.weights);
+        bool agree = ((dot(_e19.geometric, rays_1.direction) > 0.0) == (dot(_e19.shading, rays_1.direction) > 0.0));
         normals = Normals(_e19.geometric, pick(pick(isGlass, !(agree), false), _e19.geometric, _e19.shading));
     }
     Normals _e38 = normals;
@@ -1101,9 +1116,9 @@ vec3 albedoOf(Surface s_3, bool fromBack) {
     return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));
 }
 
-Material fetchMaterial(uint i_16) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
+Material fetchMaterial(uint i_15) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_15)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_15)), 0);
     return Material(t0_4.xyz, t0_4.w, t1_3.x, t1_3.y, t1_3.z, t1_3.w);
 }
 
@@ -1125,12 +1140,12 @@ void main() {
         Surface _e32 = fetchSurface(shape_1);
         bool _e37 = isDielectric(uint(_e32.code));
         Normals _e38 = normalsAt(_e2.rays, _e2.hit, shape_1, _e37);
-        vec3 direction_10 = _e2.rays.direction;
+        vec3 direction_9 = _e2.rays.direction;
         vec4 _e42 = sums.first;
-        vec3 _e47 = albedoOf(_e32, (dot(_e38.geometric, direction_10) > 0.0));
+        vec3 _e47 = albedoOf(_e32, (dot(_e38.geometric, direction_9) > 0.0));
         sums.first = (_e42 + vec4(_e47, 0.0));
         vec4 _e52 = sums.second;
-        sums.second = (_e52 + vec4(pick((dot(_e38.shading, direction_10) > 0.0), -(_e38.shading), _e38.shading), 1.0));
+        sums.second = (_e52 + vec4(pick((dot(_e38.shading, direction_9) > 0.0), -(_e38.shading), _e38.shading), 1.0));
     }
     Layers _e64 = sums;
     _fs2p_location0 = _e64.first;

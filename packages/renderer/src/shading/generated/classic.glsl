@@ -55,6 +55,7 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
     uint instances;
+    uint instanceCount;
 };
 struct Bounds {
     vec3 center;

@@ -76,6 +76,7 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
     uint instances;
+    uint instanceCount;
 };
 struct Group {
     uint index;
@@ -112,11 +113,20 @@ struct LeftTriangle {
     uint instance;
     uint triangle;
 };
+struct MeshRays {
+    vec3 origin;
+    vec3 direction;
+    vec3 lightDirection;
+    float least;
+    float most;
+    float lightMost;
+};
 struct MeshHit {
     float t;
     uint instance;
     uint triangle;
     vec2 weights;
+    bool blocked;
 };
 struct SlabRay {
     vec3 inverse_;
@@ -278,10 +288,11 @@ struct BsdfSample {
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
-const uint leastToGreatest = 3u;
+const uint beginning = 4294967294u;
 const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
+const uint leastToGreatest = 3u;
 const uint leaving = 4294967295u;
 const uint placeMask = 268435455u;
 const uint instanceRows = 4u;
@@ -750,22 +761,6 @@ bool isMesh(uint i_7) {
     return (i_7 >= _e4);
 }
 
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size = abs(direction_7);
-    uint axis_3 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
 uvec4 geometryRow(uint i_8) {
     uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
     return _e8;
@@ -798,6 +793,22 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size = abs(direction_7);
+    uint axis_3 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
 float edge(vec2 a, vec2 b) {
     float p_15 = (a.x * b.y);
     float q_6 = (a.y * b.x);
@@ -828,8 +839,10 @@ Triangle fetchTriangle(uint row_2) {
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
-MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool anyHit, LeftTriangle left) {
-    MeshHit hit = MeshHit(0.0, 0u, 0u, vec2(0.0));
+MeshHit traverse(MeshRays rays, LeftTriangle left) {
+    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    bool toLight = false;
+    float most = 0.0;
     uint instance = noInstance;
     uint nodes = 0u;
     uint triangles = 0u;
@@ -840,28 +853,37 @@ MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool 
     bool pops = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
-    hit = MeshHit(most, noInstance, 0u, vec2(0.0));
-    SlabRay _e18 = slabRay(origin_9, direction_8);
-    slabs = _e18;
-    MeshRay _e20 = meshRay(origin_9, direction_8);
-    ray_2 = _e20;
+    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
+    toLight = !((rays.most > 0.0));
+    bool _e17 = toLight;
+    most = pick(_e17, rays.lightMost, rays.most);
+    uint _e45 = frame.instanceCount;
+    bool alone = (_e45 == 1u);
+    uint first = pick(alone, leafBit, beginning);
+    current = first;
+    uint _e54 = frame.instanceCount;
+    float _e57 = most;
+    if (pick((_e54 == 0u), true, !((_e57 > 0.0)))) {
+        MeshHit _e62 = found_5;
+        return _e62;
+    }
     while(true) {
         pops = false;
-        uint _e28 = current;
-        if (((_e28 & leafBit) == 0u)) {
-            uint _e33 = nodes;
-            uint _e34 = current;
-            uint node_1 = (_e33 + (_e34 * nodeRows));
-            uvec4 _e40 = geometryRow((node_1 + childrenRow));
-            SlabRay _e41 = slabs;
-            float _e43 = hit.t;
-            vec4 _e44 = enterChildren(node_1, _e41, _e40, _e43);
-            bool a_2 = (_e44.x < _e44.z);
-            bool b_6 = (_e44.y < _e44.w);
-            vec2 t0_2 = pick(a_2, vec2(_e44.z, _e44.x), vec2(_e44.x, _e44.z));
-            uvec2 r0_ = pick(a_2, uvec2(_e40.z, _e40.x), uvec2(_e40.x, _e40.z));
-            vec2 t1_1 = pick(b_6, vec2(_e44.w, _e44.y), vec2(_e44.y, _e44.w));
-            uvec2 r1_ = pick(b_6, uvec2(_e40.w, _e40.y), uvec2(_e40.y, _e40.w));
+        uint _e65 = current;
+        if (((_e65 & leafBit) == 0u)) {
+            uint _e70 = nodes;
+            uint _e71 = current;
+            uint node_1 = (_e70 + (_e71 * nodeRows));
+            uvec4 _e77 = geometryRow((node_1 + childrenRow));
+            SlabRay _e78 = slabs;
+            float _e79 = most;
+            vec4 _e80 = enterChildren(node_1, _e78, _e77, _e79);
+            bool a_2 = (_e80.x < _e80.z);
+            bool b_6 = (_e80.y < _e80.w);
+            vec2 t0_2 = pick(a_2, vec2(_e80.z, _e80.x), vec2(_e80.x, _e80.z));
+            uvec2 r0_ = pick(a_2, uvec2(_e77.z, _e77.x), uvec2(_e77.x, _e77.z));
+            vec2 t1_1 = pick(b_6, vec2(_e80.w, _e80.y), vec2(_e80.y, _e80.w));
+            uvec2 r1_ = pick(b_6, uvec2(_e77.w, _e77.y), uvec2(_e77.y, _e77.w));
             bool c_1 = (t0_2.x < t1_1.x);
             bool d_2 = (t0_2.y < t1_1.y);
             vec2 ta = pick(c_1, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
@@ -872,201 +894,194 @@ MeshHit traverse(vec3 origin_9, vec3 direction_8, float least, float most, bool 
             vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
             uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
             if ((ta.x < 1e30)) {
-                uint _e134 = top;
-                stack[_e134] = ra.x;
-                uint _e138 = top;
-                top = (_e138 + 1u);
+                uint _e170 = top;
+                stack[_e170] = ra.x;
+                uint _e174 = top;
+                top = (_e174 + 1u);
             }
             if ((tm.x < 1e30)) {
-                uint _e144 = top;
-                stack[_e144] = rm.x;
-                uint _e148 = top;
-                top = (_e148 + 1u);
+                uint _e180 = top;
+                stack[_e180] = rm.x;
+                uint _e184 = top;
+                top = (_e184 + 1u);
             }
             if ((tm.y < 1e30)) {
-                uint _e154 = top;
-                stack[_e154] = rm.y;
-                uint _e158 = top;
-                top = (_e158 + 1u);
+                uint _e190 = top;
+                stack[_e190] = rm.y;
+                uint _e194 = top;
+                top = (_e194 + 1u);
             }
             pops = (tb.y >= 1e30);
             current = rb.y;
         } else {
-            uint _e164 = instance;
-            uint _e167 = current;
-            if (pick((_e164 == noInstance), true, (_e167 == leaving))) {
-                uint _e171 = current;
-                bool back = (_e171 == leaving);
-                o = origin_9;
-                d_1 = direction_8;
-                uint _e176 = current;
-                instance = pick(back, noInstance, (_e176 & placeMask));
+            uint _e200 = instance;
+            uint _e203 = current;
+            if (pick((_e200 == noInstance), true, (_e203 >= beginning))) {
+                uint _e207 = current;
+                bool toWorld_1 = (_e207 >= beginning);
+                uint _e210 = current;
+                pops = (_e210 == leaving);
+                uint _e213 = current;
+                instance = pick(toWorld_1, noInstance, (_e213 & placeMask));
+                o = rays.origin;
+                bool _e222 = toLight;
+                d_1 = pick(_e222, rays.lightDirection, rays.direction);
                 nodes = 0u;
-                if (!(back)) {
-                    uint _e185 = frame.instances;
-                    uint _e186 = instance;
-                    Instance _e190 = fetchInstance((_e185 + (_e186 * instanceRows)));
-                    o = vec3((dot(_e190.toMeshX.xyz, origin_9) + _e190.toMeshX.w), (dot(_e190.toMeshY.xyz, origin_9) + _e190.toMeshY.w), (dot(_e190.toMeshZ.xyz, origin_9) + _e190.toMeshZ.w));
-                    d_1 = vec3(dot(_e190.toMeshX.xyz, direction_8), dot(_e190.toMeshY.xyz, direction_8), dot(_e190.toMeshZ.xyz, direction_8));
-                    nodes = _e190.nodes;
-                    triangles = _e190.triangles;
-                    uint _e223 = top;
-                    stack[_e223] = leaving;
-                    uint _e227 = top;
-                    top = (_e227 + 1u);
-                    current = 0u;
+                if (!(toWorld_1)) {
+                    uint _e229 = frame.instances;
+                    uint _e230 = instance;
+                    Instance _e234 = fetchInstance((_e229 + (_e230 * instanceRows)));
+                    vec3 _e235 = o;
+                    vec4 p_16 = vec4(_e235, 1.0);
+                    o = vec3(dot(_e234.toMeshX, p_16), dot(_e234.toMeshY, p_16), dot(_e234.toMeshZ, p_16));
+                    vec3 _e247 = d_1;
+                    vec3 _e251 = d_1;
+                    vec3 _e255 = d_1;
+                    d_1 = vec3(dot(_e234.toMeshX.xyz, _e247), dot(_e234.toMeshY.xyz, _e251), dot(_e234.toMeshZ.xyz, _e255));
+                    nodes = _e234.nodes;
+                    triangles = _e234.triangles;
+                    if (!(alone)) {
+                        uint _e262 = top;
+                        stack[_e262] = leaving;
+                        uint _e266 = top;
+                        top = (_e266 + 1u);
+                    }
                 }
-                vec3 _e230 = o;
-                vec3 _e231 = d_1;
-                SlabRay _e232 = slabRay(_e230, _e231);
-                slabs = _e232;
-                vec3 _e233 = o;
-                vec3 _e234 = d_1;
-                MeshRay _e235 = meshRay(_e233, _e234);
-                ray_2 = _e235;
-                pops = back;
+                current = 0u;
+                vec3 _e269 = o;
+                vec3 _e270 = d_1;
+                SlabRay _e271 = slabRay(_e269, _e270);
+                slabs = _e271;
+                vec3 _e272 = o;
+                vec3 _e273 = d_1;
+                MeshRay _e274 = meshRay(_e272, _e273);
+                ray_2 = _e274;
             } else {
-                uint _e236 = current;
-                uint place_2 = (_e236 & placeMask);
-                MeshRay _e239 = ray_2;
-                uint _e240 = triangles;
-                Triangle _e244 = fetchTriangle((_e240 + (place_2 * triangleRows)));
-                TriangleHit _e245 = intersectTriangle(_e239, _e244);
-                uint _e246 = instance;
-                bool own_5 = pick((_e246 == left.instance), (place_2 == left.triangle), false);
-                float _e256 = hit.t;
-                bool nearer_1 = pick(pick((_e245.t > least), (_e245.t < _e256), false), !(own_5), false);
-                float _e262 = hit.t;
-                uint _e266 = hit.instance;
-                uint _e267 = instance;
-                uint _e270 = hit.triangle;
-                vec2 _e273 = hit.weights;
-                hit = MeshHit(pick(nearer_1, _e245.t, _e262), pick(nearer_1, _e267, _e266), pick(nearer_1, place_2, _e270), pick(nearer_1, _e245.weights, _e273));
-                if (pick(anyHit, nearer_1, false)) {
+                uint _e275 = current;
+                uint place_2 = (_e275 & placeMask);
+                MeshRay _e278 = ray_2;
+                uint _e279 = triangles;
+                Triangle _e283 = fetchTriangle((_e279 + (place_2 * triangleRows)));
+                TriangleHit _e284 = intersectTriangle(_e278, _e283);
+                uint _e285 = instance;
+                bool own_5 = pick((_e285 == left.instance), (place_2 == left.triangle), false);
+                float _e295 = most;
+                bool nearer_1 = pick(pick((_e284.t > rays.least), (_e284.t < _e295), false), !(own_5), false);
+                uint _e300 = current;
+                current = ((_e300 + 1u) - 268435456u);
+                uint _e305 = current;
+                pops = (((_e305 >> countShift) & 7u) == 0u);
+                if (nearer_1) {
+                    bool _e312 = toLight;
+                    if (_e312) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = _e284.t;
+                    uint _e317 = instance;
+                    found_5 = MeshHit(_e284.t, _e317, place_2, _e284.weights, false);
+                }
+            }
+        }
+        bool _e321 = pops;
+        if (_e321) {
+            uint _e322 = top;
+            if ((_e322 > 0u)) {
+                uint _e326 = top;
+                top = (_e326 - 1u);
+                uint _e329 = top;
+                uint _e331 = stack[_e329];
+                current = _e331;
+            } else {
+                bool _e332 = toLight;
+                if (pick(_e332, true, !((rays.lightMost > 0.0)))) {
                     break;
                 }
-                uint _e278 = current;
-                current = ((_e278 + 1u) - 268435456u);
-                uint _e283 = current;
-                pops = (((_e283 >> countShift) & 7u) == 0u);
+                toLight = true;
+                most = rays.lightMost;
+                instance = noInstance;
+                current = first;
             }
-        }
-        bool _e290 = pops;
-        if (_e290) {
-            uint _e291 = top;
-            if ((_e291 == 0u)) {
-                break;
-            }
-            uint _e295 = top;
-            top = (_e295 - 1u);
-            uint _e298 = top;
-            uint _e300 = stack[_e298];
-            current = _e300;
         }
     }
-    MeshHit _e301 = hit;
-    return _e301;
+    MeshHit _e341 = found_5;
+    return _e341;
 }
 
-PairHit meetMeshes(PairHit before, RayPair p_6) {
-    PairHit found_5 = PairHit(0.0, 0u, false, 0u, vec2(0.0));
-    uint i_9 = 0u;
-    found_5 = before;
-    uint first = frame.shapeEnds.w;
-    bool _e11 = isMesh(p_6.shape);
-    LeftTriangle left_1 = LeftTriangle(pick(pick(_e11, (p_6.shape != noShape), false), (p_6.shape - first), noInstance), p_6.triangle);
-    while(true) {
-        uint _e21 = i_9;
-        bool toLight_1 = (_e21 == 1u);
-        float _e25 = found_5.t;
-        bool _e31 = found_5.blocked;
-        float most_1 = pick(toLight_1, pick(_e31, -1.0, p_6.lightDistance), pick(p_6.goesOn, _e25, -1.0));
-        if ((most_1 > 0.0)) {
-            MeshHit _e42 = traverse(p_6.point, pick(toLight_1, p_6.lightDirection, p_6.direction), p_6.tMin, most_1, toLight_1, left_1);
-            bool met = (_e42.instance != noInstance);
-            if (toLight_1) {
-                found_5.blocked = met;
-            } else {
-                if (met) {
-                    bool _e51 = found_5.blocked;
-                    found_5 = PairHit(_e42.t, (first + _e42.instance), _e51, _e42.triangle, _e42.weights);
-                }
-            }
-        }
-        uint _e56 = i_9;
-        i_9 = (_e56 + 1u);
-        uint _e58 = i_9;
-        if ((_e58 >= 2u)) {
-            break;
-        }
-    }
-    PairHit _e61 = found_5;
-    return _e61;
+PairHit meetMeshes(PairHit found_6, RayPair p_6) {
+    uint first_1 = frame.shapeEnds.w;
+    bool _e10 = isMesh(p_6.shape);
+    LeftTriangle left_1 = LeftTriangle(pick(pick(_e10, (p_6.shape != noShape), false), (p_6.shape - first_1), noInstance), p_6.triangle);
+    float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
+    MeshHit _e31 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost), left_1);
+    bool met = (_e31.instance != noInstance);
+    return PairHit(pick(met, _e31.t, found_6.t), pick(met, (first_1 + _e31.instance), found_6.shape), pick(found_6.blocked, true, _e31.blocked), _e31.triangle, _e31.weights);
 }
 
 PairHit tracePair(RayPair p_7) {
-    PairHit found_6 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
-    uint i_10 = 0u;
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
+    uint i_9 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e15 = hasSpheres;
-    uint _e16 = i_10;
+    uint _e16 = i_9;
     if (pick(_e15, (_e16 < ends.x), false)) {
         while(true) {
-            PairHit _e20 = found_6;
-            uint _e21 = i_10;
+            PairHit _e20 = found_7;
+            uint _e21 = i_9;
             PairHit _e22 = meetSphere(_e20, p_7, _e21);
-            found_6 = _e22;
-            uint _e24 = i_10;
-            i_10 = (_e24 + 1u);
-            uint _e26 = i_10;
+            found_7 = _e22;
+            uint _e24 = i_9;
+            i_9 = (_e24 + 1u);
+            uint _e26 = i_9;
             if ((_e26 >= ends.x)) {
                 break;
             }
         }
     }
     const bool _e30 = hasBoxes;
-    uint _e31 = i_10;
+    uint _e31 = i_9;
     if (pick(_e30, (_e31 < ends.y), false)) {
         while(true) {
-            PairHit _e35 = found_6;
-            uint _e36 = i_10;
+            PairHit _e35 = found_7;
+            uint _e36 = i_9;
             PairHit _e37 = meetBox(_e35, p_7, _e36);
-            found_6 = _e37;
-            uint _e39 = i_10;
-            i_10 = (_e39 + 1u);
-            uint _e41 = i_10;
+            found_7 = _e37;
+            uint _e39 = i_9;
+            i_9 = (_e39 + 1u);
+            uint _e41 = i_9;
             if ((_e41 >= ends.y)) {
                 break;
             }
         }
     }
     const bool _e45 = hasQuads;
-    uint _e46 = i_10;
+    uint _e46 = i_9;
     if (pick(_e45, (_e46 < ends.z), false)) {
         while(true) {
-            PairHit _e50 = found_6;
-            uint _e51 = i_10;
+            PairHit _e50 = found_7;
+            uint _e51 = i_9;
             PairHit _e52 = meetQuad(_e50, p_7, _e51);
-            found_6 = _e52;
-            uint _e54 = i_10;
-            i_10 = (_e54 + 1u);
-            uint _e56 = i_10;
+            found_7 = _e52;
+            uint _e54 = i_9;
+            i_9 = (_e54 + 1u);
+            uint _e56 = i_9;
             if ((_e56 >= ends.z)) {
                 break;
             }
         }
     }
     const bool _e60 = hasPlanes;
-    uint _e61 = i_10;
+    uint _e61 = i_9;
     if (pick(_e60, (_e61 < ends.w), false)) {
         while(true) {
-            PairHit _e65 = found_6;
-            uint _e66 = i_10;
+            PairHit _e65 = found_7;
+            uint _e66 = i_9;
             PairHit _e67 = meetPlane(_e65, p_7, _e66);
-            found_6 = _e67;
-            uint _e69 = i_10;
-            i_10 = (_e69 + 1u);
-            uint _e71 = i_10;
+            found_7 = _e67;
+            uint _e69 = i_9;
+            i_9 = (_e69 + 1u);
+            uint _e71 = i_9;
             if ((_e71 >= ends.w)) {
                 break;
             }
@@ -1074,20 +1089,20 @@ PairHit tracePair(RayPair p_7) {
     }
     const bool _e75 = hasMeshes;
     if (_e75) {
-        PairHit _e76 = found_6;
+        PairHit _e76 = found_7;
         PairHit _e77 = meetMeshes(_e76, p_7);
-        found_6 = _e77;
+        found_7 = _e77;
     }
-    PairHit _e78 = found_6;
+    PairHit _e78 = found_7;
     return _e78;
 }
 
-Surface fetchSurface(uint i_11) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_11)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_11)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_11)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_11)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_11)), 0);
+Surface fetchSurface(uint i_10) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_10)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_10)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_10)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_10)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_10)), 0);
     return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
@@ -1101,18 +1116,18 @@ bool isDielectric(uint code_1) {
     return pick(_e2, (_e3 == dielectric), false);
 }
 
-bool isPlane(uint i_12) {
+bool isPlane(uint i_11) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_10, vec3 direction_9, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_10, direction_9, halfSize_2);
+vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_10 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_9, vec3(0.0))));
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
     bool onX = (crossed.x == t_10);
     bool onY = pick(!(onX), (crossed.y == t_10), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
@@ -1123,56 +1138,56 @@ vec3 turnedBack(vec4 q_2, vec3 v_3) {
     return _e6;
 }
 
-bool isBox(uint i_13) {
+bool isBox(uint i_12) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_13 >= _e4), (i_13 < _e9), false);
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
 }
 
-bool isSphere(uint i_14) {
+bool isSphere(uint i_13) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_14 < _e4);
+    return (i_13 < _e4);
 }
 
-vec3 normalAt(RayPair p_8, float t_2, uint i_15) {
+vec3 normalAt(RayPair p_8, float t_2, uint i_14) {
     vec3 normal_1 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_15);
-    vec3 origin_11 = (p_8.point - _e3.center);
+    Bounds _e3 = fetchBounds(i_14);
+    vec3 origin_10 = (p_8.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
-        Extent _e11 = fetchExtent(i_15);
+        Extent _e11 = fetchExtent(i_14);
         vec3 _e17 = normal_1;
-        bool _e18 = isPlane(i_15);
+        bool _e18 = isPlane(i_14);
         normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
-        Extent _e22 = fetchExtent(i_15);
-        bool inside = pick((i_15 == p_8.shape), p_8.inwards, false);
-        vec3 _e28 = turned(_e22.a, origin_11);
+        Extent _e22 = fetchExtent(i_14);
+        bool inside = pick((i_14 == p_8.shape), p_8.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_10);
         vec3 _e31 = turned(_e22.a, p_8.direction);
         vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
-        bool _e39 = isBox(i_15);
+        bool _e39 = isBox(i_14);
         normal_1 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
         vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_15);
-        normal_1 = pick(_e47, (origin_11 + (t_2 * p_8.direction)), _e43);
+        bool _e47 = isSphere(i_14);
+        normal_1 = pick(_e47, (origin_10 + (t_2 * p_8.direction)), _e43);
     }
     vec3 _e49 = normal_1;
     return normalize(_e49);
 }
 
 vec3 fromOctahedral(uint code_2) {
-    vec2 p_16 = ((vec2(float((code_2 & 65535u)), float((code_2 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_16.x)) - abs(p_16.y));
-    vec2 folded = ((vec2(1.0) - abs(p_16.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_16, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_16), z_1));
+    vec2 p_17 = ((vec2(float((code_2 & 65535u)), float((code_2 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_1 = ((1.0 - abs(p_17.x)) - abs(p_17.y));
+    vec2 folded = ((vec2(1.0) - abs(p_17.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_17, vec2(0.0))));
+    return normalize(vec3(pick((z_1 < 0.0), folded, p_17), z_1));
 }
 
 MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
@@ -1192,16 +1207,16 @@ MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
     return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
 }
 
-Normals normalsAt(RayPair rays, PairHit hit_1, uint shape, bool isGlass) {
+Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
     Normals normals = Normals(vec3(0.0), vec3(0.0));
-    vec3 _e5 = normalAt(rays, hit_1.t, shape);
+    vec3 _e5 = normalAt(rays_1, hit.t, shape);
     normals = Normals(_e5, _e5);
     const bool _e9 = hasMeshes;
     bool _e10 = isMesh(shape);
     if (pick(_e9, _e10, false)) {
         uint _e15 = frame.shapeEnds.w;
-        MeshNormals _e19 = meshNormals((shape - _e15), hit_1.triangle, hit_1.weights);
-        bool agree = ((dot(_e19.geometric, rays.direction) > 0.0) == (dot(_e19.shading, rays.direction) > 0.0));
+        MeshNormals _e19 = meshNormals((shape - _e15), hit.triangle, hit.weights);
+        bool agree = ((dot(_e19.geometric, rays_1.direction) > 0.0) == (dot(_e19.shading, rays_1.direction) > 0.0));
         normals = Normals(_e19.geometric, pick(pick(isGlass, !(agree), false), _e19.geometric, _e19.shading));
     }
     Normals _e38 = normals;
@@ -1224,12 +1239,12 @@ bool isThin(uint code_3) {
     return pick(_e2, ((code_3 & 7u) == 7u), false);
 }
 
-Emitter fetchEmitter(uint i_16) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_16)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_16)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_16)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_16)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_16)), 0);
+Emitter fetchEmitter(uint i_15) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_15)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_15)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_15)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_15)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_15)), 0);
     return Emitter(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
@@ -1237,25 +1252,25 @@ int emitterOf(float code_4) {
     return ((int(code_4) >> 6u) - 1);
 }
 
-Emitter emitterAt(uint i_17, Emitter only) {
+Emitter emitterAt(uint i_16, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_17);
+        Emitter _e5 = fetchEmitter(i_16);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
     return _e6;
 }
 
-bool isOnDisc(Emitter e, vec3 direction_10) {
-    vec3 chord = (direction_10 + e.u);
+bool isOnDisc(Emitter e, vec3 direction_9) {
+    vec3 chord = (direction_9 + e.u);
     return ((3.1415927 * dot(chord, chord)) < e.area);
 }
 
-float directionalPdf(Emitter e_1, vec3 direction_11) {
-    bool _e7 = isOnDisc(e_1, direction_11);
+float directionalPdf(Emitter e_1, vec3 direction_10) {
+    bool _e7 = isOnDisc(e_1, direction_10);
     return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
 }
 
@@ -1291,16 +1306,16 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_12) {
+EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     vec2 size_3 = frame.environmentSize;
-    float sine_1 = max(length(direction_12.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
-    float turn = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
+    float sine_1 = max(length(direction_11.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_1));
+    float turn = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column = ((fract(((turn * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
     float row_3 = floor(fromPole);
-    bool isLower = (direction_12.y < 0.0);
+    bool isLower = (direction_11.y < 0.0);
     vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_3), row_3));
     float within_2 = (fromPole - row_3);
     vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
@@ -1309,37 +1324,37 @@ EnvironmentLight lookUpEnvironment(vec3 direction_12) {
     return _e67;
 }
 
-vec3 sky(vec3 direction_13) {
+vec3 sky(vec3 direction_12) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_13.y, 0.0));
+    return mix(_e3, _e6, max(direction_12.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_14) {
+EnvironmentLight skyLight(vec3 direction_13) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_14);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_13);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_14);
+    vec3 _e8 = sky(direction_13);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_2, vec3 direction_15) {
+FarLight farLight(Emitter e_2, vec3 direction_14) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e8 = hasSuns;
     if (_e8) {
-        bool _e12 = isOnDisc(e_2, direction_15);
+        bool _e12 = isOnDisc(e_2, direction_14);
         bool seen = pick((e_2.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_2, direction_15);
+        float _e18 = directionalPdf(e_2, direction_14);
         far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
     if (pick(_e23, (e_2.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_15);
+        EnvironmentLight _e28 = skyLight(direction_14);
         far = FarLight(_e28.radiance, _e28.pdf);
     }
     FarLight _e32 = far;
@@ -1360,9 +1375,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_16) {
+float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_15) {
     SphereView _e3 = viewSphere(e_4, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_16, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_15, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1403,9 +1418,9 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     vec3 axisY = (e_5.v / vec3(lengths.y));
     vec3 normal_9 = normalize(cross(axisX, axisY));
     float signedHeight = dot(corner, normal_9);
-    float least_1 = (1e-7 * (lengths.x + lengths.y));
-    float height_1 = max(abs(signedHeight), least_1);
-    bool lit = pick((abs(signedHeight) > least_1), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    float least = (1e-7 * (lengths.x + lengths.y));
+    float height_1 = max(abs(signedHeight), least);
+    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_1 = (low_1 + lengths);
     vec2 y_10 = vec2(low_1.y, high_1.y);
@@ -1432,18 +1447,18 @@ BoxView viewBox(Emitter e_7, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_2) {
+float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_16, float distance_3, vec3 normal_2) {
     BoxView _e5 = viewBox(e_8, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_2))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_16, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, vec3 normal_3) {
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_17, float distance_4, vec3 normal_3) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
     if (pick(_e8, (e_9.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_9, point_6, direction_18);
+        float _e13 = spherePdf(e_9, point_6, direction_17);
         pdf = _e13;
     }
     const bool _e15 = hasQuadLights;
@@ -1453,15 +1468,15 @@ float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, v
     }
     const bool _e22 = hasBoxLights;
     if (pick(_e22, (e_9.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_9, point_6, direction_18, distance_4, normal_3);
+        float _e27 = boxPdf(e_9, point_6, direction_17, distance_4, normal_3);
         pdf = _e27;
     }
     float _e28 = pdf;
     return _e28;
 }
 
-float spotFalloff(Emitter e_10, vec3 toLight) {
-    float share = clamp(((-(dot(toLight, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+float spotFalloff(Emitter e_10, vec3 toLight_1) {
+    float share = clamp(((-(dot(toLight_1, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
     return (share * share);
 }
 
@@ -1522,44 +1537,44 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_9, PairHit hit_2, Surface s_5, vec3 outward, Emitter only_1) {
-    vec3 found_7 = vec3(0.0);
-    uint i_18 = 0u;
-    bool escaped = (hit_2.shape == noShape);
-    vec3 direction_19 = p_9.rays.direction;
-    bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_19) > 0.0), false);
+vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only_1) {
+    vec3 found_8 = vec3(0.0);
+    uint i_17 = 0u;
+    bool escaped = (hit_1.shape == noShape);
+    vec3 direction_18 = p_9.rays.direction;
+    bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_18) > 0.0), false);
     int _e21 = emitterOf(s_5.code);
-    found_7 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
+    found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
     uint _e33 = frame.emitterCount;
     if (pick(weighed, (_e33 > 0u), false)) {
-        vec3 emission = found_7;
-        found_7 = vec3(0.0);
-        i_18 = pick(escaped, 0u, uint(max(_e21, 0)));
+        vec3 emission = found_8;
+        found_8 = vec3(0.0);
+        i_17 = pick(escaped, 0u, uint(max(_e21, 0)));
         while(true) {
-            uint _e46 = i_18;
+            uint _e46 = i_17;
             Emitter _e47 = emitterAt(_e46, only_1);
-            FarLight _e48 = farLight(_e47, direction_19);
-            float _e52 = shapePdf(_e47, p_9.rays.point, direction_19, hit_2.t, outward);
+            FarLight _e48 = farLight(_e47, direction_18);
+            float _e52 = shapePdf(_e47, p_9.rays.point, direction_18, hit_1.t, outward);
             float density = pick(escaped, _e48.pdf, _e52);
             float _e59 = probabilityOf(_e47, p_9.rays.point, p_9.litSide, p_9.total);
             float pdf_3 = (density * _e59);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
-            vec3 _e63 = found_7;
+            vec3 _e63 = found_8;
             float _e65 = misWeight(p_9.pdf, pdf_3);
-            found_7 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_18;
-            i_18 = (_e74 + 1u);
+            found_8 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
+            uint _e74 = i_17;
+            i_17 = (_e74 + 1u);
             const bool _e77 = hasSky;
             const bool _e79 = hasSuns;
-            uint _e84 = i_18;
+            uint _e84 = i_17;
             uint _e87 = frame.emitterCount;
             if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
                 break;
             }
         }
     }
-    vec3 _e90 = found_7;
+    vec3 _e90 = found_8;
     return _e90;
 }
 
@@ -1594,7 +1609,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
-    uint i_19 = 0u;
+    uint i_18 = 0u;
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
@@ -1602,7 +1617,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     if (pick(_e14, (_e17 > 1u), false)) {
         rest = u_4;
         while(true) {
-            uint _e30 = i_19;
+            uint _e30 = i_18;
             Emitter _e31 = fetchEmitter(_e30);
             float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
             float _e33 = total_1;
@@ -1612,16 +1627,16 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
             float _e39 = rest;
             bool take = (_e39 < share_1);
             uint _e41 = chosen;
-            uint _e42 = i_19;
+            uint _e42 = i_18;
             chosen = pick(take, _e42, _e41);
             float _e44 = chosenWeight;
             chosenWeight = pick(take, _e32, _e44);
             float _e46 = rest;
             float _e53 = rest;
             rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_19;
-            i_19 = (_e59 + 1u);
-            uint _e61 = i_19;
+            uint _e59 = i_18;
+            i_18 = (_e59 + 1u);
+            uint _e61 = i_18;
             uint _e64 = frame.emitterCount;
             if ((_e61 >= _e64)) {
                 break;
@@ -1710,8 +1725,8 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_2, vec2 u_9) {
     float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
     float within_3 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_17 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_4 = ((pick(onX_1, p_17.xyz, pick(onY_1, p_17.zxy, p_17.yzx)) * e_15.u) - b_2.point);
+    vec3 p_18 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX_1, p_18.xyz, pick(onY_1, p_18.zxy, p_18.yzx)) * e_15.u) - b_2.point);
     return vec4(toLight_4, abs(dot(axis_5, toLight_4)));
 }
 
@@ -1727,11 +1742,11 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_19 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_19);
     return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
 }
 
@@ -1810,13 +1825,13 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_5.x) - _e85));
     float nearest = floor((halfTurns + 0.5));
-    bool back_1 = (fract((0.5 * nearest)) > 0.0);
+    bool back = (fract((0.5 * nearest)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
-    vec2 phi_1 = (_e100 * pick(back_1, -1.0, 1.0));
+    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    vec3 direction_20 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
-    return EnvironmentSample(direction_21, _e119);
+    return EnvironmentSample(direction_20, _e119);
 }
 
 LightSample sampleSky(vec2 u_16) {
@@ -2260,34 +2275,34 @@ float nextHash(inout Sampler s_16) {
     return _e21;
 }
 
-bool isFlat(uint i_20) {
+bool isFlat(uint i_19) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_20 >= _e4);
+    return (i_19 >= _e4);
 }
 
-void meetSurface(inout Path p_10, PairHit hit_3) {
-    RayPair rays_1 = p_10.rays;
-    bool escaped_1 = (hit_3.shape == noShape);
-    uint shape_1 = pick(escaped_1, 0u, hit_3.shape);
+void meetSurface(inout Path p_10, PairHit hit_2) {
+    RayPair rays_2 = p_10.rays;
+    bool escaped_1 = (hit_2.shape == noShape);
+    uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
     Surface _e10 = fetchSurface(shape_1);
     bool _e13 = isDielectric(uint(_e10.code));
-    vec3 point_16 = (rays_1.point + (hit_3.t * rays_1.direction));
-    Normals _e19 = normalsAt(rays_1, hit_3, shape_1, _e13);
+    vec3 point_16 = (rays_2.point + (hit_2.t * rays_2.direction));
+    Normals _e19 = normalsAt(rays_2, hit_2, shape_1, _e13);
     vec3 outward_1 = _e19.shading;
-    Basis _e29 = basisAbout(pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e13), false), -(outward_1), outward_1));
-    vec3 _e32 = toLocal(_e29, -(rays_1.direction));
+    Basis _e29 = basisAbout(pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e13), false), -(outward_1), outward_1));
+    vec3 _e32 = toLocal(_e29, -(rays_2.direction));
     const bool _e34 = hasGlass;
     if (_e34) {
         bool _e37 = isThin(uint(_e10.code));
         bool inside_4 = pick(pick(pick(_e13, !(_e37), false), (_e32.z < 0.0), false), !(escaped_1), false);
         vec3 _e47 = p_10.throughput;
-        p_10.throughput = (_e47 * exp((-(_e10.absorption) * pick(inside_4, hit_3.t, 0.0))));
+        p_10.throughput = (_e47 * exp((-(_e10.absorption) * pick(inside_4, hit_2.t, 0.0))));
     }
     Emitter _e57 = fetchEmitter(0u);
     vec3 _e59 = p_10.radiance;
     vec3 _e61 = p_10.throughput;
     Path _e62 = p_10;
-    vec3 _e64 = foundLight(_e62, hit_3, _e10, _e19.geometric, _e57);
+    vec3 _e64 = foundLight(_e62, hit_2, _e10, _e19.geometric, _e57);
     p_10.radiance = (_e59 + (_e61 * _e64));
     vec3 litSide = pick(_e13, vec3(0.0), _e29.normal);
     vec3 _e72 = next3d(p_10.sampler_);
@@ -2299,9 +2314,9 @@ void meetSurface(inout Path p_10, PairHit hit_3) {
     Outgoing _e84 = outgoing(_e10, _e32);
     vec3 _e86 = toLocal(_e29, _e80.direction);
     vec4 _e87 = evaluateBsdf(_e10, _e84, _e86);
-    bool alone = pick(_e80.delta, true, pick((_e78.shape < 0.0), (_e80.distance_ < 1e30), false));
+    bool alone_1 = pick(_e80.delta, true, pick((_e78.shape < 0.0), (_e80.distance_ < 1e30), false));
     float _e98 = misWeight(lightPdf, _e87.w);
-    float lightWeight = (pick(alone, 1.0, _e98) / lightPdf);
+    float lightWeight = (pick(alone_1, 1.0, _e98) / lightPdf);
     BsdfSample _e102 = sampleLobe(_e10, _e84, _e74);
     vec4 _e104 = evaluateBsdf(_e10, _e84, _e102.direction);
     BsdfSample _e105 = completed(_e102, _e104);
@@ -2331,7 +2346,7 @@ void meetSurface(inout Path p_10, PairHit hit_3) {
     bool solid = !(_e181);
     uint lightShape = pick((_e78.shape >= 0.0), uint(max(_e78.shape, 0.0)), noShape);
     bool _e198 = p_10.alive;
-    p_10.rays = RayPair(point_16, shape_1, hit_3.triangle, (1e-5 * length(point_16)), _e198, _e107, pick(solid, (dot(_e107, outward_1) < 0.0), false), _e80.direction, pick(solid, (dot(_e80.direction, outward_1) < 0.0), false), pick(lit_1, _e80.distance_, -1.0), lightShape);
+    p_10.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e198, _e107, pick(solid, (dot(_e107, outward_1) < 0.0), false), _e80.direction, pick(solid, (dot(_e80.direction, outward_1) < 0.0), false), pick(lit_1, _e80.distance_, -1.0), lightShape);
     return;
 }
 

@@ -45,6 +45,7 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
     uint instances;
+    uint instanceCount;
 };
 struct Start {
     vec3 point;
