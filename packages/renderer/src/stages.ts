@@ -18,6 +18,7 @@ import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
+import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
@@ -213,7 +214,7 @@ export class Stages {
     if (pass.addsMany && groupsOf(film.nextSample, count) > MOST_GROUPS)
       throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);
     this.#writeFrame(count);
-    const columns = { firstColumn: x, columnCount: area.width };
+    const columns = { firstColumn: x, columnCount: area.width, tile: workgroupOf(count).tile };
     const end = y + area.height;
     let row = y;
     this.#pending = true;

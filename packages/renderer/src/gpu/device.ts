@@ -25,8 +25,6 @@ export class DeviceError extends Error {
 export interface ComputeSource {
   readonly wgsl: string;
   readonly entry: string;
-  /** Pixels of a workgroup. */
-  readonly tile: readonly [width: number, height: number];
 }
 
 /** A shader program and what it reads, in both languages. Names of textures, blocks and data are those of the WGSL source. */
@@ -94,6 +92,8 @@ export interface Region {
   /** Which columns; all when left out. */
   readonly firstColumn?: number;
   readonly columnCount?: number;
+  /** For compute passes: pixels of a workgroup. */
+  readonly tile?: readonly [width: number, height: number];
 }
 /** A rectangle of film pixels, (x, y) its top left corner. */
 export interface FilmArea {

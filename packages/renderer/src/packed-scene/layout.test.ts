@@ -5,6 +5,7 @@ import { fieldOffset, STRUCTS, type StructName, structSize, TABLE_WIDTH, tableCo
 const RULES: Record<string, [size: number, align: number]> = {
   f32: [4, 4],
   u32: [4, 4],
+  vec2u: [8, 8],
   vec2f: [8, 8],
   vec3f: [12, 16],
   vec4f: [16, 16],

@@ -15,7 +15,7 @@ export const PANELS = 3;
 /** Pieces of the curve that makes random numbers into places under the pixel filter: see pack-filter.ts. */
 export const FILTER_PIECES = 16;
 
-export type FieldType = 'f32' | 'u32' | 'vec2f' | 'vec3f' | 'vec4f' | 'vec4u' | FieldArray;
+export type FieldType = 'f32' | 'u32' | 'vec2u' | 'vec2f' | 'vec3f' | 'vec4f' | 'vec4u' | FieldArray;
 export interface FieldArray {
   readonly array: 'vec4f' | 'vec4u';
   readonly length: number;
@@ -160,6 +160,8 @@ export const STRUCTS = {
     environmentSize: field('vec2f', 'columns and rows of the map of the sky'),
     sampleCount: field('u32', 'film samples that this call adds, from sampleIndex on; 1 where passes draw'),
     instances: field('u32', 'row of the first instance of a mesh; the tree over them begins in row 0'),
+    shares: field('u32', 'threads that share the samples of a pixel'),
+    tile: field('vec2u', 'pixels of a workgroup'),
     instanceCount: field('u32', 'instances of meshes'),
   },
   Display: {
@@ -178,7 +180,15 @@ export const STRUCTS = {
 export type StructName = keyof typeof STRUCTS;
 export type FieldName<S extends StructName> = keyof (typeof STRUCTS)[S] & string;
 
-const SCALARS = { f32: [4, 4], u32: [4, 4], vec2f: [8, 8], vec3f: [12, 16], vec4f: [16, 16], vec4u: [16, 16] } as const;
+const SCALARS = {
+  f32: [4, 4],
+  u32: [4, 4],
+  vec2u: [8, 8],
+  vec2f: [8, 8],
+  vec3f: [12, 16],
+  vec4f: [16, 16],
+  vec4u: [16, 16],
+} as const;
 const roundUp = (n: number, to: number) => Math.ceil(n / to) * to;
 
 /** Size and alignment in bytes by WGSL's rules for the uniform address space. */

@@ -1,10 +1,12 @@
 /** Camera and settings of one film sample, and what the packed scene says of itself → the Frame block. */
 import type { Comparison, Framing, Panel } from '../renderer-types.ts';
+
 import { cameraAxes, focusOf, PROJECTIONS, wholeCamera } from '../scene/camera.ts';
 import type { Camera, Vec3 } from '../scene/scene.ts';
 import { add, scale } from '../scene/vec3.ts';
 import { type PixelFilter, packFilter } from './pack-filter.ts';
 import type { PackedScene, ViewReach } from './pack-scene.ts';
+import { workgroupOf } from './workgroup.ts';
 import { type Block, writeStruct } from './write-struct.ts';
 
 export interface FrameSettings extends Panel {
@@ -87,6 +89,7 @@ export function packFrame(
     horizon: packed.horizon,
     sampleIndex,
     sampleCount,
+    ...workgroupOf(sampleCount),
     zenith: packed.zenith,
     seed: settings.seed,
     jitter: filmJitter(sampleIndex),

@@ -13,7 +13,7 @@ export function createBlock(byteLength: number): Block {
 }
 
 /** Types of whole numbers; all others are floats. */
-const WHOLE: ReadonlySet<FieldType> = new Set<FieldType>(['u32', 'vec4u']);
+const WHOLE: ReadonlySet<FieldType> = new Set<FieldType>(['u32', 'vec2u', 'vec4u']);
 
 /** Numbers for each field: one, or as many as its vector (or array of vectors) has. Fields left out stay as they are. */
 export type StructValues<S extends StructName> = { readonly [F in FieldName<S>]?: number | readonly number[] };

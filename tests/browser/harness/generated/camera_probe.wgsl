@@ -119,6 +119,10 @@ struct Frame {
   sampleCount: u32,
   // row of the first instance of a mesh; the tree over them begins in row 0
   instances: u32,
+  // threads that share the samples of a pixel
+  shares: u32,
+  // pixels of a workgroup
+  tile: vec2u,
   // instances of meshes
   instanceCount: u32,
 }

@@ -268,8 +268,8 @@ class WebGpuDevice implements Device {
   }
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
-    const { source, pipeline, layout } = pass;
-    const { firstColumn = 0, firstRow, columnCount = region.width, rowCount } = region;
+    const { pipeline, layout } = pass;
+    const { firstColumn = 0, firstRow, columnCount = region.width, rowCount, tile = [8, 8] } = region;
     this.#region ??= this.createUniforms(16);
     this.#region.write(new Uint32Array([firstColumn, firstRow, columnCount, rowCount]).buffer);
     const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
@@ -279,7 +279,7 @@ class WebGpuDevice implements Device {
     const computePass = encoder.beginComputePass();
     computePass.setPipeline(pipeline as GPUComputePipeline);
     computePass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
-    const [width, height] = source.compute!.tile;
+    const [width, height] = tile;
     computePass.dispatchWorkgroups(Math.ceil(columnCount / width), Math.ceil(rowCount / height));
     computePass.end();
     this.#device.queue.submit([encoder.finish()]);

@@ -44,7 +44,7 @@ const PATH: PassSource = {
     { data: 'geometry' },
   ],
   target: 'film',
-  compute: { wgsl: pathWgsl, entry: 'pathCompute', tile: [8, 4] },
+  compute: { wgsl: pathWgsl, entry: 'pathCompute' },
   layers: PATH_LAYERS,
 };
 

@@ -32,13 +32,8 @@ struct Film {
 
 @group(0) @binding(8) var filmSquares: texture_storage_2d<rgba32float, write>;
 
-// A workgroup is a tile of pixels times the threads that share a pixel's samples.
-const tile = vec2u(8u, 4u);
-
-const pixels = 32u;
-
-const shares = 4u;
-
+// A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
+// are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
 // Samples of a group, which begins at a multiple of it. A dispatch touches 8 groups at most: path.ts.
 const group = 32u;
 
@@ -53,13 +48,15 @@ var<workgroup> sums: array<vec3f, 128>;
 var<workgroup> squares: array<vec3f, 128>;
 
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
-  let place = thread % pixels;
+  let shares = frame.shares;
+  let tile = frame.tile;
+  let place = thread / shares;
   let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
   let pixel = region.xy + inRegion;
   let inside = all(inRegion < region.zw);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
-  var index = frame.sampleIndex + thread / pixels;
+  var index = frame.sampleIndex + thread % shares;
   if (index < end) {
     var p = startPath(pixel, index);
     loop {
@@ -76,7 +73,7 @@ var<workgroup> squares: array<vec3f, 128>;
       }
     }
   }
-  let adds = (thread < pixels) & inside;
+  let adds = (thread % shares == 0u) & inside;
   var sum = vec4f(0.0);
   var square = vec4f(0.0);
   if (adds & (frame.sampleIndex > 0u)) {
@@ -91,7 +88,7 @@ var<workgroup> squares: array<vec3f, 128>;
     if (adds) {
       var groupSum = sums[thread];
       var groupSquare = squares[thread];
-      for (var i = thread + pixels; i < pixels * shares; i += pixels) {
+      for (var i = thread + 1u; i < thread + shares; i++) {
         groupSum += sums[i];
         groupSquare += squares[i];
       }
@@ -2377,6 +2374,10 @@ struct Frame {
   sampleCount: u32,
   // row of the first instance of a mesh; the tree over them begins in row 0
   instances: u32,
+  // threads that share the samples of a pixel
+  shares: u32,
+  // pixels of a workgroup
+  tile: vec2u,
   // instances of meshes
   instanceCount: u32,
 }

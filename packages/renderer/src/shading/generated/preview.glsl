@@ -45,6 +45,8 @@ struct Frame {
     vec2 environmentSize;
     uint sampleCount;
     uint instances;
+    uint shares;
+    uvec2 tile;
     uint instanceCount;
 };
 struct Start {
