@@ -1,6 +1,6 @@
 /**
- * How much a scene may hold. The packed scene lives in uniform blocks of at most 16 KiB each, which every WebGL2 and
- * WebGPU device grants, so these are the same everywhere and a scene that parses can be drawn.
+ * How much a scene may hold: the same everywhere, so that a scene that parses can be drawn. What is named like a type of shapes counts
+ * shapes of this type.
  */
 export const SCENE_LIMITS = {
   sphere: 128,
