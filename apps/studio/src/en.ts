@@ -20,7 +20,7 @@ export const en = {
     materials: 'Materials',
   } as Readonly<Record<string, string>>,
   openFile: 'Open a scene file…',
-  dropHere: 'Drop a scene.json to open it, with the images that it names',
+  dropHere: 'Drop a scene.json to open it, with the files that it names',
 
   light: 'Light',
   integrator: 'Method',

@@ -1,4 +1,4 @@
-import { builtInScenes, type LoadedScene, loadImages, parseScene, type Scene } from 'mirrorball';
+import { builtInScenes, type LoadedScene, loadFiles, parseScene, type Scene } from 'mirrorball';
 
 /** The page's one door to scene files. */
 
@@ -12,8 +12,8 @@ export function builtInScene(id: string | null): { id: string; scene: Scene } {
   return { id: found, scene };
 }
 
-/** As much of a picture as is read. */
-const MOST_IMAGE_BYTES = 2 ** 30;
+/** As much of a picture or mesh as is read. */
+const MOST_FILE_BYTES = 2 ** 30;
 
 /** Of files that come together: the scene, and what it may name. */
 export function sortFiles<Named extends { readonly name: string }>(files: readonly Named[]) {
@@ -25,11 +25,11 @@ export function sortFiles<Named extends { readonly name: string }>(files: readon
 export async function readSceneFile(file: File, others: readonly File[]): Promise<LoadedScene> {
   const parsed = parseScene(await file.slice(0, MOST_BYTES).text());
   if (!parsed.ok) return parsed;
-  return loadImages(parsed.scene, async (path) => {
+  return loadFiles(parsed.scene, async (path) => {
     const name = path.split('/').at(-1)!;
     const found = others.find((other) => other.name === name);
     if (!found) throw new Error(`open ${name} together with the scene: choose or drop both files at once`);
-    if (found.size > MOST_IMAGE_BYTES) throw new Error(`${name} is larger than 1 GiB`);
+    if (found.size > MOST_FILE_BYTES) throw new Error(`${name} is larger than 1 GiB`);
     return new Uint8Array(await found.arrayBuffer());
   });
 }

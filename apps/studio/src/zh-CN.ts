@@ -18,7 +18,7 @@ export const zhCN: Dictionary = {
     materials: '材质陈列',
   },
   openFile: '打开场景文件…',
-  dropHere: '松开鼠标即可打开 scene.json（连同它用到的图片）',
+  dropHere: '松开鼠标即可打开 scene.json（连同它用到的文件）',
 
   light: '光照',
   integrator: '渲染方法',

@@ -1,7 +1,7 @@
 /** What two films must have in common to be parts of one picture, and the scene's fingerprint in it. */
 import { createHash } from 'node:crypto';
 import type { FilmArea, FilmSettings } from 'mirrorball/headless';
-import type { Scene, Sky } from 'mirrorball/scene';
+import type { MeshSource, Scene, Sky } from 'mirrorball/scene';
 
 /** Plain JSON; what is not in it does not change the film. */
 export interface FilmIdentity {
@@ -28,15 +28,34 @@ function canonical(value: unknown, ordered: boolean): unknown {
 /** A sky with an image by what is in it, whatever its file is called. */
 function hashedSky({ map, image: _, ...sky }: Sky): object {
   if (!map) return sky;
-  const { buffer, byteOffset, byteLength } = map.data;
-  const content = createHash('sha256')
-    .update(new Uint8Array(buffer, byteOffset, byteLength))
-    .digest('hex');
-  return { ...sky, map: [map.width, map.height, content] };
+  return { ...sky, map: [map.width, map.height, hashOf(map.data)] };
 }
 
-export function sceneHash({ camera, sky, materials, shapes, lights, animation }: Scene): string {
-  const parts = [camera, hashedSky(sky), animation].map((part) => canonical(part, false));
+const hashOf = ({ buffer, byteOffset, byteLength }: ArrayBufferView): string =>
+  createHash('sha256')
+    .update(new Uint8Array(buffer, byteOffset, byteLength))
+    .digest('hex');
+
+/** Meshes by what is in them, whatever their files are called. */
+function hashedMeshes(meshes: Readonly<Record<string, MeshSource>>): object {
+  const hashed = Object.entries(meshes).map(([name, { data, ...source }]) => [
+    name,
+    data ? hashedArrays(data) : source,
+  ]);
+  return Object.fromEntries(hashed);
+}
+
+/** The same with a hash for each list of numbers. */
+function hashedArrays(value: unknown): unknown {
+  if (ArrayBuffer.isView(value)) return hashOf(value);
+  if (Array.isArray(value)) return value.map(hashedArrays);
+  if (typeof value !== 'object' || value === null) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, hashedArrays(part)]));
+}
+
+export function sceneHash({ camera, sky, materials, meshes, shapes, lights, animation }: Scene): string {
+  const moving = [camera, hashedSky(sky), animation, ...(meshes ? [hashedMeshes(meshes)] : [])];
+  const parts = moving.map((part) => canonical(part, false));
   const named = [materials, shapes, lights].map((things) => canonical(things, true));
   return createHash('sha256')
     .update(JSON.stringify([parts, named]))

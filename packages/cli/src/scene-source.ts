@@ -3,7 +3,7 @@ import { readFile, stat } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { builtInScenes } from 'mirrorball/built-in';
 import type { Scene } from 'mirrorball/scene';
-import { loadImages, parseScene } from 'mirrorball/scene-file';
+import { loadFiles, parseScene } from 'mirrorball/scene-file';
 import { type BadScene, BadSceneError, usage } from './exit-codes.ts';
 import type { Terminal } from './terminal.ts';
 
@@ -27,12 +27,12 @@ export async function readScene(file: string): Promise<SceneSource> {
   }
   const parsed = parseScene(text);
   if (!parsed.ok) return { file, problems: parsed.problems };
-  const loaded = await loadImages(parsed.scene, (name) => readBeside(file, name));
+  const loaded = await loadFiles(parsed.scene, (name) => readBeside(file, name));
   return loaded.ok ? { file, scene: loaded.scene, notes: loaded.notes } : { file, problems: loaded.problems };
 }
 
-/** A picture of all around that is larger than this has more texels than anybody can use, bytes. */
-const MOST_IMAGE_BYTES = 2 ** 30;
+/** A file that is larger than this has more texels or triangles than anybody can use, bytes. */
+const MOST_FILE_BYTES = 2 ** 30;
 
 /** A file that a scene names, by its path from the scene's folder. */
 async function readBeside(sceneFile: string, name: string): Promise<Uint8Array> {
@@ -41,8 +41,8 @@ async function readBeside(sceneFile: string, name: string): Promise<Uint8Array> 
     throw new Error(error.code === 'ENOENT' ? `there is no file ${path}` : error.message);
   });
   if (!found.isFile()) throw new Error(`${path} is no file`);
-  if (found.size > MOST_IMAGE_BYTES)
-    throw new Error(`${path} has ${found.size} bytes, where at most ${MOST_IMAGE_BYTES} are read`);
+  if (found.size > MOST_FILE_BYTES)
+    throw new Error(`${path} has ${found.size} bytes, where at most ${MOST_FILE_BYTES} are read`);
   return readFile(path);
 }
 

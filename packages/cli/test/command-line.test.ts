@@ -1,9 +1,11 @@
 // The built program from outside. `npm run build` is not needed before: it is built here when it is not there or old.
 import { existsSync, mkdirSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { builtInScenes } from 'mirrorball/built-in';
+import { writePly } from 'mirrorball/mesh-files';
 import { fromInterleaved, interleave, pickLayer, readExr, readPfm, writeNpy } from 'mirrorball/picture-files';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import { buildCliIfStale } from '../../../scripts/build-cli.mjs';
+import { cubeMesh } from '../../../tests/fixtures/meshes/solids.ts';
 import { findChromium } from '../src/backends/find-chromium.ts';
 import {
   bytesOf,
@@ -69,6 +71,65 @@ describe('a sky with an image', () => {
     put('b.npy', map([1, 2, 3, 4, 5, 6]));
     put('sky.json', skyScene('b.npy'));
     expect(await render()).toMatchObject({ code: 0 });
+  });
+});
+
+describe('meshes', () => {
+  const meshScene = (mesh: object) =>
+    JSON.stringify({
+      version: 1,
+      name: 'Cubes',
+      camera: { eye: [1, 2, 4], target: [0, 0, 0] },
+      materials: { grey: {} },
+      meshes: { cube: mesh },
+      shapes: { cube: { type: 'mesh', mesh: 'cube', material: 'grey' } },
+      lights: { lamp: { type: 'sphere', center: [2, 4, 3], radius: 0.2, radiance: 400 } },
+    });
+  const put = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
+  const cube = cubeMesh();
+
+  test('are looked for beside the scene, counted, and told of when they are missing or broken', async () => {
+    put('cube.ply', writePly(cube));
+    put('cubes.json', meshScene({ file: 'cube.ply' }));
+    expect(await mirrorball('validate cubes.json')).toMatchObject({
+      code: 0,
+      stdout: 'cubes.json: good, with 12 triangles of 8 vertices.\n',
+    });
+    const facts = (await mirrorball('info cubes.json --json')).events[0]!;
+    expect(facts).toMatchObject({ vertices: 8, triangles: 12, shapes: { mesh: 1 } });
+    expect(facts.meshes).toEqual({
+      cube: { file: 'cube.ply', vertices: 8, triangles: 12, has: [], from: [-0.5, -0.5, -0.5], to: [0.5, 0.5, 0.5] },
+    });
+    const file = (await mirrorball('info cube.ply --json')).events[0]!;
+    expect(file).toMatchObject({ kind: 'mesh file', vertices: 8, triangles: 12 });
+    put('short.ply', writePly(cube).subarray(0, 300));
+    expect(await mirrorball('info short.ply')).toMatchObject({ code: 2, stderr: expect.stringContaining('At byte') });
+    put('bad-cubes.json', meshScene({ file: 'short.ply' }));
+    expect(await mirrorball('validate bad-cubes.json')).toMatchObject({
+      code: 4,
+      stderr: expect.stringContaining('bad-cubes.json#/meshes/cube/file: The mesh "cube" cannot be used. At byte'),
+    });
+    put('no-cubes.json', meshScene({ file: 'none.stl' }));
+    expect((await mirrorball('validate no-cubes.json')).stderr).toContain('there is no file none.stl');
+  });
+
+  test('are drawn by the CPU, and belong to the film', async () => {
+    put('cube.ply', writePly(cube));
+    put('cubes.json', meshScene({ file: 'cube.ply' }));
+    const render = () => mirrorball('render cubes.json -o cubes.part --size 8x8 --spp 2 --resume --backend cpu');
+    expect(await render()).toMatchObject({ code: 0 });
+    put('cube.ply', writePly({ ...cube, positions: cube.positions.map((x) => 1.5 * x) }));
+    expect(await render()).toMatchObject({ code: 2, stderr: expect.stringContaining('another scene') });
+    await mirrorball('render cubes.json -o cubes.pfm --size 8x8 --spp 1 --backend cpu');
+    expect(Math.max(...readPfm(bytesOf('cubes.pfm')).channels[0]!.data)).toBeGreaterThan(0.1);
+  });
+
+  test.runIf(dawn)(`are refused by a GPU, until its kernels know them${why}`, async () => {
+    put('cube.ply', writePly(cube));
+    put('cubes.json', meshScene({ file: 'cube.ply' }));
+    const ended = await mirrorball('render cubes.json -o cubes.exr --size 8x8 --spp 1 --backend webgpu');
+    expect(ended).toMatchObject({ code: 1, stderr: expect.stringContaining('The shape "cube" is a mesh') });
+    expect(existsSync(inFolder('cubes.exr'))).toBe(false);
   });
 });
 

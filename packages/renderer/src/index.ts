@@ -3,6 +3,7 @@
 export { depthAt } from './depth-at.ts';
 export type { ViewName } from './display/views.ts';
 export { DeviceError } from './gpu/device.ts';
+export { UntraceableSceneError } from './packed-scene/refuse-meshes.ts';
 export { createRenderer } from './renderer.ts';
 export type * from './renderer-types.ts';
 export { builtInScenes } from './scene/built-in/index.ts';

@@ -33,7 +33,7 @@ export function SceneSection() {
         ref={picker}
         id="scene-file"
         type="file"
-        accept=".json,application/json,.hdr,.exr,.npy,.pfm"
+        accept=".json,application/json,.hdr,.exr,.npy,.pfm,.ply,.obj,.stl"
         multiple
         aria-label={t.openFile}
         tabIndex={-1}

@@ -1,7 +1,7 @@
 /** Runs in Chromium's page: a tracer on the browser's WebGPU, or its WebGL2, spoken to through `window.mirrorballPage`. */
 
 import { DeviceError, type FilmJob, type FilmSums, GpuFilmTracer, openWebGl2, openWebGpu } from 'mirrorball/headless';
-import type { EnvironmentMap } from 'mirrorball/scene';
+import { type ArrayKind, attach, createArray, type NumberArray } from './job-content.ts';
 
 /** Floats travel as base64 of their bytes. */
 export interface PageTask {
@@ -54,28 +54,36 @@ function toBase64(sums: FilmSums): string {
   return btoa(text);
 }
 
-const fromBase64 = (text: string): FilmSums =>
-  new Float32Array(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
+const bytesOf = (text: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+const fromBase64 = (text: string): FilmSums => new Float32Array(bytesOf(text).buffer);
 
-/** The sky's map, which comes in pieces before the job that uses it. */
-let map: EnvironmentMap | null = null;
+/** Large parts of scenes, which come before the job that uses them, and the lists of numbers of the one that is coming. */
+const contents = new Map<number, object>();
+let arrays: NumberArray[] = [];
 
-function openMap({ width, height }: { width: number; height: number }): void {
-  map = { width, height, data: new Float32Array(width * height * 3) };
+interface OpenedContent {
+  readonly number: number;
+  readonly frame: object;
+  readonly arrays: readonly { readonly kind: ArrayKind; readonly length: number }[];
 }
 
-function addToMap({ first, floats }: { first: number; floats: string }): void {
-  map!.data.set(fromBase64(floats), first);
+function openContent({ number, frame, arrays: sizes }: OpenedContent): void {
+  arrays = sizes.map(({ kind, length }) => createArray(kind, length));
+  contents.set(number, attach(frame, (index) => arrays[index]!)); // biome-ignore format: short
 }
 
-/** A scene that names an image has the map that was sent last. */
-function begin(job: FilmJob): Promise<void> {
-  const { sky } = job.scene;
-  const scene = sky.image !== undefined && map ? { ...job.scene, sky: { ...sky, map } } : job.scene;
-  return tracer!.begin({ ...job, scene });
+function addToContent({ index, first, numbers }: { index: number; first: number; numbers: string }): void {
+  const array = arrays[index]!;
+  new Uint8Array(array.buffer).set(bytesOf(numbers), first * array.BYTES_PER_ELEMENT);
 }
 
-const mirrorballPage = { open, openMap, addToMap, begin, trace, stop: () => running.abort() };
+function forget(numbers: readonly number[]): void {
+  for (const number of numbers) contents.delete(number);
+}
+
+const begin = (job: FilmJob): Promise<void> => tracer!.begin(attach(job, (number) => contents.get(number)!));
+
+const mirrorballPage = { open, openContent, addToContent, forget, begin, trace, stop: () => running.abort() };
 
 declare global {
   interface Window {

@@ -4,13 +4,13 @@
  */
 import { existsSync, readFileSync } from 'node:fs';
 import { DeviceError, type FilmJob, type FilmSums, type FilmTracer, type TraceOptions } from 'mirrorball/headless';
-import type { EnvironmentMap } from 'mirrorball/scene';
 import type { Browser, Page } from 'playwright-core';
 import { workerEntry } from '../entry.ts';
 import { findChromium, HARDWARE_FLAGS, SOFTWARE_FLAGS } from './find-chromium.ts';
+import { detachArrays, detachContents, kindOf } from './job-content.ts';
 
-/** Floats of a map that are sent at once. */
-const MAP_PIECE = 2 ** 21;
+/** Numbers of a list that are sent at once. */
+const PIECE = 2 ** 21;
 const ADDRESS = 'https://mirrorball.invalid/';
 
 /** The page's script, which the build puts beside the program. */
@@ -63,8 +63,9 @@ class ChromiumFilmTracer implements FilmTracer {
   readonly #browser: Browser;
   readonly #page: Page;
   readonly #gone: Promise<never>;
-  /** The map of the sky that the page has. */
-  #map: EnvironmentMap | null = null;
+  /** Large parts of the scene that the page has, and the numbers that it knows them by. */
+  #sent: ReadonlyMap<object, number> = new Map();
+  #contents = 0;
   progress: (samples: number) => void = () => {};
 
   constructor(browser: Browser, page: Page, description: string) {
@@ -79,23 +80,29 @@ class ChromiumFilmTracer implements FilmTracer {
   }
 
   async begin(job: FilmJob): Promise<void> {
-    const { map, ...sky } = job.scene.sky;
-    if (map) await this.#sendMap(map);
-    const slim = map ? { ...job, scene: { ...job.scene, sky } } : job;
+    const wanted = new Map<object, number>();
+    const slim = detachContents(job, (content) => {
+      const number = wanted.get(content) ?? this.#sent.get(content) ?? this.#contents++;
+      wanted.set(content, number);
+      return number;
+    });
+    const gone = [...this.#sent].filter(([content]) => !wanted.has(content)).map(([, number]) => number);
+    await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.forget(given), gone));
+    const before = this.#sent;
+    this.#sent = wanted;
+    for (const [content, number] of wanted) if (!before.has(content)) await this.#send(content, number);
     await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.begin(given), slim));
   }
 
-  /** Once, in pieces: a large map as one message takes a browser's memory many times over. */
-  async #sendMap(map: EnvironmentMap): Promise<void> {
-    if (map === this.#map) return;
-    const { width, height, data } = map;
-    await this.#orGone(this.#page.evaluate((size) => window.mirrorballPage.openMap(size), { width, height }));
-    for (let first = 0; first < data.length; first += MAP_PIECE) {
-      const floats = data.subarray(first, first + MAP_PIECE);
-      const piece = { first, floats: base64Of(floats) };
-      await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.addToMap(given), piece));
-    }
-    this.#map = map;
+  async #send(content: object, number: number): Promise<void> {
+    const { frame, arrays } = detachArrays(content);
+    const opened = { frame, number, arrays: arrays.map((array) => ({ kind: kindOf(array), length: array.length })) };
+    await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.openContent(given), opened));
+    for (const [index, array] of arrays.entries())
+      for (let first = 0; first < array.length; first += PIECE) {
+        const piece = { index, first, numbers: base64Of(array.subarray(first, first + PIECE)) };
+        await this.#orGone(this.#page.evaluate((given) => window.mirrorballPage.addToContent(given), piece));
+      }
   }
 
   async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {
@@ -121,7 +128,7 @@ class ChromiumFilmTracer implements FilmTracer {
   }
 }
 
-const base64Of = ({ buffer, byteOffset, byteLength }: Float32Array): string =>
+const base64Of = ({ buffer, byteOffset, byteLength }: ArrayBufferView): string =>
   Buffer.from(buffer, byteOffset, byteLength).toString('base64');
 const toBase64 = (sums: FilmSums): string => base64Of(sums);
 

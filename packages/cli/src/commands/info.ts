@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { type FloatPicture, formatOf, ImageError } from 'mirrorball/picture-files';
 import { type BadScene, BadSceneError, usage } from '../exit-codes.ts';
+import { countsOf, mapValues, meshFacts, meshFileFacts } from '../mesh-facts.ts';
 import { readPart } from '../part-file.ts';
 import { isPart } from '../picture-file.ts';
 import { formatRanges } from '../sample-ranges.ts';
@@ -30,10 +31,12 @@ const told = (value: unknown): string => (typeof value === 'object' ? JSON.strin
 
 async function factsOf(file: string): Promise<Facts | BadScene> {
   if (isPart(file)) return partFacts(file);
-  if (!/\.(exr|png|pfm|npy|hdr)$/i.test(file)) return sceneFacts(file);
+  const isMesh = /\.(ply|obj|stl)$/i.test(file);
+  if (!isMesh && !/\.(exr|png|pfm|npy|hdr)$/i.test(file)) return sceneFacts(file);
   const bytes = await readFile(file).catch((error: Error) => {
     throw usage(`${file} cannot be read: ${error.message}`);
   });
+  if (isMesh) return meshFileFacts(bytes, file);
   try {
     const format = formatOf(file);
     return { kind: `${format.name} picture`, ...pictureFacts(format.read(bytes)) };
@@ -65,7 +68,7 @@ async function partFacts(file: string): Promise<Facts> {
 async function sceneFacts(file: string): Promise<Facts | BadScene> {
   const source = await readScene(file);
   if ('problems' in source) return source;
-  const { name, description, sky, shapes, materials, lights, animation, camera, render } = source.scene;
+  const { name, description, sky, shapes, meshes, materials, lights, animation, camera, render } = source.scene;
   const kinds: Record<string, number> = {};
   for (const { type } of Object.values(shapes)) kinds[type] = (kinds[type] ?? 0) + 1;
   const ends = animation.map(({ keys }) => keys.at(-1)!.time);
@@ -78,6 +81,7 @@ async function sceneFacts(file: string): Promise<Facts | BadScene> {
     lights: Object.keys(lights).length,
     tracks: animation.length,
     seconds: Math.max(0, ...ends),
+    ...(meshes ? { meshes: mapValues(meshes, meshFacts), ...countsOf(meshes) } : {}),
     ...(sky.map ? { sky: `${sky.image}, ${sky.map.width} × ${sky.map.height}` } : {}),
     camera,
     render,

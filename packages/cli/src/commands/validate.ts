@@ -1,5 +1,6 @@
 /** `mirrorball validate`: all problems of all files. */
 import { type BadScene, BadSceneError } from '../exit-codes.ts';
+import { countsOf } from '../mesh-facts.ts';
 import { readScene } from '../scene-source.ts';
 import type { Terminal } from '../terminal.ts';
 
@@ -9,8 +10,12 @@ export async function validate(files: readonly string[], terminal: Terminal): Pr
     const source = await readScene(file);
     if ('problems' in source) bad.push(source);
     else {
-      terminal.event('valid', { file, name: source.scene.name });
-      terminal.result(`${file}: good.`);
+      const { name, meshes } = source.scene;
+      const counts = meshes && countsOf(meshes);
+      terminal.event('valid', { file, name, ...counts });
+      terminal.result(
+        `${file}: good${counts ? `, with ${counts.triangles} triangles of ${counts.vertices} vertices` : ''}.`,
+      );
       for (const note of source.notes) terminal.note(note);
     }
   }

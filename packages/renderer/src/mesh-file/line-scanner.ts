@@ -26,7 +26,8 @@ export class LineScanner {
   /** `continues`: a backslash before a line's end makes the next line a part of this one. */
   constructor(bytes: Uint8Array, { start = 0, line = 1, continues = false } = {}) {
     this.bytes = bytes;
-    this.at = start;
+    // Past the mark of byte order that some editors write.
+    this.at = start === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : start;
     this.line = line;
     this.#continues = continues;
   }

@@ -1,4 +1,6 @@
-export { fetchBeside, type LoadedScene, loadImages, type ReadFile } from './load-images.ts';
+export * from '../mesh-file/index.ts';
+export { type LoadedScene, loadFiles } from './load-files.ts';
 export { type ParsedScene, parseScene } from './parse-scene.ts';
 export type { Problem } from './problem.ts';
+export { fetchBeside, type ReadFile } from './read-file.ts';
 export { writeScene } from './write-scene.ts';

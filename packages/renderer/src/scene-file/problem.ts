@@ -30,7 +30,8 @@ export class ProblemList {
   add(path: Path, found: string, allowed: string, message?: string): void {
     const pointer = formatPointer(path.map((segment) => (typeof segment === 'string' ? clip(segment, 200) : segment)));
     const last = this.#kept.at(-1);
-    if (last?.path === pointer && last.allowed === allowed) return; // two rules of one phrase, as "whole" and "from 0"
+    // Two rules of one phrase, as "whole" and "from 0".
+    if (last?.path === pointer && last.allowed === allowed && last.found === found) return;
     if (this.#kept.length >= MOST_PROBLEMS) {
       this.#beyond++;
       return;
@@ -58,6 +59,9 @@ export const clip = (text: string, most: number): string => (text.length > most 
 /** Writes out what an eye cannot see or what would turn the line around. */
 export const visible = (text: string): string =>
   text.replace(/[\p{Cc}\p{Cf}\p{Cs}\p{Zl}\p{Zp}]/gu, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`);
+
+/** With a full stop, if it has none. */
+export const sentence = (text: string): string => (/[.!?]$/.test(text) ? text : `${text}.`);
 
 /** A text in quotes, clipped and made visible. */
 export const quote = (text: string, most = 40): string => `"${visible(clip(text, most))}"`;

@@ -1,6 +1,6 @@
 /**
- * How much a scene may hold: the same everywhere, so that a scene that parses can be drawn. Shapes of a formula are tested one after
- * another, so that more of them than these would be slow; meshes have trees.
+ * How much a scene may hold: the same everywhere, so that a scene that parses can be drawn. What is named like a type of shapes counts
+ * shapes of this type. Those of a formula are tested one after another, so that more of them than these would be slow; meshes have trees.
  */
 export const SCENE_LIMITS = {
   sphere: 512,

@@ -33,9 +33,12 @@ export function convertMtl(mtl: MtlMaterial): ConvertedMaterial {
   const illumination = source.number('illum') ?? HIGHLIGHT;
   const emission = source.color('Ke')?.map((x) => between(x, 0, BRIGHTEST)) as Rgb | undefined;
   const shining = emission && Math.max(...emission) > 0 ? { emission } : {};
-  const opacity = opacityOf(source);
+  const opacity = source.number('d') ?? 1;
   const isGlass = GLASS.includes(illumination) || opacity <= TRANSPARENT;
-  if (!isGlass && opacity < 1) source.leave(mtl.numbers.has('d') ? 'd' : 'Tr');
+  if (!isGlass && opacity < 1) source.leave('d');
+  // To some programs it is transparency, to others opacity; between 0 and 1 there is something to tell.
+  const tr = source.number('Tr') ?? 0;
+  if (!isGlass && tr > 0 && tr < 1) source.leave('Tr');
   const material = isGlass ? glass(source) : surface(source, illumination);
   return { material: { ...material, ...shining }, unused: source.unused() };
 }
@@ -66,11 +69,6 @@ class Source {
   unused(): string[] {
     return [...this.#left];
   }
-}
-
-function opacityOf(source: Source): number {
-  const [d, tr] = [source.number('d'), source.number('Tr')];
-  return between(d ?? (tr === undefined ? 1 : 1 - tr), 0, 1);
 }
 
 function glass(source: Source): Partial<Material> {

@@ -29,7 +29,8 @@ test.each<[string, string[], Partial<Material>]>([
   ['no light', ['Ke 0 0 0'], { baseColor: [0.8, 0.8, 0.8] }],
   ['glass by illumination', ['illum 7', 'Ni 1.33', 'Kd 1 0 0', 'Tf 0.9 1 1'], { type: 'dielectric', baseColor: [0.9, 1, 1], ior: 1.33 }],
   ['glass by opacity', ['d 0.05', 'Pr 0.2'], { type: 'dielectric', baseColor: [1, 1, 1], roughness: 0.2 }],
-  ['glass by transparency', ['Tr 1', 'Ni 9'], { type: 'dielectric', baseColor: [1, 1, 1], ior: 4 }],
+  ['glass that refracts too much', ['illum 4', 'Ni 9'], { type: 'dielectric', baseColor: [1, 1, 1], ior: 4 }],
+  ['Tr, which is opacity to some programs', ['Tr 1', 'Kd 1 1 1'], { baseColor: [1, 1, 1] }],
 ])('%s', (_, lines, expected) => {
   const made = material(...lines);
   expect(made).toEqual(expected);

@@ -121,12 +121,23 @@ test('polygons with a notch, faces that are none, other statements', () => {
   ]);
 });
 
+test('references to normals and texture coordinates of which there are none', () => {
+  const { mesh, notes } = read(`${SQUARE}f 1/1/1 2/1/1 3/1/1`);
+  expect([mesh.normals, mesh.uvs, mesh.positions.length]).toEqual([undefined, undefined, 9]);
+  expect(notes).toEqual(
+    ['texture coordinates', 'normals'].map((kind) => `Its faces refer to ${kind}, which it has none of.`),
+  );
+});
+
+test('a mark of byte order at the start is no word', () =>
+  expect(read(`\ufeff${SQUARE}f 1 2 3`).mesh.indices).toHaveLength(3));
+
 test('references to what comes later in the file', () =>
   expect(read(`f 1 2 3\n${SQUARE}`).mesh.indices).toHaveLength(3));
 
 test.each([
   ['a vertex that is not there', `${SQUARE}f 1 2 5`, 'At line 5 "it.obj" has the number 5 of a vertex. Allowed is this: at most 4.'],
-  ['a texture coordinate that is not there', `${SQUARE}f 1/1 2/1 3/1`, 'the number 1 of a texture coordinate. Allowed is this: none, as there is no texture coordinate.'],
+  ['a texture coordinate that is not there', `${SQUARE}vt 0 0\nf 1/1 2/2 3/1`, 'the number 2 of a texture coordinate. Allowed is this: at most 1.'],
   ['a normal that is not there', `${SQUARE}vn 0 0 1\nf 1//1 2//2 3//1`, 'At line 6 "it.obj" has the number 2 of a normal. Allowed is this: at most 1.'],
   ['too far back', `${SQUARE}f -5 -4 -3`, 'At line 5 "it.obj" has "-5" as corner 1 of a face.'],
   ['number 0', `${SQUARE}f 1 0 2`, '"0" as corner 2 of a face'],

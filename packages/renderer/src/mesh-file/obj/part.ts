@@ -23,9 +23,10 @@ export function partOf(obj: ObjStatements, { faces, firstCorners }: Faces, probl
     const [first, size] = [firstCorners[face]!, sizes.at(face)];
     const group = obj.groups.at(face);
     for (let k = first; k < first + size; k++) {
-      const [position, uv, normal] = [obj.corners.at(3 * k), obj.corners.at(3 * k + 1), obj.corners.at(3 * k + 2)];
+      const uv = needs.uvs ? uvOf(obj, k) : NONE;
+      const normal = needs.normals ? normalOf(obj, k) : NONE;
       const blend = !needs.normals || normal !== NONE ? 0 : group > 0 ? group : -1 - face;
-      corners.push(vertices.add(position, needs.uvs ? uv : NONE, needs.normals ? normal : NONE, blend));
+      corners.push(vertices.add(obj.corners.at(3 * k), uv, normal, blend));
     }
     counts.push(size);
   }
@@ -49,14 +50,19 @@ export function partOf(obj: ObjStatements, { faces, firstCorners }: Faces, probl
   };
 }
 
+/** Some programs write numbers of texture coordinates or normals and none of these: then there are none. */
+const uvOf = ({ corners, uvs }: ObjStatements, k: number): number => (uvs.length === 0 ? NONE : corners.at(3 * k + 1));
+const normalOf = ({ corners, normals }: ObjStatements, k: number): number =>
+  normals.length === 0 ? NONE : corners.at(3 * k + 2);
+
 /** Normals are wanted where the file gives some, or says which faces blend into one another. */
 function needsOf(obj: ObjStatements, faces: Uint32Array, firstCorners: Uint32Array) {
   let [uvs, normals] = [false, false];
   for (const face of faces) {
     if (obj.groups.at(face) > 0) normals = true;
     for (let k = firstCorners[face]!; k < firstCorners[face]! + obj.sizes.at(face); k++) {
-      if (obj.corners.at(3 * k + 1) !== NONE) uvs = true;
-      if (obj.corners.at(3 * k + 2) !== NONE) normals = true;
+      if (uvOf(obj, k) !== NONE) uvs = true;
+      if (normalOf(obj, k) !== NONE) normals = true;
     }
   }
   return { uvs, normals };

@@ -14,7 +14,7 @@ export const readObj = (bytes: Uint8Array, name: string, { asOne = false }: Mesh
 function readContent(bytes: Uint8Array, asOne: boolean, problems: FileProblems): MeshContent {
   const obj = readStatements(bytes, problems);
   const firstCorners = firstCornersOf(obj);
-  checkNumbers(obj, firstCorners, problems);
+  const missing = checkNumbers(obj, firstCorners, problems);
   if (!problems.isEmpty) problems.stop();
   if (obj.sizes.length === 0) problems.fail(WHOLE, 'no faces', 'lines that begin with "f"');
   const parts: MeshPart[] = [];
@@ -29,6 +29,7 @@ function readContent(bytes: Uint8Array, asOne: boolean, problems: FileProblems):
   if (parts.length === 0) problems.fail(WHOLE, `${tally.degenerate} triangles, none of which has an area`, 'triangles');
   const passed = [...obj.passed].map(([word, count]) => `${quote(word)} (${count})`).join(', ');
   const notes = notesOf(tally);
+  for (const kind of missing) notes.push(`Its faces refer to ${kind}s, which it has none of.`);
   if (passed !== '') notes.push(`Nothing is made of its lines ${passed}.`);
   return { parts, degenerate: tally.degenerate, materialFiles: [...new Set(obj.materialFiles)], notes };
 }
@@ -39,19 +40,26 @@ function firstCornersOf({ sizes }: ObjStatements): Uint32Array {
   return first;
 }
 
-/** Numbers may be of what comes later in the file, so that they are looked at when all of it is known. */
-function checkNumbers(obj: ObjStatements, firstCorners: Uint32Array, problems: FileProblems): void {
+/**
+ * Numbers may be of what comes later in the file, so that they are looked at when all of it is known. Gives the kinds of things that
+ * faces refer to and the file has none of.
+ */
+function checkNumbers(obj: ObjStatements, firstCorners: Uint32Array, problems: FileProblems): ReadonlySet<string> {
+  const missing = new Set<string>();
   const kinds = ['vertex', 'texture coordinate', 'normal'];
   const counts = [obj.positions.length / 3, obj.uvs.length / 2, obj.normals.length / 3];
   for (let face = 0; face < firstCorners.length; face++) {
     const end = 3 * (firstCorners[face]! + obj.sizes.at(face));
     for (let k = 3 * firstCorners[face]!; k < end; k++) {
-      const [index, count] = [obj.corners.at(k), counts[k % 3]!];
+      const [index, kind] = [obj.corners.at(k), k % 3];
+      const count = counts[kind]!;
       if (index < count) continue;
-      const allowed = count === 0 ? `none, as there is no ${kinds[k % 3]}` : `at most ${count}`;
-      problems.add({ line: obj.lines.at(face) }, `the number ${index + 1} of a ${kinds[k % 3]}`, allowed);
+      if (count === 0 && kind > 0) missing.add(kinds[kind]!);
+      else
+        problems.add({ line: obj.lines.at(face) }, `the number ${index + 1} of a ${kinds[kind]}`, `at most ${count}`);
     }
   }
+  return missing;
 }
 
 const allFaces = (firstCorners: Uint32Array): Faces => ({ faces: firstCorners.map((_, face) => face), firstCorners });

@@ -36,7 +36,7 @@ export function readFaces(
   const { name, count, properties, line } = element;
   const list = properties.findIndex((property) => LIST_NAMES.includes(property.name) && property.count !== null);
   if (list < 0) problems.fail({ line }, `"${name}" without a list "vertex_indices"`, 'this list');
-  for (const [k, property] of properties.entries()) if (k !== list) faces.unused.add(property.name);
+  for (const [k, property] of properties.entries()) if (k !== list) faces.unused.add(`${name}.${property.name}`);
   values.expectRows(element);
   const reader = { vertices, values, problems, faces };
   const isStrip = name === 'tristrips';

@@ -89,7 +89,8 @@ describe.each(PLY_FORMS)('%s', (form) => {
         const first = k - (k % 3);
         expect(x).toBeCloseTo(normals[k]! / Math.hypot(...normals.subarray(first, first + 3)), 6);
       });
-      for (const passed of ['"edge"', '"quality"', '"confidence"', '"flags"']) expect(notes.join()).toContain(passed);
+      for (const passed of ['"edge"', '"quality"', '"confidence"', '"face.flags"'])
+        expect(notes.join()).toContain(passed);
     },
   );
 

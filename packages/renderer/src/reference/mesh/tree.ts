@@ -103,18 +103,23 @@ export function closestTriangle(
   most: number,
   leaving: number,
 ): MeshHit | null {
+  const { indices, positions } = mesh;
   let closest: MeshHit | null = null;
   let nearest = most;
   const open = [0];
   for (let node = open.pop(); node !== undefined; node = open.pop()) {
-    if (!meetsBox(bounds, 6 * node, ray, nearest)) continue;
+    // Looked at again, as something nearer may have been met since it was put off.
+    if (!(entersBox(bounds, 6 * node, ray) <= nearest)) continue;
     const [first, count] = [nodes[2 * node]!, nodes[2 * node + 1]!];
-    if (count === 0) open.push(first, first + 1);
+    if (count === 0) {
+      const secondIsNearer = entersBox(bounds, 6 * first + 6, ray) < entersBox(bounds, 6 * first, ray);
+      open.push(secondIsNearer ? first : first + 1, secondIsNearer ? first + 1 : first);
+    }
     for (let k = first; k < first + count; k++) {
       const triangle = order[k]!;
       if (triangle === leaving) continue;
-      const [a, b, c] = mesh.indices.subarray(3 * triangle, 3 * triangle + 3) as unknown as [number, number, number];
-      const hit = intersectTriangle(ray, mesh.positions, 3 * a, 3 * b, 3 * c);
+      const at = 3 * triangle;
+      const hit = intersectTriangle(ray, positions, 3 * indices[at]!, 3 * indices[at + 1]!, 3 * indices[at + 2]!);
       if (hit === null || !(hit.t > least && hit.t < nearest)) continue;
       closest = { ...hit, triangle };
       nearest = hit.t;
@@ -126,20 +131,20 @@ export function closestTriangle(
 /** What rounding may move the ends of a stretch by: 2 γ(3) in T. Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013. */
 const SLACK = 1 + 2 * ((3 * 2 ** -53) / (1 - 3 * 2 ** -53));
 
-function meetsBox(bounds: Float64Array, at: number, { origin, direction }: MeshRay, most: number): boolean {
+/** Where the ray gets into the box, 0 when it begins there; Infinity when it passes by. */
+function entersBox(bounds: Float64Array, at: number, { origin, direction }: MeshRay): number {
   let near = 0;
-  let far = most;
+  let far = Infinity;
   for (let c = 0; c < 3; c++) {
-    const [low, high] = [bounds[at + c]!, bounds[at + c + 3]!];
-    const [o, d] = [origin[c]!, direction[c]!];
+    const low = bounds[at + c]! - origin[c]!;
+    const high = bounds[at + c + 3]! - origin[c]!;
+    const d = direction[c]!;
     if (d === 0) {
-      if (o < low || o > high) return false;
+      if (low > 0 || high < 0) return Infinity;
       continue;
     }
-    const a = (low - o) / d;
-    const b = (high - o) / d;
-    near = Math.max(near, Math.min(a, b));
-    far = Math.min(far, Math.max(a, b) * SLACK);
+    near = Math.max(near, (d > 0 ? low : high) / d);
+    far = Math.min(far, ((d > 0 ? high : low) / d) * SLACK);
   }
-  return near <= far;
+  return near <= far ? near : Infinity;
 }

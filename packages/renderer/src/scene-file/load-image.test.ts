@@ -6,7 +6,7 @@ import { formatOf } from '../export/formats.ts';
 import { sceneAt } from '../scene/animation.ts';
 import type { Scene } from '../scene/scene.ts';
 import { environmentFromPicture } from './environment-from-picture.ts';
-import { loadImages } from './load-images.ts';
+import { loadFiles } from './load-files.ts';
 import { parseScene } from './parse-scene.ts';
 import { requireScene } from './require-scene.ts';
 import { writeScene } from './write-scene.ts';
@@ -24,7 +24,7 @@ function sceneWith(sky: unknown, animation: unknown[] = []): Scene {
 
 async function load(scene: Scene, bytes: Uint8Array) {
   const asked: string[] = [];
-  const loaded = await loadImages(scene, async (name) => {
+  const loaded = await loadFiles(scene, async (name) => {
     asked.push(name);
     return bytes;
   });
@@ -58,7 +58,7 @@ test('nothing is read for a sky of colours', async () => {
 
 test('a file that is not there or is broken is a problem at its place', async () => {
   const scene = sceneWith({ image: 'sky.exr' });
-  const missing = await loadImages(scene, async () => {
+  const missing = await loadFiles(scene, async () => {
     throw new Error('there is no such file');
   });
   expect(missing).toMatchObject({
