@@ -3,9 +3,8 @@
  *
  *     npx tsx scripts/convert-reference.ts NEUTRAL.json [scene.json]
  *
- * Without a second name the scene goes to standard output. A map of the sky stays where it is and is named from the new file's folder
- * on (or from the old one's). What our format cannot say exactly is an error; all of them
- * are told, with exit code 4.
+ * Without a second name the scene goes to standard output. A map of the sky and meshes stay where they are and are named from the new
+ * file's folder on (or from the old one's). What our format cannot say exactly is an error; all of them are told, with exit code 4.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, sep } from 'node:path';
@@ -13,13 +12,18 @@ import type { Scene } from '../packages/renderer/src/scene/scene.ts';
 import { writeScene } from '../packages/renderer/src/scene-file/index.ts';
 import { ConversionError, convertScene } from './reference/convert-scene.ts';
 
-function withImageFrom(scene: Scene, folder: string): Scene {
-  const { image } = scene.sky;
-  if (image === undefined) return scene;
-  const path = relative(folder, join(dirname(from!), image))
-    .split(sep)
-    .join('/');
-  return { ...scene, sky: { ...scene.sky, image: path } };
+function withFilesFrom(scene: Scene, folder: string): Scene {
+  const { sky, meshes } = scene;
+  const there = (name: string) =>
+    relative(folder, join(dirname(from!), name))
+      .split(sep)
+      .join('/');
+  const moved = Object.entries(meshes ?? {}).map(([name, mesh]) => [name, { ...mesh, file: there(mesh.file!) }]);
+  return {
+    ...scene,
+    sky: sky.image === undefined ? sky : { ...sky, image: there(sky.image) },
+    ...(meshes ? { meshes: Object.fromEntries(moved) } : {}),
+  };
 }
 
 const [from, to] = process.argv.slice(2);
@@ -29,7 +33,7 @@ if (!from) {
 }
 try {
   const { scene, width, height } = convertScene(JSON.parse(readFileSync(from, 'utf8')));
-  const text = writeScene(to ? withImageFrom(scene, dirname(to)) : scene);
+  const text = writeScene(to ? withFilesFrom(scene, dirname(to)) : scene);
   if (to) writeFileSync(to, text);
   else process.stdout.write(text);
   console.error(`${scene.name}: a picture of ${width} × ${height}.`);

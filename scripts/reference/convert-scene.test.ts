@@ -2,6 +2,15 @@ import { describe, expect, test } from 'vitest';
 import { writeScene } from '../../packages/renderer/src/scene-file/index.ts';
 import { ConversionError, convertScene } from './convert-scene.ts';
 
+const MESH = { type: 'mesh', file: 'a.ply', smooth: true, material: 'm' };
+const PLACED = [
+  [0, -2, 0, 5],
+  [2, 0, 0, 6],
+  [0, 0, 2, 7],
+  [0, 0, 0, 1],
+];
+const PROJECTIVE = [...PLACED.slice(0, 3), [0, 0, 0.1, 1]];
+const FLAT = [PLACED[0], PLACED[0], ...PLACED.slice(2)];
 const BALL = { type: 'sphere', center: [0, 0, 0], radius: 1, material: 'm' };
 const neutral = (part: object = {}) => ({
   format: 'neutral-scene',
@@ -137,9 +146,42 @@ describe('lights: the largest channel, and a colour', () => {
     expect(light({ type: 'point', position: [0, 3, 0], intensity: [0, 0, 0] })).toMatchObject({ intensity: 0 }));
 });
 
+describe('meshes', () => {
+  test('files get names, and shapes place them by their matrix', () => {
+    const scene = converted({ primitives: [BALL, { ...MESH, file: '../meshes/star.ply', smooth: false, transform: PLACED }] }); // biome-ignore format: short
+    expect(scene.meshes).toEqual({ star: { file: '../meshes/star.ply', shading: 'flat' } });
+    expect(scene.shapes['mesh 1']).toMatchObject({ type: 'mesh', mesh: 'star', material: 'm', matrix: PLACED.flat() });
+    expect(converted().meshes).toBeUndefined();
+  });
+  test('instances are meshes that are placed one by one; each file and shading is one', () => {
+    const items = [
+      { mesh: 'a', material: 'm', transform: PLACED },
+      { mesh: 'b', material: 'm' },
+      { mesh: 'a', material: 'm' },
+    ];
+    const meshes = { a: { file: 'a.ply', smooth: true }, b: { file: 'a.ply', smooth: false } };
+    const scene = converted({ primitives: [MESH, { type: 'instances', meshes, items }] });
+    expect(scene.meshes).toEqual({
+      a: { file: 'a.ply', shading: 'smooth' },
+      'a 2': { file: 'a.ply', shading: 'flat' },
+    });
+    const shapes = Object.entries(scene.shapes).map(([name, shape]) => [name, 'mesh' in shape && shape.mesh]);
+    expect(shapes).toEqual([['mesh 1', 'a'], ['mesh 2', 'a'], ['mesh 3', 'a 2'], ['mesh 4', 'a']]); // biome-ignore format: short
+    expect(writeScene(scene)).toContain('"mesh 3": { "type": "mesh", "mesh": "a 2", "material": "m" }');
+  });
+});
+
 test.each([
-  ['meshes', { primitives: [{ type: 'mesh', file: 'a.ply', smooth: true, material: 'm' }] }, /"mesh": not yet/],
-  ['instances', { primitives: [BALL, { type: 'instances', meshes: {}, items: [] }] }, /"instances": not yet/],
+  ['meshes without a file', { primitives: [{ type: 'mesh', smooth: true, material: 'm' }] }, /primitives.0.file/],
+  ['meshes of other files', { primitives: [{ ...MESH, file: 'a.off' }] }, /\/meshes\/a\/file/],
+  ['meshes from elsewhere', { primitives: [{ ...MESH, file: '/a.ply' }] }, /\/meshes\/a\/file/],
+  ['a projective mesh', { primitives: [{ ...MESH, transform: PROJECTIVE }] }, /mesh 1: a projective transform/],
+  ['a flat mesh', { primitives: [{ ...MESH, transform: FLAT }] }, /shapes\/mesh 1\/matrix.*makes the mesh flat/],
+  [
+    'items without a mesh',
+    { primitives: [{ type: 'instances', meshes: {}, items: [{ mesh: 'a', material: 'm' }] }] },
+    /fault 1: no mesh "a"/,
+  ],
   ['an environment map from elsewhere', { lights: [{ type: 'envmap', file: '/a.npy' }] }, /\/sky\/image/],
   [
     'an environment map and a constant light',
@@ -167,7 +209,7 @@ test('refuses glass that is a mere quad', () => {
 
 test('tells all problems at once', () => {
   const lines = problems({
-    primitives: [{ type: 'mesh' }, BALL, { type: 'mesh' }],
+    primitives: [{ ...MESH, transform: PROJECTIVE }, BALL, { ...MESH, transform: PROJECTIVE }],
     lights: [
       { type: 'envmap', file: 'a.npy' },
       { type: 'constant', radiance: [1, 1, 1] },

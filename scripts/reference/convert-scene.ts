@@ -3,8 +3,9 @@ import * as v from 'valibot';
 import type { Color, Scene } from '../../packages/renderer/src/scene/scene.ts';
 import { parseScene } from '../../packages/renderer/src/scene-file/index.ts';
 import { convertMaterial } from './convert-material.ts';
+import { Meshes } from './meshes.ts';
 import { type NeutralLight, type NeutralPrimitive, type NeutralScene, neutralScene } from './neutral-scene.ts';
-import { placeBox, placeQuad, placeSphere, Refusal } from './transform.ts';
+import { matrixOf, placeBox, placeQuad, placeSphere, Refusal } from './transform.ts';
 
 export interface Converted {
   readonly scene: Scene;
@@ -29,14 +30,19 @@ export function convertScene(json: unknown): Converted {
   const neutral = read.output;
   const problems = new Problems();
   checkCamera(neutral, problems);
+  const sky = skyOf(neutral.lights, problems);
+  // Shapes say which meshes there are.
+  const meshes = new Meshes();
+  const shapes = shapesOf(neutral, meshes, problems);
   const file = {
     version: 1,
     name: neutral.name,
     description: neutral.description,
     camera: cameraOf(neutral.camera),
-    sky: skyOf(neutral.lights, problems),
+    sky,
     materials: convertAll(Object.entries(neutral.materials), 'materials', convertMaterial, problems),
-    shapes: shapesOf(neutral, problems),
+    ...(meshes.isEmpty ? {} : { meshes: meshes.sources() }),
+    shapes,
     lights: lightsOf(neutral.lights, problems),
     render: {
       integrator: 'path',
@@ -117,17 +123,30 @@ function numbered<Thing extends { readonly type: string }>(things: readonly Thin
   });
 }
 
-function shapesOf({ primitives, materials }: NeutralScene, problems: Problems) {
+function shapesOf({ primitives, materials }: NeutralScene, meshes: Meshes, problems: Problems) {
   const transparent = (name: string) => ['dielectric', 'rough_dielectric'].includes(materials[name]?.type ?? '');
-  const convert = (p: NeutralPrimitive) => {
+  const convert = (p: SinglePrimitive) => {
     if (p.type === 'quad' && transparent(p.material))
       throw new Refusal('a dielectric quad: a solid body has an inside');
-    return convertShape(p);
+    return convertShape(p, meshes);
   };
-  return convertAll(numbered(primitives), 'primitives', convert, problems);
+  return convertAll(numbered(primitives.flatMap(withoutInstances)), 'primitives', convert, problems);
 }
 
-function convertShape(p: NeutralPrimitive) {
+type SinglePrimitive =
+  | Exclude<NeutralPrimitive, { type: 'instances' }>
+  | { readonly type: 'fault'; readonly why: string };
+
+/** Each item as a mesh of its own, in their order. */
+function withoutInstances(p: NeutralPrimitive): SinglePrimitive | SinglePrimitive[] {
+  if (p.type !== 'instances') return p;
+  return p.items.map(({ mesh, material, transform }): SinglePrimitive => {
+    const source = Object.hasOwn(p.meshes, mesh) ? p.meshes[mesh] : undefined;
+    return source ? { type: 'mesh', ...source, material, transform } : { type: 'fault', why: `no mesh "${mesh}"` };
+  });
+}
+
+function convertShape(p: SinglePrimitive, meshes: Meshes) {
   switch (p.type) {
     case 'sphere':
       return { type: p.type, ...placeSphere(p.center, p.radius, p.transform), material: p.material };
@@ -135,8 +154,10 @@ function convertShape(p: NeutralPrimitive) {
       return { type: p.type, ...placeBox(p.min, p.max, p.transform), material: p.material };
     case 'quad':
       return { type: p.type, ...placeQuad(p.corner, p.u, p.v, p.transform), material: p.material };
-    default:
-      throw new Refusal(`shapes of type "${p.type}": not yet`);
+    case 'mesh':
+      return { type: p.type, mesh: meshes.nameOf(p.file, p.smooth), material: p.material, ...matrixOf(p.transform) };
+    case 'fault':
+      throw new Refusal(p.why);
   }
 }
 

@@ -51,12 +51,18 @@ const simpleMaterial = v.variant('type', [...simpleMaterials]);
 const blend = v.strictObject({ type: v.literal('blend'), weight: real, a: simpleMaterial, b: simpleMaterial });
 const anyMaterial = v.variant('type', [...simpleMaterials, blend]);
 
+/** A PLY file, by its name from the JSON's folder on; `smooth`: shaded by its vertices' normals, else flat. */
+const meshFile = { file: v.string(), smooth: v.boolean() };
 const primitive = v.variant('type', [
   v.strictObject({ type: v.literal('sphere'), center: triple, radius: real, material, transform }),
   v.strictObject({ type: v.literal('box'), min: triple, max: triple, material, transform }),
   v.strictObject({ type: v.literal('quad'), corner: triple, u: triple, v: triple, material, transform }),
-  v.looseObject({ type: v.literal('mesh') }),
-  v.looseObject({ type: v.literal('instances') }),
+  v.strictObject({ type: v.literal('mesh'), ...meshFile, material, transform }),
+  v.strictObject({
+    type: v.literal('instances'),
+    meshes: v.record(v.string(), v.strictObject(meshFile)),
+    items: v.array(v.strictObject({ mesh: v.string(), material, transform })),
+  }),
 ]);
 
 const light = v.variant('type', [

@@ -40,6 +40,10 @@ function affine(transform: Matrix | undefined): Matrix {
   return m;
 }
 
+/** Row by row; nothing where there is none. */
+export const matrixOf = (transform: Matrix | undefined): { readonly matrix?: readonly number[] } =>
+  transform === undefined ? {} : { matrix: affine(transform).flat() };
+
 export function placeQuad(corner: Triple, u: Triple, v: Triple, transform?: Matrix) {
   const m = affine(transform);
   if (m === IDENTITY) return { corner, u, v };
