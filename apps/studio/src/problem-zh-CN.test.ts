@@ -1,4 +1,4 @@
-import { type Problem, parseScene } from 'mirrorball';
+import { loadFiles, type Problem, parseScene } from 'mirrorball';
 import { describe, expect, test } from 'vitest';
 import {
   brokenAnimation,
@@ -57,6 +57,26 @@ test('sentences', () => {
     sentences.find((sentence) => sentence.startsWith('在 /materials/clay/colour 处：找到未知的键 "colour"')),
   ).toBeDefined();
   expect(problemInChinese({ path: '', found: '7 more', allowed: 'none', message: '' })).toBe('……另有 7 个问题。');
+});
+
+test('files that cannot be used: what is wrong inside of them stays in English', async () => {
+  const meshes = {
+    gone: { file: 'gone.ply' },
+    lid: { file: 'pot.obj', part: 'lid' },
+    pot: { file: 'pot.obj', part: 'x' },
+  };
+  const parsed = parseScene({ ...goodScene(), meshes, shapes: { ball: goodScene().shapes.ball } });
+  if (!parsed.ok) throw new Error(parsed.problems[0]!.message);
+  const pot = new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+  const loaded = await loadFiles(parsed.scene, async (name) => {
+    if (name === 'pot.obj') return pot;
+    throw new Error('there is no such file');
+  });
+  expect(loaded.ok ? [] : loaded.problems.map(problemInChinese)).toEqual([
+    '在 /meshes/gone/file 处：找到无法使用的文件 "gone.ply"（there is no such file），应为三角形网格的文件名（.ply、.obj 或 .stl），从场景所在的文件夹算起，文件夹之间用 "/"。',
+    '在 /meshes/lid/part 处：找到名称 "lid"，应为不写 "part"，因为该文件没有分部。',
+    '在 /meshes/pot/part 处：找到名称 "x"，应为不写 "part"，因为该文件没有分部。',
+  ]);
 });
 
 test('a phrase that has no form here stays as it is', () => {

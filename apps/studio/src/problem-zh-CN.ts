@@ -55,6 +55,8 @@ const allowedForms: readonly Form[] = [
     (endings, last) =>
       `三角形网格的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"`,
   ],
+  [/^no "part", as the file has none$/, () => '不写 "part"，因为该文件没有分部'],
+  [/^fewer of them$/, () => '更少的数量'],
   [/^the last row 0 0 0 1$/, () => '最后一行 0 0 0 1'],
   [/^three columns that do not lie in one plane$/, () => '不在同一平面内的三列'],
   [/^nothing, as it belongs to an "image" and the sky has none$/, () => '不写，因为它属于 "image"，而天空没有图片'],
@@ -116,6 +118,10 @@ const foundForms: readonly Form[] = [
   [/^(\d+) shapes of type (".*")$/, (count, type) => `${count} 个 ${type} 形体`],
   [/^more than (\d+) names$/, (most) => `超过 ${most} 个名称`],
   [/^the name (".*")$/, (name) => `名称 ${name}`],
+  [
+    /^(\d+) (vertices|triangles) together, where at most (\d+) are allowed$/,
+    (count, kind, most) => `总共 ${count} 个${kind === 'vertices' ? '顶点' : '三角形'}，而最多允许 ${most} 个`,
+  ],
   [/^the last row (.*)$/, (row) => `最后一行 ${row}`],
   [/^columns that lie in one plane$/, () => '在同一平面内的三列'],
   [/^the dielectric material (".*")$/, (name) => `透光的材质 ${name}`],
