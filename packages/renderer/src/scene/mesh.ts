@@ -36,5 +36,19 @@ export interface MorphTarget {
   readonly tangents?: Float32Array;
 }
 
+/**
+ * A mesh that shapes of the scene place in the world, as often as they like. Like the sky's image: a scene that has been read from a
+ * text names the file, and `loadFiles` adds the content; one made by a program may have content without a file.
+ */
+export interface MeshSource {
+  /** Name of a .ply, .obj or .stl file, from the scene file's folder on. */
+  readonly file?: string;
+  /** How normals come about; `data` has them as this says. Default: `auto`. */
+  readonly shading?: MeshShading;
+  readonly data?: Mesh;
+}
+/** `auto`: the file's normals, else flat. `smooth`: the file's, else made by blending those of the triangles. `flat`: none. */
+export type MeshShading = 'auto' | 'smooth' | 'flat';
+
 export const triangleCount = (mesh: Mesh): number => mesh.indices.length / 3;
 export const vertexCount = (mesh: Mesh): number => mesh.positions.length / 3;

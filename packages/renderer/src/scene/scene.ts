@@ -6,6 +6,7 @@
  * in the order of the file; those that `parseScene` gives inherit nothing. The file format (`scene-file/`) is this structure with its defaults left out.
  */
 import type { EnvironmentMap } from './environment.ts';
+import type { MeshSource } from './mesh.ts';
 
 export type Vec3 = readonly [x: number, y: number, z: number];
 /** Linear Rec.709 red, green, blue. Not limited to 1. */
@@ -114,6 +115,26 @@ export interface Quad extends ShapeBase {
   readonly u: Vec3;
   readonly v: Vec3;
 }
+/**
+ * Triangles of `Scene.meshes`, placed. A point of the mesh is first moved by `matrix`, then scaled, turned as a box is, and translated;
+ * placement.ts has all of it as one matrix.
+ */
+export interface MeshShape extends ShapeBase {
+  readonly type: 'mesh';
+  /** Name of a mesh of the same scene. */
+  readonly mesh: string;
+  readonly translation: Vec3;
+  /** Degrees about X, then Y, then Z, as `Box.rotation`. */
+  readonly rotation: Vec3;
+  /** Along the axes that the mesh has before it is turned; negative = mirrored. */
+  readonly scale: Vec3;
+  /** Instead of the three, or before them: a 4 × 4 matrix row by row, for column vectors; its last row is 0 0 0 1. */
+  readonly matrix?: Matrix4;
+  /** Name of a node that carries the mesh: all of the above then counts from there. */
+  readonly node?: string;
+}
+/** Sixteen numbers, row by row. */
+export type Matrix4 = readonly number[];
 export type Shape = Sphere | Box | Plane | Quad;
 export type ShapeType = Shape['type'];
 
@@ -222,6 +243,8 @@ export interface Scene {
   readonly camera: Camera;
   readonly sky: Sky;
   readonly materials: Readonly<Record<string, Material>>;
+  /** Left out: none. */
+  readonly meshes?: Readonly<Record<string, MeshSource>>;
   readonly shapes: Readonly<Record<string, Shape>>;
   readonly lights: Readonly<Record<string, Light>>;
   readonly animation: readonly Track[];
