@@ -1,7 +1,18 @@
 export { type CompiledAnimation, compileAnimation, sceneAt } from './animation.ts';
+export { type Bounds, boundsAt } from './bounds.ts';
 export { focusOf } from './camera.ts';
+export { type Deformed, deform, isDeformable, jointMatrices, makeDeformed, type Pose } from './deform.ts';
 export type { EnvironmentMap } from './environment.ts';
+export { cameraAround, type FramingOptions, frameScene } from './framing.ts';
 export { SCENE_LIMITS } from './limits.ts';
+export type * from './material-layers.ts';
+export type * from './mesh.ts';
+export { type NodeTransforms, nodeTransforms } from './node-transforms.ts';
+export type { Affine, Clip, Quaternion, SampledTrack, SceneNode, Skin, Variant } from './nodes.ts';
+export { meshMatrices, meshShapes, placedSceneAt } from './placed.ts';
 export { formatPointer, parsePointer } from './pointer.ts';
 export type * from './scene.ts';
+export { studioEnvironment } from './studio-environment.ts';
 export { type AnimationTarget, resolveTarget } from './targets.ts';
+export type * from './textures.ts';
+export { withVariant } from './variants.ts';
