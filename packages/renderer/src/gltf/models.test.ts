@@ -37,8 +37,12 @@ describe.skipIf(files.length === 0)('models', () => {
       for (const form of formsAt(scene, time)) expect(form.every(Number.isFinite)).toBe(true);
     }
     if (process.env.MODELS_REPORT) {
-      const entries = report.entries.map(({ kind, what, count, message }) => `    ${kind} ${what} ×${count}: ${message}`);
-      console.log(`${name}: ${took.toFixed(0)} ms ${JSON.stringify(report.counts)}\n  camera ${JSON.stringify(scene.camera)}\n${entries.join('\n')}`);
+      const entries = report.entries.map(
+        ({ kind, what, count, message }) => `    ${kind} ${what} ×${count}: ${message}`,
+      );
+      console.log(
+        `${name}: ${took.toFixed(0)} ms ${JSON.stringify(report.counts)}\n  camera ${JSON.stringify(scene.camera)}\n${entries.join('\n')}`,
+      );
     }
   });
 });

@@ -171,7 +171,7 @@ export class TextureReader {
   #imageName(image: number): string {
     const { name, uri } = this.#reading.json.images![image]!;
     const file = uri === undefined || /^data:/i.test(uri) ? undefined : uri.split('/').at(-1);
-    return this.images.nameOf(image) ?? this.images.reserve(name ?? file, `image ${image}`, image);
+    return this.images.nameOf(image) ?? this.images.add({}, name ?? file, `image ${image}`, image);
   }
 
   /** Decodes all images that uses have named. Adds problems for those that are damaged. */
