@@ -52,7 +52,7 @@ export function within(
 ): number {
   const kept = Math.min(Math.max(value, least), most);
   if (kept !== value) {
-    const what = String(path.at(-1));
+    const what = String(path.findLast((segment) => typeof segment === 'string'));
     reading.report.add(
       'changed',
       what,

@@ -52,8 +52,10 @@ export class ReportList {
       entry = { kind, what, message, places: [], count: 0 };
       this.#entries.set(key, entry);
     }
+    const place = formatPointer(path);
+    if (entry.places.includes(place)) return; // several nodes may have one mesh
     entry.count++;
-    if (entry.places.length < MOST_PLACES) entry.places.push(formatPointer(path));
+    if (entry.places.length < MOST_PLACES) entry.places.push(place);
   }
 
   list(): ReportEntry[] {

@@ -54,7 +54,7 @@ export class ShapeReader {
   /** By place in the file. */
   readonly #variants: readonly Record<string, string>[];
   /** Names of meshes, by what they are made of. */
-  readonly #made = new Map<string, string | null>();
+  readonly #made = new Map<string, string>();
   #tangents: TangentMaker | null = null;
 
   constructor(reading: Reading, textures: TextureReader, nodes: NodesInScene, skins: NamedThings<Skin>) {
@@ -155,7 +155,7 @@ export class ShapeReader {
     const mustMake = use !== null && mesh.tangents === undefined;
     const key = JSON.stringify([this.#primitives.keyOf(primitive), use === null ? null : mustMake ? use : 'own']);
     const known = this.#made.get(key);
-    if (known !== undefined) return known === null ? null : { name: known, mesh: this.#meshes.things[known]!.data! };
+    if (known !== undefined) return { name: known, mesh: this.#meshes.things[known]!.data! };
     const whole = use === null ? without(mesh) : mustMake ? await this.#withTangents(mesh, use, path) : mesh;
     const { name, primitives } = this.#reading.json.meshes![path[1] as number]!;
     const part = primitives.length > 1 && name !== undefined ? `${name} ${Number(path[3]) + 1}` : name;

@@ -22,7 +22,7 @@ export class PrimitiveReader {
   /** By accessor and the most that it may hold. */
   readonly #isGood = new Map<string, boolean>();
   readonly #indices = new Map<string, Uint32Array | null>();
-  readonly #cache = new Map<string, Mesh | null>();
+  readonly #cache = new Map<string, Mesh>();
 
   constructor(reading: Reading) {
     this.#reading = reading;
@@ -36,8 +36,10 @@ export class PrimitiveReader {
   /** The mesh, or null when there is none to be had: a problem or an entry of the report says why. */
   read(primitive: PrimitiveJson, path: Path): Mesh | null {
     const key = this.keyOf(primitive);
-    let mesh = this.#cache.get(key);
-    if (mesh === undefined) this.#cache.set(key, (mesh = this.#make(primitive, path)));
+    const known = this.#cache.get(key);
+    if (known !== undefined) return known;
+    const mesh = this.#make(primitive, path);
+    if (mesh !== null) this.#cache.set(key, mesh); // why there is none is told at each place
     return mesh;
   }
 
