@@ -46,7 +46,7 @@ function decodeBase64(text: string, start: number): Uint8Array | null {
     const code = text.charCodeAt(i);
     const value = code < 128 ? VALUES[code]! : 255;
     if (value === 255) {
-      if (code <= 0x20) continue; // line breaks, as some write them
+      if (code <= 0x20 || code === 0x3d) continue; // line breaks, as some write them, also within the padding
       return null;
     }
     held = ((held << 6) | value) & 0xffff;
