@@ -23,6 +23,12 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
 const PARTS = [
   { name: 'gltf', importer: 'gltf/index.ts', asked: './read-gltf.ts', entry: join(source, 'gltf/read-gltf.ts') },
   {
+    name: 'ktx2',
+    importer: 'gltf/images/decoder.ts',
+    asked: './ktx2-decoder.ts',
+    entry: join(source, 'gltf/images/ktx2-decoder.ts'),
+  },
+  {
     name: 'draco',
     importer: 'gltf/decoders.ts',
     asked: './draco-decoder.ts',
@@ -52,15 +58,17 @@ const LOADER = 'virtual:load-part';
  *   for which the page's own script does not wait;
  * - `file`: an import of a file beside the module, mirrorball-gltf.js and so on.
  *
- * Parts that nothing of the page asks for are left out.
+ * Parts that nothing of the page asks for are left out, and so are those named in `without`, which only `ktx2` may be: then the code that
+ * asks for it knows.
  * @param {'text' | 'file'} as
+ * @param {{ without?: readonly 'ktx2'[] }} [options]
  * @returns {import('vite').Plugin}
  */
-export function lazyParts(as) {
+export function lazyParts(as, { without = [] } = {}) {
   /** @type {Map<string, string>} name → code of what is written */
   const written = new Map();
   return {
-    ...partImports(as, written),
+    ...partImports(as, written, without),
     generateBundle: {
       order: 'post',
       handler(_, bundle) {
@@ -80,9 +88,10 @@ const fileOf = (/** @type {string} */ name) => `mirrorball-${name}.js`;
  * What the page and its parts have in common: imports of parts are replaced, and those that are asked for are built.
  * @param {'text' | 'file'} as
  * @param {Map<string, string>} written
+ * @param {readonly string[]} without
  * @returns {import('vite').Plugin}
  */
-function partImports(as, written) {
+function partImports(as, written, without) {
   return {
     name: 'lazy-parts',
     apply: 'build',
@@ -107,7 +116,10 @@ function partImports(as, written) {
       handler(code, id) {
         const parts = partsAskedBy(id);
         if (parts.length === 0) return null;
-        const text = parts.reduce((before, part) => replaced(before, part, as), code);
+        const text = parts.reduce(
+          (before, part) => (without.includes(part.name) ? withoutPart(before, part) : replaced(before, part, as)),
+          code,
+        );
         return { code: as === 'text' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
       },
     },
@@ -115,9 +127,9 @@ function partImports(as, written) {
       // Not what tree shaking has left out.
       const used = Object.entries(chunk.modules).filter(([, { renderedLength }]) => renderedLength > 0);
       for (const part of used.flatMap(([id]) => partsAskedBy(id))) {
-        if (written.has(part.name)) continue;
+        if (written.has(part.name) || without.includes(part.name)) continue;
         written.set(part.name, '');
-        written.set(part.name, await buildPart(part, as, written));
+        written.set(part.name, await buildPart(part, as, written, without));
       }
       return null;
     },
@@ -138,19 +150,26 @@ function replaced(code, part, as) {
   return code.replace(call, as === 'text' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
 }
 
+/** The code says by a constant whether the part is at hand. @param {string} code @param {Part} part */
+function withoutPart(code, part) {
+  const flag = `const HAS_${part.name.toUpperCase()} = true`;
+  if (!code.includes(flag)) throw new Error(`${part.importer} has no ${flag} any more: see scripts/lazy-parts.mjs.`);
+  return code.replace(flag, flag.replace('true', 'false'));
+}
+
 /** A letter for each byte: compression finds what repeats in it, which base64 hides. A third smaller. */
 function byteText(/** @type {string} */ id) {
   const bytes = readFileSync(id.split('?')[0] ?? '');
   return `export default ${JSON.stringify(bytes.toString('latin1'))};`;
 }
 
-/** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written */
-async function buildPart(part, as, written) {
+/** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written @param {readonly string[]} without */
+async function buildPart(part, as, written, without) {
   const result = await build({
     configFile: false,
     root: dirname(part.entry),
     logLevel: 'error',
-    plugins: [partImports(as, written)],
+    plugins: [partImports(as, written, without)],
     build: {
       write: false,
       target: 'es2022',

@@ -36,6 +36,14 @@ function textContent(text: string, type: string): DataUri | string {
   }
 }
 
+/** A program in a module: a data URI, or, as scripts/lazy-parts.mjs packs it, a letter for each byte. */
+export function inlinedBytes(text: string): Uint8Array {
+  if (!text.startsWith('data:')) return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const program = readDataUri(text);
+  if (typeof program === 'string') throw new Error(`A program in this module is damaged: ${program}.`);
+  return program.bytes;
+}
+
 /** Ends with the text or its padding. */
 function decodeBase64(text: string, start: number): Uint8Array | null {
   let end = text.length;

@@ -6,13 +6,11 @@ import type { Gltf } from './json.ts';
 import type { Path } from './problems.ts';
 import type { ReportList } from './report.ts';
 
-/** Where textures are read, other words are used for it. */
-const TOLD_ELSEWHERE = ['KHR_texture_basisu'];
 /** Things of a file that are looked through. */
 const MOST_VALUES = 5_000_000;
 
 export function reportStrangers(json: Gltf, report: ReportList): void {
-  const known = new Set([...SUPPORTED_EXTENSIONS, ...TOLD_ELSEWHERE]);
+  const known = new Set(SUPPORTED_EXTENSIONS);
   const found = new Set<string>();
   const stack: { value: unknown; path: Path }[] = [{ value: json, path: [] }];
   for (let left = MOST_VALUES; left > 0; left--) {

@@ -28,8 +28,10 @@ interface ImageFile {
 }
 
 const WRAPS: Readonly<Record<number, Wrap>> = { 10497: 'repeat', 33071: 'clamp', 33648: 'mirror' };
-/** The newer format first: who writes both wants it taken. */
-const OTHER_SOURCES = ['EXT_texture_avif', 'EXT_texture_webp', 'KHR_texture_basisu'] as const;
+/** Beside what every reader knows: the newer format first, as who writes both wants it taken. */
+const NEWER_SOURCES = ['EXT_texture_avif', 'EXT_texture_webp'] as const;
+/** Blocks for GPUs, which lose more and need a large transcoder: when there is nothing else. */
+const LAST_SOURCE = 'KHR_texture_basisu';
 /** So many images are decoded at a time. */
 const AT_ONCE = 4;
 
@@ -60,13 +62,9 @@ export class TextureReader {
   async #choose(index: number): Promise<number | null> {
     const texture = this.#reading.json.textures![index]!;
     const path = ['textures', index];
-    const others = OTHER_SOURCES.map((name) => ({
-      name,
-      source: extensionOf<{ source?: number }>(texture, name)?.source,
-    }));
-    const candidates = [...others, { name: 'source', source: texture.source }].filter(
-      ({ source }) => source !== undefined,
-    );
+    const other = (name: string) => ({ name, source: extensionOf<{ source?: number }>(texture, name)?.source });
+    const all = [...NEWER_SOURCES.map(other), { name: 'source', source: texture.source }, other(LAST_SOURCE)];
+    const candidates = all.filter(({ source }) => source !== undefined);
     for (const { name, source } of candidates) {
       const file = await this.#file(source!);
       if (file === null) return null; // a problem has been added

@@ -35,6 +35,7 @@ export const SUPPORTED_EXTENSIONS: readonly string[] = [
   'KHR_materials_volume',
   'KHR_mesh_quantization',
   'KHR_node_visibility',
+  'KHR_texture_basisu',
   'KHR_texture_transform',
 ];
 

@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { seededRandom } from '../../../../../tests/fixtures/random.ts';
 import { ImageError } from '../../export/image-error.ts';
 import { type Chunk, joinChunks, readChunks } from '../../export/png/chunks.ts';
-import { pngDecoder } from './decoder.ts';
+import { defaultDecoder, pngDecoder } from './decoder.ts';
 import { readImageHead } from './image-head.ts';
 import { decodePng } from './png-pixels.ts';
 
@@ -169,5 +169,31 @@ describe('heads of other images', () => {
       const bytes = Uint8Array.from({ length: Math.floor(random() * 80) }, (_, i) => start[i] ?? random() * 256);
       readImageHead(bytes);
     }
+  });
+});
+
+describe('KTX2', () => {
+  const file = (name: string): Uint8Array =>
+    Uint8Array.from(readFileSync(new URL(`../../../../../tests/fixtures/images/${name}`, import.meta.url)));
+
+  test.each([
+    ['uastc-alpha.ktx2', 6],
+    ['etc1s-alpha.ktx2', 12],
+  ])('%s: four fields of colour and alpha come back', async (name, slack) => {
+    expect(readImageHead(file(name))).toMatchObject({ type: 'image/ktx2', width: 16, height: 8 });
+    const { width, height, rgba } = await defaultDecoder().decode(file(name), 'image/ktx2');
+    expect([width, height, rgba.length]).toEqual([16, 8, 512]);
+    for (let y = 0; y < 8; y++)
+      for (let x = 0; x < 16; x++) {
+        const wanted = [x < 8 ? 200 : 20, y < 4 ? 180 : 40, 60, x < 8 ? 255 : 128];
+        for (let c = 0; c < 4; c++)
+          expect(Math.abs(rgba[4 * (16 * y + x) + c]! - wanted[c]!)).toBeLessThanOrEqual(slack);
+      }
+  });
+
+  test('damaged files are refused', async () => {
+    const whole = file('uastc-alpha.ktx2');
+    for (const bytes of [whole.subarray(0, 100), whole.subarray(0, 12), new Uint8Array(200)])
+      await expect(defaultDecoder().decode(bytes, 'image/ktx2')).rejects.toThrow(/KTX2|damaged/);
   });
 });
