@@ -21,7 +21,7 @@ export const pngDecoder: ImageDecoder = {
 const HAS_KTX2 = true;
 
 /** The decoder, and KTX2 beside what it decodes. */
-const withKtx2 = (decoder: ImageDecoder): ImageDecoder => ({
+export const withKtx2 = (decoder: ImageDecoder): ImageDecoder => ({
   canDecode: (type) => (HAS_KTX2 && type === 'image/ktx2') || decoder.canDecode(type),
   decode: async (bytes, type) => {
     if (!HAS_KTX2 || type !== 'image/ktx2') return decoder.decode(bytes, type);
