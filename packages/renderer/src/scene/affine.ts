@@ -111,22 +111,30 @@ export function slerp(
 ): void {
   let dot = a[ai]! * b[bi]! + a[ai + 1]! * b[bi + 1]! + a[ai + 2]! * b[bi + 2]! + a[ai + 3]! * b[bi + 3]!;
   const sign = dot < 0 ? -1 : 1;
-  dot = Math.min(dot * sign, 1);
+  dot *= sign;
+  let wa = 1 - u;
+  let wb = u * sign;
   // Closer than this the sines lose their digits, and a straight line is as good.
-  const angle = dot < 0.9999 ? Math.acos(dot) : 0;
-  const [wa, wb] =
-    angle === 0
-      ? [1 - u, u * sign]
-      : ([Math.sin((1 - u) * angle), Math.sin(u * angle) * sign].map((w) => w / Math.sin(angle)) as [number, number]);
+  if (dot < 0.9999) {
+    const angle = Math.acos(dot);
+    const s = 1 / Math.sin(angle);
+    wa = Math.sin(wa * angle) * s;
+    wb = Math.sin(u * angle) * s * sign;
+  }
   for (let i = 0; i < 4; i++) out[at + i] = wa * a[ai + i]! + wb * b[bi + i]!;
   normalizeQuaternion(out, at);
 }
 
 /** Gives a quaternion length 1; one of no length, or with what is no number, becomes no turn. */
 export function normalizeQuaternion(q: WritableNumbers, at: number): void {
-  const length = Math.hypot(q[at]!, q[at + 1]!, q[at + 2]!, q[at + 3]!);
-  const good = length > 0 && Number.isFinite(length);
-  for (let i = 0; i < 4; i++) q[at + i] = good ? q[at + i]! / length : i === 3 ? 1 : 0;
+  const [x, y, z, w] = [q[at]!, q[at + 1]!, q[at + 2]!, q[at + 3]!];
+  const square = x * x + y * y + z * z + w * w;
+  const good = square > 0 && square < Number.POSITIVE_INFINITY;
+  const f = good ? 1 / Math.sqrt(square) : 0;
+  q[at] = good ? x * f : 0;
+  q[at + 1] = good ? y * f : 0;
+  q[at + 2] = good ? z * f : 0;
+  q[at + 3] = good ? w * f : 1;
 }
 
 export const toQuaternion = (x: number, y: number, z: number, w: number): Quaternion => {

@@ -39,8 +39,11 @@ export function evaluateSampled(
   } else {
     const span = times[key + 1]! - times[key]!;
     const u = (time - times[key]!) / span;
+    if (rotation && interpolation === 'linear') {
+      slerp(out, at, values, a, values, b, u); // of length 1 already
+      return;
+    }
     if (interpolation === 'cubic') hermite(values, a, b, width, span, u, out, at);
-    else if (rotation) slerp(out, at, values, a, values, b, u);
     else for (let i = 0; i < width; i++) out[at + i] = values[a + i]! + (values[b + i]! - values[a + i]!) * u;
   }
   if (rotation) normalizeQuaternion(out, at);
