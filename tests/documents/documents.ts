@@ -13,6 +13,7 @@ export const documents = [
   'docs/classic.md',
   'docs/scene-file.md',
   'docs/command-line.md',
+  'docs/gltf.md',
   'docs/benchmarks.md',
 ];
 
