@@ -1,13 +1,19 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { PARTS_START } from './lazy-parts.mjs';
 import { root, runNode, tools } from './run-command.mjs';
 
 export const studioFolder = join(root, 'apps/studio/dist');
 const page = join(studioFolder, 'index.html');
 
-/** What the page may weigh, minified and gzipped. 1 KB = 1000 bytes, the stricter reading. */
+/**
+ * What every visitor waits for may weigh so much, minified and gzipped. 1 KB = 1000 bytes, the stricter reading. What follows in the
+ * file, for models only, is neither waited for nor unpacked before it is needed (lazy-parts.mjs).
+ */
 const LIMIT = 150_000;
+/** The whole file. */
+const WHOLE_LIMIT = 400_000;
 
 /** @param {number} bytes */
 const kilobytes = (bytes) => `${(bytes / 1000).toFixed(1)} KB`;
@@ -25,13 +31,20 @@ export async function buildStudio() {
     );
     return 1;
   }
-  const raw = readFileSync(page);
-  const zipped = gzipSync(raw, { level: 9 }).length;
-  console.log(`apps/studio/dist/index.html: ${kilobytes(raw.length)}, gzipped ${kilobytes(zipped)}`);
-  if (zipped <= LIMIT) return 0;
+  const html = readFileSync(page, 'utf8');
+  const cut = html.indexOf(PARTS_START);
+  const whole = gzipped(html);
+  const start = cut < 0 ? whole : gzipped(html.slice(0, cut));
+  console.log(
+    `apps/studio/dist/index.html: ${kilobytes(html.length)}, gzipped ${kilobytes(whole)}; its start ${kilobytes(start)}`,
+  );
+  if (start <= LIMIT && whole <= WHOLE_LIMIT) return 0;
+  const [found, most] = start > LIMIT ? [`its start ${kilobytes(start)}`, LIMIT] : [kilobytes(whole), WHOLE_LIMIT];
   console.error(
-    `The page is too heavy: ${kilobytes(zipped)} gzipped, and at most ${kilobytes(LIMIT)} are allowed. ` +
+    `The page is too heavy: ${found} gzipped, and at most ${kilobytes(most)} are allowed. ` +
       'See what grew with `git diff` of package.json, or load the new part lazily.',
   );
   return 1;
 }
+
+const gzipped = (/** @type {string} */ text) => gzipSync(text, { level: 9 }).length;

@@ -1,9 +1,12 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { lazyParts } from '../../scripts/lazy-parts.mjs';
 
-// dist/mirrorball.js: the library as one ES module without imports, shaders and worker inside, for pages without a bundler.
+// dist/mirrorball.js: the library as one ES module, shaders and worker inside, for pages without a bundler. It imports nothing at its
+// start; mirrorball-gltf.js and others beside it come when a model needs them.
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
+  plugins: [lazyParts('file')],
   build: {
     outDir: 'dist',
     emptyOutDir: true,

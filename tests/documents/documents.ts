@@ -18,6 +18,7 @@ export const documents = [
   'docs/sampler.md',
   'docs/scene-file.md',
   'docs/command-line.md',
+  'docs/gltf.md',
   'docs/benchmarks.md',
 ];
 

@@ -2,6 +2,7 @@
 
 export { depthAt } from './depth-at.ts';
 export type { ViewName } from './display/views.ts';
+export * from './gltf/index.ts';
 export { DeviceError } from './gpu/device.ts';
 export { UntraceableSceneError } from './packed-scene/refuse-meshes.ts';
 export { createRenderer } from './renderer.ts';

@@ -1,7 +1,6 @@
 /** Camera and settings of one film sample, and what the packed scene says of itself → the Frame block. */
 import type { Comparison, Framing, Panel } from '../renderer-types.ts';
-
-import { cameraAxes, focusOf, PROJECTIONS, wholeCamera } from '../scene/camera.ts';
+import { cameraAxes, focusOf, PROJECTIONS, type WholeCamera, wholeCamera } from '../scene/camera.ts';
 import type { Camera, Vec3 } from '../scene/scene.ts';
 import { add, scale } from '../scene/vec3.ts';
 import { type PixelFilter, packFilter } from './pack-filter.ts';
@@ -25,7 +24,7 @@ export interface FrameSettings extends Panel {
 const NOWHERE: Vec3 = [0, 0, 0];
 
 /** What a camera sees, as half its height: at a distance of 1, in metres, or (the whole sphere has none) 1. */
-function halfHeight({ projection, verticalFov, viewHeight }: Required<Camera>): number {
+function halfHeight({ projection, verticalFov, viewHeight }: WholeCamera): number {
   if (projection === 'perspective') return Math.tan((verticalFov * Math.PI) / 360);
   return projection === 'orthographic' ? viewHeight / 2 : 1;
 }

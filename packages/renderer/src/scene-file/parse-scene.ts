@@ -40,6 +40,9 @@ const parsedScenes = new WeakSet<object>();
 export const isParsedScene = (value: unknown): value is Scene =>
   typeof value === 'object' && value !== null && parsedScenes.has(value);
 
+/** For scenes that another reader has made and looked through, and that nobody changes. */
+export const trustScene = (scene: Scene): void => void parsedScenes.add(scene);
+
 /** The scene with the content of its sky's image: as good as the scene is, or, when the caller has looked at it, good. */
 export function withMap(scene: Scene, map: EnvironmentMap, checked = isParsedScene(scene)): Scene {
   const whole: Scene = Object.freeze({ ...scene, sky: Object.freeze({ ...scene.sky, map }) });

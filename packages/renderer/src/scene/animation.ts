@@ -1,19 +1,24 @@
-import { type CompiledTrack, compileTrack, evaluateTrack } from './keyframes.ts';
-import type { Camera, Scene, Vec3 } from './scene.ts';
-import { type AnimationTarget, resolveTarget } from './targets.ts';
+import { compileTrack, evaluateTrack } from './keyframes.ts';
+import { playingClip } from './node-transforms.ts';
+import type { Clip, SampledTrack } from './nodes.ts';
+import { clipTime, evaluateSampled, isRotation, widthOf } from './sampled-track.ts';
+import type { Camera, Scene, Track, Vec3 } from './scene.ts';
+import { type AnimationTarget, resolveClipTarget, resolveTarget, type Section } from './targets.ts';
 import { isDirection, mendCamera, mendScale, spansPlane } from './well-formed.ts';
 
 /** A scene with its tracks made ready: gives the scene at any time (seconds, finite). */
 export type CompiledAnimation = (time: number) => Scene;
 
-type Item = Record<string, number | Vec3 | string | boolean>;
+type Item = Record<string, unknown>;
+/** Moves one property of a copy that nobody else has. */
+type Channel = (now: Item, time: number) => void;
 
 /** All that moves of one thing. */
 interface MovingItem {
-  readonly section: AnimationTarget['section'];
+  readonly section: Section;
   readonly name: string | null;
   readonly rest: Item;
-  readonly channels: { readonly target: AnimationTarget; readonly track: CompiledTrack }[];
+  readonly channels: Channel[];
 }
 
 const compiled = new WeakMap<Scene, CompiledAnimation>();
@@ -60,39 +65,77 @@ export function compileAnimation(scene: Scene): CompiledAnimation {
 
 function movingItems(scene: Scene): MovingItem[] {
   const items = new Map<string, MovingItem>();
+  const move = ({ section, name }: { section: Section; name: string | null }, channel: Channel): void => {
+    const key = `${section}/${name ?? ''}`;
+    const rest = (name === null ? scene[section] : (scene[section] as Record<string, unknown>)[name]) as Item;
+    const item = items.get(key) ?? { section, name, rest, channels: [] };
+    item.channels.push(channel);
+    items.set(key, item);
+  };
   scene.animation.forEach((track, index) => {
     const target = resolveTarget(scene, track.target);
     if (target === null || track.keys.length === 0) {
       throw new Error(`Track ${index} of the scene "${scene.name}" moves nothing: "${track.target}".`);
     }
-    const { section, name } = target;
-    const key = `${section}/${name ?? ''}`;
-    const rest = (name === null ? scene[section] : (scene[section] as Record<string, unknown>)[name]) as Item;
-    const item = items.get(key) ?? { section, name, rest, channels: [] };
-    item.channels.push({ target, track: compileTrack(track) });
-    items.set(key, item);
+    move(target, channelOfTrack(track, target));
   });
+  const clip = playingClip(scene);
+  for (const track of clip?.tracks ?? []) {
+    const target = resolveClipTarget(scene, track.target);
+    if (target === null || track.times.length === 0) {
+      throw new Error(`A track of the clip "${scene.clip}" moves nothing: "${track.target}".`);
+    }
+    move(target, channelOfSamples(clip!, track, target.path, typeof target.value === 'number'));
+  }
   return [...items.values()];
 }
 
-function itemAt(item: MovingItem, time: number): Item {
-  const now: Item = { ...item.rest };
+function channelOfTrack(track: Track, { property, component }: AnimationTarget): Channel {
+  const compiledTrack = compileTrack(track);
   const out: number[] = [0, 0, 0];
-  for (const { target, track } of item.channels) {
-    evaluateTrack(track, time, out);
-    const { property, component } = target;
+  return (now, time) => {
+    evaluateTrack(compiledTrack, time, out);
     if (component !== null) {
       const triple = [...(now[property] as Vec3)] as [number, number, number];
       triple[component] = out[0]!;
       now[property] = triple;
-    } else now[property] = track.components === 1 ? out[0]! : [out[0]!, out[1]!, out[2]!];
-  }
-  return mend(now, item);
+    } else now[property] = compiledTrack.components === 1 ? out[0]! : [out[0]!, out[1]!, out[2]!];
+  };
+}
+
+function channelOfSamples(clip: Clip, track: SampledTrack, path: readonly string[], single: boolean): Channel {
+  const [width, rotation] = [widthOf(track), isRotation(track)];
+  const [first, ...deeper] = path as [string, ...string[]];
+  return (now, time) => {
+    const out = zeros(width);
+    evaluateSampled(track, width, rotation, clipTime(clip, time), out, 0);
+    const value = single ? out[0] : out;
+    now[first] = deeper.length === 0 ? value : replaced(now[first], deeper, value);
+  };
+}
+
+/** A thousand nodes move in a frame: literals are what engines make fastest. */
+function zeros(length: number): number[] {
+  if (length === 3) return [0, 0, 0];
+  return length === 4 ? [0, 0, 0, 0] : new Array<number>(length).fill(0);
+}
+
+/** A copy of the group with this value at the end of the path. */
+function replaced(group: unknown, [key, ...deeper]: readonly string[], value: unknown): unknown {
+  if (key === undefined) return value;
+  return { ...(group as Item), [key]: replaced((group as Item)[key], deeper, value) };
+}
+
+function itemAt(item: MovingItem, time: number): Item {
+  const now: Item = { ...item.rest };
+  for (const channel of item.channels) channel(now, time);
+  return item.section === 'nodes' ? now : mend(now, item);
 }
 
 /** Keys may be good and a moment between them not: a normal through zero, an eye that meets its target. */
 function mend(now: Item, { section, rest }: MovingItem): Item {
-  if (section === 'camera') return mendCamera(now as unknown as Camera, rest as unknown as Camera) as unknown as Item;
+  if (section === 'camera' || section === 'cameras')
+    return mendCamera(now as unknown as Camera, rest as unknown as Camera) as unknown as Item;
   const straight = (direction: unknown) => direction === undefined || isDirection(direction as Vec3);
   if (!straight(now.normal)) return { ...now, normal: rest.normal! };
   if (!straight(now.direction)) return { ...now, direction: rest.direction! };

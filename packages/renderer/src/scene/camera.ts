@@ -12,8 +12,11 @@ export const CAMERA_DEFAULTS = {
   focusDistance: 0,
 } as const satisfies Partial<Camera>;
 
+/** Nothing is left out but a node that does not carry it. */
+export type WholeCamera = Camera & Required<Omit<Camera, 'node'>>;
+
 /** The camera with nothing left out. */
-export const wholeCamera = (camera: Camera): Required<Camera> => ({ ...CAMERA_DEFAULTS, ...camera });
+export const wholeCamera = (camera: Camera): WholeCamera => ({ ...CAMERA_DEFAULTS, ...camera });
 
 /** Focusing nearer than this makes no picture. */
 const NEAREST_FOCUS = 1e-6;

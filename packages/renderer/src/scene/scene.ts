@@ -6,7 +6,10 @@
  * in the order of the file; those that `parseScene` gives inherit nothing. The file format (`scene-file/`) is this structure with its defaults left out.
  */
 import type { EnvironmentMap } from './environment.ts';
+import type { MaterialLayers } from './material-layers.ts';
 import type { MeshSource } from './mesh.ts';
+import type { Clip, SceneNode, Skin, Variant } from './nodes.ts';
+import type { ImageSource, Texture } from './textures.ts';
 
 export type Vec3 = readonly [x: number, y: number, z: number];
 /** Linear Rec.709 red, green, blue. Not limited to 1. */
@@ -26,6 +29,8 @@ export interface Camera {
   readonly aperture?: number;
   /** From the eye along the line of sight to the plane that is sharp, metres; 0 = at the target. */
   readonly focusDistance?: number;
+  /** Name of a node that carries the camera: `eye`, `target` and `up` then count from there. */
+  readonly node?: string;
 }
 /** `equirectangular`: the whole sphere, 360° across and 180° up and down, the line of sight in the middle. */
 export type Projection = 'perspective' | 'orthographic' | 'equirectangular';
@@ -49,9 +54,9 @@ export interface Sky {
 
 /**
  * What a surface is made of. The classic integrator sees `baseColor`, `roughness`, `specular` and `reflectivity` only, whatever
- * the type; the path integrator sees everything but `specular`.
+ * the type; the path integrator sees everything but `specular`. What else it may have is in `MaterialLayers`.
  */
-export interface Material {
+export interface Material extends MaterialLayers {
   /**
    * `diffuse`: Lambert. `metallicRoughness`: glTF 2.0. `conductor`: metal by its measured constants. `dielectric`: glass,
    * water: a solid body that light goes through.
@@ -70,7 +75,7 @@ export interface Material {
   readonly reflectivity: number;
   /** `metallicRoughness`: 0 = plastic, 1 = metal. */
   readonly metallic: number;
-  /** `dielectric`: index of refraction, 1 … 4. */
+  /** `dielectric`: index of refraction, 1 … 4. `metallicRoughness`: KHR_materials_ior, where 0 stands for an endless one. */
   readonly ior: number;
   /** `conductor`: complex index of refraction eta + i·k per channel; both black: `baseColor` comes back at every angle. */
   readonly conductor: { readonly eta: Color; readonly k: Color };
@@ -86,7 +91,13 @@ export interface Material {
 }
 export type MaterialType = 'diffuse' | 'metallicRoughness' | 'conductor' | 'dielectric';
 
-interface ShapeBase {
+/** What a node may carry. */
+interface Carried {
+  /** Name of a node of the same scene, from which all places and directions then count; its scale changes sizes too. */
+  readonly node?: string;
+}
+
+interface ShapeBase extends Carried {
   /** Name of a material of the same scene. */
   readonly material: string;
 }
@@ -130,8 +141,12 @@ export interface MeshShape extends ShapeBase {
   readonly scale: Vec3;
   /** Instead of the three, or before them: a 4 × 4 matrix row by row, for column vectors; its last row is 0 0 0 1. */
   readonly matrix?: Matrix4;
-  /** Name of a node that carries the mesh: all of the above then counts from there. No scene has nodes yet. */
+  /** Name of a node that carries the mesh: all of the above then counts from there. */
   readonly node?: string;
+  /** Name of a skin of the same scene, for a mesh with skin weights. */
+  readonly skin?: string;
+  /** The mesh many times: 12 numbers each (`Affine`), between the node and the placement above. Left out: once. */
+  readonly instances?: Float32Array;
 }
 /** Sixteen numbers, row by row. */
 export type Matrix4 = readonly number[];
@@ -146,7 +161,7 @@ export type LampShape = Sphere | Box | Quad;
  * A spherical light; the one kind that the classic integrator knows. A sample point at distance d lights a surface with
  * w = radiance · radius² / d², which is also exactly what a glowing ball of that radiance gives.
  */
-export interface SphereLight {
+export interface SphereLight extends Carried {
   readonly type: 'sphere';
   readonly center: Vec3;
   readonly radius: number;
@@ -163,7 +178,7 @@ export interface SphereLight {
 }
 
 /** A rectangle or parallelogram corner + s·u + t·v that shines to the side of u × v. Only the path integrator knows this and the following. */
-export interface QuadLight {
+export interface QuadLight extends Carried {
   readonly type: 'quad';
   readonly corner: Vec3;
   readonly u: Vec3;
@@ -174,14 +189,14 @@ export interface QuadLight {
   /** Whether camera and mirrors see it. */
   readonly visible: boolean;
 }
-export interface PointLight {
+export interface PointLight extends Carried {
   readonly type: 'point';
   readonly position: Vec3;
   /** Multiplies `color`: W / sr. Irradiance is intensity · cos / distance². */
   readonly intensity: number;
   readonly color: Color;
 }
-export interface SpotLight {
+export interface SpotLight extends Carried {
   readonly type: 'spot';
   readonly position: Vec3;
   /** Where it shines to; need not have length 1. */
@@ -192,7 +207,7 @@ export interface SpotLight {
   readonly innerAngle: number;
   readonly outerAngle: number;
 }
-export interface DirectionalLight {
+export interface DirectionalLight extends Carried {
   readonly type: 'directional';
   /** The way that the light travels; need not have length 1. */
   readonly direction: Vec3;
@@ -249,6 +264,19 @@ export interface Scene {
   readonly materials: Readonly<Record<string, Material>>;
   /** Left out: none. */
   readonly meshes?: Readonly<Record<string, MeshSource>>;
+  /** What carries shapes, lights and cameras; see nodes.ts. Left out: none, as with all that follows. */
+  readonly nodes?: Readonly<Record<string, SceneNode>>;
+  readonly skins?: Readonly<Record<string, Skin>>;
+  readonly images?: Readonly<Record<string, ImageSource>>;
+  readonly textures?: Readonly<Record<string, Texture>>;
+  /** Motions, of which one plays at a time beside `animation`. */
+  readonly clips?: Readonly<Record<string, Clip>>;
+  /** Name of the clip that plays. Left out: none. */
+  readonly clip?: string;
+  /** Other materials for some shapes, by the name of the choice. */
+  readonly variants?: Readonly<Record<string, Variant>>;
+  /** Views beside `camera` that can be chosen. */
+  readonly cameras?: Readonly<Record<string, Camera>>;
   readonly shapes: Readonly<Record<string, Shape>>;
   readonly lights: Readonly<Record<string, Light>>;
   readonly animation: readonly Track[];

@@ -1,0 +1,13 @@
+import { formatPointer } from '../scene/pointer.ts';
+import { describe, type Path, type ProblemList, visible } from '../scene-file/problem.ts';
+
+/** Adds a problem of a glTF file: paths are those of its JSON. */
+export function addProblem(problems: ProblemList, path: Path, found: string, allowed: string): void {
+  const place = path.length === 0 ? 'The glTF file' : `At ${visible(formatPointer(path))} the glTF file`;
+  problems.add(path, found, allowed, `${place} has ${found}. Allowed is this: ${allowed}.`);
+}
+
+export { describe, type Path };
+
+/** The reading stops: what is wrong stands in the list of problems. */
+export class GltfFault extends Error {}

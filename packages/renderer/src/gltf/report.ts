@@ -1,0 +1,64 @@
+/** What of a file was not taken as it stands: nothing is left out in silence. */
+import { formatPointer } from '../scene/pointer.ts';
+import type { Path } from '../scene-file/problem.ts';
+
+export interface ReportEntry {
+  /** `unsupported`: left out. `changed`: taken in another form. `unused`: in the file, but nothing of the scene shown uses it. */
+  readonly kind: 'unsupported' | 'changed' | 'unused';
+  /** What it is called, such as "KHR_materials_x" or "points". */
+  readonly what: string;
+  /** An English sentence. */
+  readonly message: string;
+  /** JSON Pointers into the glTF file, at most `MOST_PLACES`. */
+  readonly places: readonly string[];
+  /** How many places there are in all. */
+  readonly count: number;
+}
+
+export interface ImportReport {
+  readonly entries: readonly ReportEntry[];
+  /** What the scene has. */
+  readonly counts: SceneCounts;
+}
+
+export interface SceneCounts {
+  readonly triangles: number;
+  readonly vertices: number;
+  readonly meshes: number;
+  readonly placements: number;
+  readonly nodes: number;
+  readonly materials: number;
+  readonly textures: number;
+  readonly images: number;
+  readonly lights: number;
+  readonly cameras: number;
+  readonly clips: number;
+  readonly skins: number;
+}
+
+export const MOST_PLACES = 20;
+
+/** Collects entries; what is said of several places is one entry. */
+export class ReportList {
+  readonly #entries = new Map<
+    string,
+    { kind: ReportEntry['kind']; what: string; message: string; places: string[]; count: number }
+  >();
+
+  add(kind: ReportEntry['kind'], what: string, path: Path, message: string): void {
+    const key = `${kind} ${what} ${message}`;
+    let entry = this.#entries.get(key);
+    if (entry === undefined) {
+      entry = { kind, what, message, places: [], count: 0 };
+      this.#entries.set(key, entry);
+    }
+    const place = formatPointer(path);
+    if (entry.places.includes(place)) return; // several nodes may have one mesh
+    entry.count++;
+    if (entry.places.length < MOST_PLACES) entry.places.push(place);
+  }
+
+  list(): ReportEntry[] {
+    return [...this.#entries.values()];
+  }
+}

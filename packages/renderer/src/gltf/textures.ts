@@ -1,0 +1,235 @@
+/** Textures and images of a file. */
+import type { ImagePixels, ImageSource, NormalTextureUse, Texture, TextureUse, Wrap } from '../scene/textures.ts';
+import { quote } from '../scene-file/problem.ts';
+import { readUri, type Sources } from './buffers.ts';
+import type { ImageDecoder } from './images/decoder.ts';
+import { type ImageHead, readImageHead } from './images/image-head.ts';
+import { extensionOf } from './json.ts';
+import { GLTF_LIMITS } from './limits.ts';
+import { addProblem, type Path } from './problems.ts';
+import { NamedThings, type Reading } from './reading.ts';
+
+export interface TextureInfo {
+  readonly index: number;
+  readonly texCoord?: number;
+  readonly scale?: number;
+  readonly extensions?: unknown;
+}
+interface TransformJson {
+  readonly offset?: [number, number];
+  readonly rotation?: number;
+  readonly scale?: [number, number];
+  readonly texCoord?: number;
+}
+
+interface ImageFile {
+  readonly bytes: Uint8Array;
+  readonly head: ImageHead;
+}
+
+const WRAPS: Readonly<Record<number, Wrap>> = { 10497: 'repeat', 33071: 'clamp', 33648: 'mirror' };
+/** Beside what every reader knows: the newer format first, as who writes both wants it taken. */
+const NEWER_SOURCES = ['EXT_texture_avif', 'EXT_texture_webp'] as const;
+/** Blocks for GPUs, which lose more and need a large transcoder: when there is nothing else. */
+const LAST_SOURCE = 'KHR_texture_basisu';
+/** So many images are decoded at a time. */
+const AT_ONCE = 4;
+
+export class TextureReader {
+  readonly #reading: Reading;
+  readonly #decoder: ImageDecoder;
+  readonly #sources: Sources;
+  readonly #files = new Map<number, Promise<ImageFile | null>>();
+  /** By place in the file's list of textures: the image taken, or null when none can be. */
+  readonly #chosen = new Map<number, number | null>();
+  /** By image and sampler. */
+  readonly #names = new Map<string, string>();
+  readonly textures = new NamedThings<Texture>();
+  readonly images = new NamedThings<ImageSource>();
+
+  constructor(reading: Reading, decoder: ImageDecoder, sources: Sources) {
+    this.#reading = reading;
+    this.#decoder = decoder;
+    this.#sources = sources;
+  }
+
+  /** Finds the file of each texture. To be called with all textures in use, before `use`. */
+  async open(textures: Iterable<number>): Promise<void> {
+    for (const index of new Set(textures)) this.#chosen.set(index, await this.#choose(index));
+  }
+
+  /** The first of a texture's images that can be decoded. */
+  async #choose(index: number): Promise<number | null> {
+    const texture = this.#reading.json.textures![index]!;
+    const path = ['textures', index];
+    const other = (name: string) => ({ name, source: extensionOf<{ source?: number }>(texture, name)?.source });
+    const all = [...NEWER_SOURCES.map(other), { name: 'source', source: texture.source }, other(LAST_SOURCE)];
+    const candidates = all.filter(({ source }) => source !== undefined);
+    for (const { name, source } of candidates) {
+      const file = await this.#file(source!);
+      if (file === null) return null; // a problem has been added
+      if (this.#decoder.canDecode(file.head.type)) return source!;
+      const { type } = file.head;
+      const instead =
+        source === candidates.at(-1)!.source ? 'the texture is left out' : 'another image of the texture stands for it';
+      this.#reading.report.add(
+        'unsupported',
+        name === 'source' ? type : name,
+        path,
+        `Images of the kind ${type} cannot be decoded here; ${instead}.`,
+      );
+    }
+    if (candidates.length === 0)
+      this.#reading.report.add('unsupported', 'texture', path, 'A texture has no image; it is left out.');
+    return null;
+  }
+
+  #file(index: number): Promise<ImageFile | null> {
+    let file = this.#files.get(index);
+    if (file === undefined) this.#files.set(index, (file = this.#open(index)));
+    return file;
+  }
+
+  async #open(index: number): Promise<ImageFile | null> {
+    const { json, buffers, problems } = this.#reading;
+    const { bufferView, uri } = json.images![index]!;
+    const path = ['images', index];
+    let bytes: Uint8Array | null = null;
+    if (bufferView !== undefined) {
+      const { buffer, byteOffset = 0, byteLength } = json.bufferViews![bufferView]!;
+      bytes = buffers[buffer]?.subarray(byteOffset, byteOffset + byteLength) ?? null;
+    } else if (uri !== undefined) bytes = await readUri(uri, [...path, 'uri'], this.#sources);
+    else addProblem(problems, path, 'no image', 'a "uri" or a "bufferView"');
+    if (bytes === null) return null;
+    const head = readImageHead(bytes);
+    if (head === null)
+      addProblem(problems, path, 'bytes that are no image', 'PNG or JPEG, or with an extension WebP, AVIF or KTX2');
+    return head && { bytes, head };
+  }
+
+  /** How a material uses a texture, or undefined when it cannot. */
+  use(info: TextureInfo | undefined, path: Path): TextureUse | undefined {
+    const image = info && this.#chosen.get(info.index);
+    if (info === undefined || image === undefined || image === null) return undefined;
+    const transform = extensionOf<TransformJson>(info, 'KHR_texture_transform');
+    const uvSet = transform?.texCoord ?? info.texCoord ?? 0;
+    if (uvSet > 1) {
+      this.#reading.report.add(
+        'unsupported',
+        `TEXCOORD_${uvSet}`,
+        path,
+        'Meshes have two sets of texture coordinates, 0 and 1; the texture is left out.',
+      );
+      return undefined;
+    }
+    const { offset, rotation, scale } = transform ?? {};
+    return {
+      texture: this.#nameOf(info.index, image),
+      ...(uvSet === 1 && { uvSet }),
+      ...(offset && { offset }),
+      ...(rotation && { rotation: (rotation * 180) / Math.PI }),
+      ...(scale && { scale }),
+    };
+  }
+
+  useNormal(info: TextureInfo | undefined, path: Path): NormalTextureUse | undefined {
+    const use = this.use(info, path);
+    return use && { ...use, ...(info!.scale !== undefined && { normalScale: info!.scale }) };
+  }
+
+  #nameOf(texture: number, image: number): string {
+    const { json } = this.#reading;
+    const { sampler, name } = json.textures![texture]!;
+    const {
+      wrapS = 10497,
+      wrapT = 10497,
+      magFilter,
+      minFilter,
+    } = sampler === undefined ? {} : json.samplers![sampler]!;
+    const nearest = magFilter === 9728;
+    const mipmaps = minFilter !== 9728 && minFilter !== 9729;
+    const key = JSON.stringify([image, wrapS, wrapT, nearest, mipmaps]);
+    const known = this.#names.get(key);
+    if (known !== undefined) return known;
+    const made = this.textures.add(
+      {
+        image: this.#imageName(image),
+        ...(wrapS !== 10497 && { wrapU: WRAPS[wrapS]! }),
+        ...(wrapT !== 10497 && { wrapV: WRAPS[wrapT]! }),
+        ...(nearest && { filter: 'nearest' as const }),
+        ...(!mipmaps && { mipmaps }),
+      },
+      name,
+      json.images![image]!.name ?? `texture ${texture}`,
+    );
+    this.#names.set(key, made);
+    return made;
+  }
+
+  #imageName(image: number): string {
+    const { name, uri } = this.#reading.json.images![image]!;
+    const file = uri === undefined || /^data:/i.test(uri) ? undefined : uri.split('/').at(-1);
+    return this.images.nameOf(image) ?? this.images.add({}, name ?? file, `image ${image}`, image);
+  }
+
+  /** Decodes all images that uses have named. Adds problems for those that are damaged. */
+  async load(onEach: (done: number, total: number) => void): Promise<void> {
+    const wanted = [...this.#files.keys()].filter((index) => this.images.nameOf(index) !== undefined);
+    const files = await Promise.all(wanted.map(async (index) => ({ index, file: (await this.#files.get(index))! })));
+    if (!this.#checkSizes(files)) return;
+    let [next, done] = [0, 0];
+    const work = async (): Promise<void> => {
+      for (let at = next++; at < files.length; at = next++) {
+        await this.#decode(files[at]!.index, files[at]!.file);
+        onEach(++done, files.length);
+      }
+    };
+    await Promise.all(Array.from({ length: AT_ONCE }, work));
+  }
+
+  /** Before anything is decoded: files of a few bytes may stand for pixels without end. */
+  #checkSizes(files: readonly { index: number; file: ImageFile }[]): boolean {
+    const { problems } = this.#reading;
+    let bytes = 0;
+    for (const { index, file } of files) {
+      const { width, height } = file.head;
+      const isSide = (side: number): boolean => side >= 1 && side <= GLTF_LIMITS.imageSide;
+      if (!isSide(width) || !isSide(height))
+        addProblem(
+          problems,
+          ['images', index],
+          `${width} × ${height} pixels`,
+          `1 to ${GLTF_LIMITS.imageSide} pixels a side`,
+        );
+      bytes += width * height * 4;
+    }
+    if (bytes > GLTF_LIMITS.imageBytes)
+      addProblem(
+        problems,
+        ['images'],
+        `images of ${bytes} bytes once they are decoded`,
+        `at most ${GLTF_LIMITS.imageBytes} bytes`,
+      );
+    return problems.isEmpty;
+  }
+
+  async #decode(index: number, { bytes, head }: ImageFile): Promise<void> {
+    const { problems, report } = this.#reading;
+    const path = ['images', index];
+    const name = this.images.nameOf(index)!;
+    if (head.depth > 8)
+      report.add('changed', `${head.depth}-bit image`, path, `Channels of ${head.depth} bits are rounded to 8.`);
+    try {
+      const data: ImagePixels = await this.#decoder.decode(bytes, head.type);
+      this.images.things[name] = { data };
+    } catch (error) {
+      const reason = (error instanceof Error ? error.message : String(error)).replace(/\.$/, '');
+      addProblem(
+        problems,
+        path,
+        `the image ${quote(name)}, which cannot be decoded (${reason})`,
+        `a whole ${head.type}`,
+      );
+    }
+  }
+}

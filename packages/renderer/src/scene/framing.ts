@@ -1,0 +1,48 @@
+/** A camera that shows all of a scene, as model-viewer places its own: from the front, a little from above. */
+import { boundsAt, visitPoints } from './bounds.ts';
+import type { Camera, Scene, Vec3 } from './scene.ts';
+
+export interface FramingOptions {
+  /** Full vertical field of view, degrees. Default: 30. */
+  readonly verticalFov?: number;
+  /** Degrees about +Y from the front, +Z, towards +X. Default: 0. */
+  readonly azimuth?: number;
+  /** Degrees above the horizon. Default: 15. */
+  readonly elevation?: number;
+  /** What is left free: the distance at which a ball around everything just fits the picture, times this. Default: 1.05. */
+  readonly margin?: number;
+}
+
+/** What a scene without extent is framed as: a thing of this radius. */
+const SMALLEST_RADIUS = 1e-6;
+
+/**
+ * A camera that sees everything with an end that the scene has at the time, in a square picture and in any that is wider. It looks at the
+ * middle of the box around it; the ball about that middle fits the field of view. Null when there is nothing to frame.
+ */
+export function frameScene(scene: Scene, time = 0, options: FramingOptions = {}): Camera | null {
+  const bounds = boundsAt(scene, time);
+  if (bounds === null) return null;
+  const { min, max } = bounds;
+  const target: Vec3 = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+  let square = 0;
+  visitPoints(scene, time, (x, y, z) => {
+    square = Math.max(square, (x - target[0]) ** 2 + (y - target[1]) ** 2 + (z - target[2]) ** 2);
+  });
+  return cameraAround(target, Math.sqrt(square), options);
+}
+
+/** A camera that sees the ball. */
+export function cameraAround(target: Vec3, radius: number, options: FramingOptions = {}): Camera {
+  const { verticalFov = 30, azimuth = 0, elevation = 15, margin = 1.05 } = options;
+  const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
+  // Far from the origin a step must not be lost in the rounding of the place itself.
+  const least = Math.max(SMALLEST_RADIUS, Math.hypot(...target) * 1e-6);
+  const distance = (margin * Math.max(radius, least)) / Math.sin((verticalFov * Math.PI) / 360);
+  const eye: Vec3 = [
+    target[0] + distance * Math.cos(e) * Math.sin(a),
+    target[1] + distance * Math.sin(e),
+    target[2] + distance * Math.cos(e) * Math.cos(a),
+  ];
+  return { eye, target, up: [0, 1, 0], verticalFov };
+}
