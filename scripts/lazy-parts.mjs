@@ -21,6 +21,18 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @type {readonly Part[]}
  */
 const PARTS = [
+  {
+    name: 'still',
+    importer: 'cpu-renderer.ts',
+    asked: './reference/reference-renderer.ts',
+    entry: join(source, 'reference/reference-renderer.ts'),
+  },
+  {
+    name: 'mesh-files',
+    importer: 'scene-file/load-meshes.ts',
+    asked: '../mesh-file/mesh-file.ts',
+    entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
   { name: 'gltf', importer: 'gltf/index.ts', asked: './read-gltf.ts', entry: join(source, 'gltf/read-gltf.ts') },
   {
     name: 'ktx2',

@@ -1,7 +1,6 @@
 import { filmToSrgb } from './display/srgb.ts';
 import { NO_FIGURES } from './frame-figures.ts';
 import type { StillStart } from './reference/progressive.ts';
-import { renderStill } from './reference/reference-renderer.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Scene } from './scene/scene.ts';
 import { openStillScreen, type ShowStill } from './still-screen.ts';
@@ -158,6 +157,7 @@ export class CpuRenderer implements Renderer {
     const { signal } = this.#abort;
     this.#drawing = of;
     try {
+      const { renderStill } = await import('./reference/reference-renderer.ts');
       const film = await renderStill(this.#view.sceneNow(), this.#view.camera, still, width, height, progress, signal);
       this.#whole = { film, samples, of };
       progress(film, 1);

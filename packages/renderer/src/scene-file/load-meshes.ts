@@ -1,5 +1,5 @@
 /** The meshes of a scene: from the bytes of files to triangles. */
-import { type MeshContent, type MeshFile, readMeshFile } from '../mesh-file/mesh-file.ts';
+import type { MeshContent, MeshFile } from '../mesh-file/mesh-file.ts';
 import { shadedMesh } from '../mesh-file/shaded-mesh.ts';
 import { type LoadedMesh, lacksData, type Mesh, type MeshSource } from '../scene/mesh.ts';
 import { crowdFault } from '../scene/mesh-fault.ts';
@@ -26,7 +26,9 @@ class MeshFiles {
   }
 
   async #load(file: string, asOne: boolean): Promise<MeshFile> {
-    const content = readMeshFile(await this.#readFile(file), file, { asOne });
+    const bytes = await this.#readFile(file);
+    const { readMeshFile } = await import('../mesh-file/mesh-file.ts');
+    const content = readMeshFile(bytes, file, { asOne });
     if (content.ok) this.#notes.push(...content.notes.map((note) => `The mesh file ${quote(file)}: ${note}`));
     return content;
   }
