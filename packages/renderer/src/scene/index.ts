@@ -1,5 +1,5 @@
 export { type CompiledAnimation, compileAnimation, sceneAt } from './animation.ts';
-export { type Bounds, boundsAt } from './bounds.ts';
+export { boundsAt } from './bounds.ts';
 export { focusOf } from './camera.ts';
 export { type Deformed, deform, isDeformable, jointMatrices, makeDeformed, type Pose } from './deform.ts';
 export type { EnvironmentMap } from './environment.ts';
