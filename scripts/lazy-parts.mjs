@@ -2,7 +2,6 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
-import { build } from 'vite';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
 const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
@@ -177,6 +176,8 @@ function byteText(/** @type {string} */ id) {
 
 /** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written @param {readonly string[]} without */
 async function buildPart(part, as, written, without) {
+  // Not above: build-studio.mjs takes a name from here before the packages are installed.
+  const { build } = await import('vite');
   const result = await build({
     configFile: false,
     root: dirname(part.entry),
