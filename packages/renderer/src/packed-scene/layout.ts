@@ -123,7 +123,7 @@ export const STRUCTS = {
     nodes: field('u32', 'row of the root of its tree'),
     triangles: field('u32', 'row of its first triangle'),
     interpolated: field('u32', '1: shading normals are interpolated; 0: triangles are flat'),
-    spare: field('u32', 'unused'),
+    row: field('u32', 'of the scene table: what it is made of'),
   },
   Frame: {
     right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),

@@ -6,9 +6,11 @@
 
 import { buildBvh } from '../bvh/build-bvh.ts';
 import { type Bvh, leafCount } from '../bvh/bvh.ts';
+import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
-import { inverse, type Placement, placementOf } from '../scene/placement.ts';
+import { meshMatrices } from '../scene/placed.ts';
+import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
 import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import { encodeWideBvh } from './encode-wide-bvh.ts';
@@ -41,17 +43,26 @@ export class DeepTreeError extends Error {
   override readonly name = 'DeepTreeError';
 }
 
+/** One instance. */
 interface Placed {
-  readonly shape: MeshShape;
+  readonly placement: Placement;
   readonly mesh: Mesh;
+  /** Of the scene table. */
+  readonly row: number;
 }
 
-/** `shapes`: those of the scene that are meshes, in the order of their rows. Every mesh has its data. */
-export function packGeometry(scene: Scene, shapes: readonly MeshShape[], eye: Vec3): PackedGeometry {
-  const placed = shapes.map((shape) => ({ shape, mesh: dataOf(scene, shape) }));
+/** A mesh that stands in the world: `row` of the scene table says what it is made of. */
+export interface MeshInRow {
+  readonly shape: MeshShape;
+  readonly row: number;
+}
+
+/** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
+export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
+  const placed = shapes.flatMap((shape) => instancesOf(scene, shape));
   const meshes = new Map([...new Set(placed.map(({ mesh }) => mesh))].map((mesh) => [mesh, packMesh(mesh)]));
-  // Twice the room that is needed, so that a few more instances move nothing.
-  const room = 2 ** Math.ceil(Math.log2(Math.max(shapes.length, 1)));
+  // Up to twice the room that is needed, so that a few more instances move nothing.
+  const room = 2 ** Math.ceil(Math.log2(Math.max(placed.length, 1)));
   const instances = room * NODE_ROWS;
   const movingRows = instances + room * INSTANCE_ROWS;
   const starts = new Map<Mesh, number>();
@@ -61,19 +72,31 @@ export function packGeometry(scene: Scene, shapes: readonly MeshShape[], eye: Ve
     rows += (nodes.length + triangles.length) / GEOMETRY_ROW;
   }
   const moving = createBlock(movingRows * ROW_BYTES);
-  const deepest = Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed));
-  writeTree(moving, placed, eye, deepest);
-  placed.forEach(({ shape, mesh }, i) => {
+  writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
+  placed.forEach(({ placement, mesh, row }, i) => {
     const nodes = starts.get(mesh)!;
     const triangles = nodes + meshes.get(mesh)!.nodes.length / GEOMETRY_ROW;
     writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
-      ...rowsInto(placementOf(shape), eye),
+      ...rowsInto(placement, eye),
       nodes,
       triangles,
       interpolated: mesh.normals ? 1 : 0,
+      row,
     });
   });
-  return { movingRows, moving, instances, instanceCount: shapes.length, meshes: [...meshes.values()], rows };
+  return { movingRows, moving, instances, instanceCount: placed.length, meshes: [...meshes.values()], rows };
+}
+
+/** Those that have no thickness left, as a node scaled to nothing has, are not there. */
+function instancesOf(scene: Scene, { shape, row }: MeshInRow): Placed[] {
+  const mesh = dataOf(scene, shape);
+  const matrices = meshMatrices(shape, IDENTITY);
+  const placed: Placed[] = [];
+  for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
+    const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
+    if (isSolid(placement)) placed.push({ placement, mesh, row });
+  }
+  return placed;
 }
 
 function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {
@@ -95,8 +118,8 @@ function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest:
 
 /** Over the instances' boxes, relative to the eye; each instance is a leaf of its own. */
 function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
-  const corners = placed.flatMap(({ shape, mesh }) => {
-    const { min, max } = placedBounds(meshBounds(mesh), placementOf(shape));
+  const corners = placed.flatMap(({ placement, mesh }) => {
+    const { min, max } = placedBounds(meshBounds(mesh), placement);
     return [...subtract(min, eye), ...subtract(max, eye)];
   });
   // A triangle from corner to corner of a box has that box.

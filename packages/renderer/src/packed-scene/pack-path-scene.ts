@@ -38,7 +38,9 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  const meshes = Object.values(lamps.scene.shapes).filter((shape) => shape.type === 'mesh');
+  const meshes = Object.entries(lamps.scene.shapes).flatMap(([name, shape]) =>
+    shape.type === 'mesh' ? [{ shape, row: rows.get(name)! }] : [],
+  );
   const geometry = packGeometry(lamps.scene, meshes, eye);
   return { ...packed, ...skyOf(scene.sky), geometry, emitterCount: emitters.length };
 }

@@ -74,7 +74,7 @@ struct RayPair {
   // inwards only its far side counts.
   shape: u32,
   // Of a mesh: the triangle, which no ray that leaves it meets.
-  triangle: u32,
+  left: LeftTriangle,
   // ray.wesl, Start.tMin
   tMin: f32,
   // Whether the path's ray is wanted.
@@ -97,8 +97,15 @@ struct PairHit {
   // Whether the light is hidden.
   blocked: bool,
   // Of a mesh: which triangle, and how much its second and third vertex count.
-  triangle: u32,
+  triangle: LeftTriangle,
   weights: vec2f,
+}
+
+
+// A triangle of an instance: such as a ray starts on; it is flat, so that no ray meets it again.
+struct LeftTriangle {
+  instance: u32,
+  triangle: u32,
 }
 
 
@@ -138,12 +145,12 @@ fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
 
 // A ray that starts on no shape, without one to a light.
 fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
-  return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
+  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn tracePair(p: RayPair) -> PairHit {
-  var found = PairHit(miss, noShape, false, 0u, vec2f(0.0));
+  var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
   if (hasSpheres & (i < ends.x)) {
@@ -436,6 +443,10 @@ struct CameraRay {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
+const noTriangle = LeftTriangle(noInstance, 0u);
+
+const noInstance = 0xffffffffu;
+
 const miss = 1e30;
 
 // What a scene may ask of the path kernel. Whoever makes a program says what its scenes have (integrator/path/path-features.ts), and the
@@ -486,7 +497,7 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   let pathT = select(t.x, miss, own & !p.inwards);
   let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
   let nearer = pathT < found.t;
-  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), 0u, vec2f(0.0));
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
 }
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
@@ -613,27 +624,16 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 const parallel = 1e-12;
 
 fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
-  let first = frame.shapeEnds.w;
-  let left = LeftTriangle(select(noInstance, p.shape - first, isMesh(p.shape) & (p.shape != noShape)), p.triangle);
   let most = select(-1.0, found.t, p.goesOn);
   let lightMost = select(p.lightDistance, -1.0, found.blocked);
-  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), left);
-  let met = hit.instance != noInstance;
-  return PairHit(select(found.t, hit.t, met), select(found.shape, first + hit.instance, met), found.blocked | hit.blocked, hit.triangle, hit.weights);
-}
-
-// The triangle that a ray starts on; it is flat, so that no ray meets it again.
-struct LeftTriangle {
-  instance: u32,
-  triangle: u32,
-}
-
-
-const noInstance = 0xffffffffu;
-
-// Rows after those of all other shapes, in the order of the instances.
-fn isMesh(i: u32) -> bool {
-  return i >= frame.shapeEnds.w;
+  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), p.left);
+  var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
+  if (hit.instance != noInstance) {
+    result.t = hit.t;
+    result.shape = rowOfInstance(hit.instance);
+    result.triangle = LeftTriangle(hit.instance, hit.triangle);
+  }
+  return result;
 }
 
 fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
@@ -760,6 +760,46 @@ struct MeshRays {
 }
 
 
+// Of the scene table.
+fn rowOfInstance(instance: u32) -> u32 {
+  return fetchInstance(frame.instances + instance * instanceRows).row;
+}
+
+fn fetchInstance(row: u32) -> Instance {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  let r3 = geometryRow(row + 3u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
+}
+
+const instanceRows = 4u;
+
+fn geometryRow(i: u32) -> vec4u {
+  return geometry[i];
+}
+
+struct Instance {
+  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
+  toMeshX: vec4f,
+  // y
+  toMeshY: vec4f,
+  // z
+  toMeshZ: vec4f,
+  // row of the root of its tree
+  nodes: u32,
+  // row of its first triangle
+  triangles: u32,
+  // 1: shading normals are interpolated; 0: triangles are flat
+  interpolated: u32,
+  // of the scene table: what it is made of
+  row: u32,
+}
+
+
+// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
+@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
+
 struct MeshHit {
   t: f32,
   // noInstance: nothing met.
@@ -801,10 +841,6 @@ const leafBit = 0x80000000u;
 // Rows of a node; from the rows of least to those of greatest places; and where the references are.
 const nodeRows = 7u;
 
-fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
-}
-
 const childrenRow = 6u;
 
 // Where the ray enters each child, 1e30 where it does not.
@@ -819,9 +855,6 @@ fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
 
 // pack-geometry.ts refuses trees that need more.
 var<private> stack: array<u32, 64>;
-
-// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
-@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
 
 const leastToGreatest = 3u;
 
@@ -848,34 +881,6 @@ fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
   let d = turnedTo(axis, direction);
   return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
 }
-
-fn fetchInstance(row: u32) -> Instance {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  let r3 = geometryRow(row + 3u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
-}
-
-const instanceRows = 4u;
-
-struct Instance {
-  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
-  toMeshX: vec4f,
-  // y
-  toMeshY: vec4f,
-  // z
-  toMeshZ: vec4f,
-  // row of the root of its tree
-  nodes: u32,
-  // row of its first triangle
-  triangles: u32,
-  // 1: shading normals are interpolated; 0: triangles are flat
-  interpolated: u32,
-  // unused
-  spare: u32,
-}
-
 
 // The axis comes last.
 fn turnedTo(axis: u32, v: vec3f) -> vec3f {
@@ -954,8 +959,8 @@ fn fetchSurface(i: u32) -> Surface {
 fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
   let outward = normalAt(rays, hit.t, shape);
   var normals = Normals(outward, outward);
-  if (hasMeshes & isMesh(shape)) {
-    let n = meshNormals(shape - frame.shapeEnds.w, hit.triangle, hit.weights);
+  if (hasMeshes & (hit.triangle.instance != noInstance)) {
+    let n = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
     let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
     normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
   }

@@ -16,10 +16,14 @@ struct Layers {
     vec4 first;
     vec4 second;
 };
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
 struct RayPair {
     vec3 point;
     uint shape;
-    uint triangle;
+    LeftTriangle left;
     float tMin;
     bool goesOn;
     vec3 direction;
@@ -33,7 +37,7 @@ struct PairHit {
     float t;
     uint shape;
     bool blocked;
-    uint triangle;
+    LeftTriangle triangle;
     vec2 weights;
 };
 struct Sight {
@@ -104,10 +108,6 @@ struct Slabs {
     float near;
     float far;
 };
-struct LeftTriangle {
-    uint instance;
-    uint triangle;
-};
 struct MeshRays {
     vec3 origin;
     vec3 direction;
@@ -140,7 +140,7 @@ struct Instance {
     uint nodes;
     uint triangles;
     uint interpolated;
-    uint spare;
+    uint row;
 };
 struct Triangle {
     vec3 a;
@@ -184,6 +184,7 @@ struct Material {
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
+const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
 const uint beginning = 4294967294u;
 const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
@@ -459,7 +460,7 @@ CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
 }
 
 RayPair oneRay(vec3 origin, vec3 direction) {
-    return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
+    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
 Bounds fetchBounds(uint i) {
@@ -484,7 +485,7 @@ PairHit meet(PairHit found, RayPair p, uint i_1, vec2 t) {
     float pathT = pick(pick(own_1, !(p.inwards), false), 1e30, t.x);
     float lightT = pick(pick(pick(own_1, !(p.lightInwards), false), true, (i_1 == p.lightShape)), 1e30, t.y);
     bool nearer = (pathT < found.t);
-    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p.lightDistance)), 0u, vec2(0.0));
+    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
@@ -588,13 +589,8 @@ PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
     return _e17;
 }
 
-bool isMesh(uint i_7) {
-    uint _e4 = frame.shapeEnds.w;
-    return (i_7 >= _e4);
-}
-
-uvec4 geometryRow(uint i_8) {
-    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
+uvec4 geometryRow(uint i_7) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
     return _e8;
 }
 
@@ -840,93 +836,104 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     return _e341;
 }
 
+uint rowOfInstance(uint instance_1) {
+    uint _e3 = frame.instances;
+    Instance _e7 = fetchInstance((_e3 + (instance_1 * instanceRows)));
+    return _e7.row;
+}
+
 PairHit meetMeshes(PairHit found_6, RayPair p_5) {
-    uint first_1 = frame.shapeEnds.w;
-    bool _e10 = isMesh(p_5.shape);
-    LeftTriangle left_1 = LeftTriangle(pick(pick(_e10, (p_5.shape != noShape), false), (p_5.shape - first_1), noInstance), p_5.triangle);
+    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
     float most_1 = pick(p_5.goesOn, found_6.t, -1.0);
     float lightMost = pick(found_6.blocked, -1.0, p_5.lightDistance);
-    MeshHit _e31 = traverse(MeshRays(p_5.point, p_5.direction, p_5.lightDirection, p_5.tMin, most_1, lightMost), left_1);
-    bool met = (_e31.instance != noInstance);
-    return PairHit(pick(met, _e31.t, found_6.t), pick(met, (first_1 + _e31.instance), found_6.shape), pick(found_6.blocked, true, _e31.blocked), _e31.triangle, _e31.weights);
+    MeshHit _e16 = traverse(MeshRays(p_5.point, p_5.direction, p_5.lightDirection, p_5.tMin, most_1, lightMost), p_5.left);
+    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e16.blocked), noTriangle, _e16.weights);
+    if ((_e16.instance != noInstance)) {
+        result.t = _e16.t;
+        uint _e33 = rowOfInstance(_e16.instance);
+        result.shape = _e33;
+        result.triangle = LeftTriangle(_e16.instance, _e16.triangle);
+    }
+    PairHit _e38 = result;
+    return _e38;
 }
 
 PairHit tracePair(RayPair p_6) {
-    PairHit found_7 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
-    uint i_9 = 0u;
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_8 = 0u;
     uvec4 ends = frame.shapeEnds;
-    const bool _e15 = hasSpheres;
-    uint _e16 = i_9;
-    if (pick(_e15, (_e16 < ends.x), false)) {
+    const bool _e17 = hasSpheres;
+    uint _e18 = i_8;
+    if (pick(_e17, (_e18 < ends.x), false)) {
         while(true) {
-            PairHit _e20 = found_7;
-            uint _e21 = i_9;
-            PairHit _e22 = meetSphere(_e20, p_6, _e21);
-            found_7 = _e22;
-            uint _e24 = i_9;
-            i_9 = (_e24 + 1u);
-            uint _e26 = i_9;
-            if ((_e26 >= ends.x)) {
+            PairHit _e22 = found_7;
+            uint _e23 = i_8;
+            PairHit _e24 = meetSphere(_e22, p_6, _e23);
+            found_7 = _e24;
+            uint _e26 = i_8;
+            i_8 = (_e26 + 1u);
+            uint _e28 = i_8;
+            if ((_e28 >= ends.x)) {
                 break;
             }
         }
     }
-    const bool _e30 = hasBoxes;
-    uint _e31 = i_9;
-    if (pick(_e30, (_e31 < ends.y), false)) {
+    const bool _e32 = hasBoxes;
+    uint _e33 = i_8;
+    if (pick(_e32, (_e33 < ends.y), false)) {
         while(true) {
-            PairHit _e35 = found_7;
-            uint _e36 = i_9;
-            PairHit _e37 = meetBox(_e35, p_6, _e36);
-            found_7 = _e37;
-            uint _e39 = i_9;
-            i_9 = (_e39 + 1u);
-            uint _e41 = i_9;
-            if ((_e41 >= ends.y)) {
+            PairHit _e37 = found_7;
+            uint _e38 = i_8;
+            PairHit _e39 = meetBox(_e37, p_6, _e38);
+            found_7 = _e39;
+            uint _e41 = i_8;
+            i_8 = (_e41 + 1u);
+            uint _e43 = i_8;
+            if ((_e43 >= ends.y)) {
                 break;
             }
         }
     }
-    const bool _e45 = hasQuads;
-    uint _e46 = i_9;
-    if (pick(_e45, (_e46 < ends.z), false)) {
+    const bool _e47 = hasQuads;
+    uint _e48 = i_8;
+    if (pick(_e47, (_e48 < ends.z), false)) {
         while(true) {
-            PairHit _e50 = found_7;
-            uint _e51 = i_9;
-            PairHit _e52 = meetQuad(_e50, p_6, _e51);
-            found_7 = _e52;
-            uint _e54 = i_9;
-            i_9 = (_e54 + 1u);
-            uint _e56 = i_9;
-            if ((_e56 >= ends.z)) {
+            PairHit _e52 = found_7;
+            uint _e53 = i_8;
+            PairHit _e54 = meetQuad(_e52, p_6, _e53);
+            found_7 = _e54;
+            uint _e56 = i_8;
+            i_8 = (_e56 + 1u);
+            uint _e58 = i_8;
+            if ((_e58 >= ends.z)) {
                 break;
             }
         }
     }
-    const bool _e60 = hasPlanes;
-    uint _e61 = i_9;
-    if (pick(_e60, (_e61 < ends.w), false)) {
+    const bool _e62 = hasPlanes;
+    uint _e63 = i_8;
+    if (pick(_e62, (_e63 < ends.w), false)) {
         while(true) {
-            PairHit _e65 = found_7;
-            uint _e66 = i_9;
-            PairHit _e67 = meetPlane(_e65, p_6, _e66);
-            found_7 = _e67;
-            uint _e69 = i_9;
-            i_9 = (_e69 + 1u);
-            uint _e71 = i_9;
-            if ((_e71 >= ends.w)) {
+            PairHit _e67 = found_7;
+            uint _e68 = i_8;
+            PairHit _e69 = meetPlane(_e67, p_6, _e68);
+            found_7 = _e69;
+            uint _e71 = i_8;
+            i_8 = (_e71 + 1u);
+            uint _e73 = i_8;
+            if ((_e73 >= ends.w)) {
                 break;
             }
         }
     }
-    const bool _e75 = hasMeshes;
-    if (_e75) {
-        PairHit _e76 = found_7;
-        PairHit _e77 = meetMeshes(_e76, p_6);
-        found_7 = _e77;
+    const bool _e77 = hasMeshes;
+    if (_e77) {
+        PairHit _e78 = found_7;
+        PairHit _e79 = meetMeshes(_e78, p_6);
+        found_7 = _e79;
     }
-    PairHit _e78 = found_7;
-    return _e78;
+    PairHit _e80 = found_7;
+    return _e80;
 }
 
 Sight look(vec2 fragment_2) {
@@ -947,19 +954,19 @@ Sight look(vec2 fragment_2) {
     return Sight(_e22, _e28, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
-Surface fetchSurface(uint i_10) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_10)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_10)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_10)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_10)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_10)), 0);
+Surface fetchSurface(uint i_9) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_9)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_9)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_9)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_9)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_9)), 0);
     return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-bool isPlane(uint i_11) {
+bool isPlane(uint i_10) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_11 >= _e4), (i_11 < _e9), false);
+    return pick((i_10 >= _e4), (i_10 < _e9), false);
 }
 
 vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
@@ -978,45 +985,45 @@ vec3 turnedBack(vec4 q_2, vec3 v_3) {
     return _e6;
 }
 
-bool isBox(uint i_12) {
+bool isBox(uint i_11) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
 }
 
-bool isSphere(uint i_13) {
+bool isSphere(uint i_12) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_13 < _e4);
+    return (i_12 < _e4);
 }
 
-vec3 normalAt(RayPair p_7, float t_2, uint i_14) {
+vec3 normalAt(RayPair p_7, float t_2, uint i_13) {
     vec3 normal_1 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_14);
+    Bounds _e3 = fetchBounds(i_13);
     vec3 origin_10 = (p_7.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
-        Extent _e11 = fetchExtent(i_14);
+        Extent _e11 = fetchExtent(i_13);
         vec3 _e17 = normal_1;
-        bool _e18 = isPlane(i_14);
+        bool _e18 = isPlane(i_13);
         normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
-        Extent _e22 = fetchExtent(i_14);
-        bool inside = pick((i_14 == p_7.shape), p_7.inwards, false);
+        Extent _e22 = fetchExtent(i_13);
+        bool inside = pick((i_13 == p_7.shape), p_7.inwards, false);
         vec3 _e28 = turned(_e22.a, origin_10);
         vec3 _e31 = turned(_e22.a, p_7.direction);
         vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
-        bool _e39 = isBox(i_14);
+        bool _e39 = isBox(i_13);
         normal_1 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
         vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
+        bool _e47 = isSphere(i_13);
         normal_1 = pick(_e47, (origin_10 + (t_2 * p_7.direction)), _e43);
     }
     vec3 _e49 = normal_1;
@@ -1030,9 +1037,9 @@ vec3 fromOctahedral(uint code) {
     return normalize(vec3(pick((z < 0.0), folded, p_12), z));
 }
 
-MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
+MeshNormals meshNormals(uint instance_2, uint place, vec2 weights) {
     uint _e5 = frame.instances;
-    Instance _e9 = fetchInstance((_e5 + (instance_1 * instanceRows)));
+    Instance _e9 = fetchInstance((_e5 + (instance_2 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
     vec3 normal_3 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
     vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_3));
@@ -1052,15 +1059,13 @@ Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
     vec3 _e5 = normalAt(rays_1, hit.t, shape);
     normals = Normals(_e5, _e5);
     const bool _e9 = hasMeshes;
-    bool _e10 = isMesh(shape);
-    if (pick(_e9, _e10, false)) {
-        uint _e15 = frame.shapeEnds.w;
-        MeshNormals _e19 = meshNormals((shape - _e15), hit.triangle, hit.weights);
-        bool agree = ((dot(_e19.geometric, rays_1.direction) > 0.0) == (dot(_e19.shading, rays_1.direction) > 0.0));
-        normals = Normals(_e19.geometric, pick(pick(isGlass, !(agree), false), _e19.geometric, _e19.shading));
+    if (pick(_e9, (hit.triangle.instance != noInstance), false)) {
+        MeshNormals _e20 = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+        bool agree = ((dot(_e20.geometric, rays_1.direction) > 0.0) == (dot(_e20.shading, rays_1.direction) > 0.0));
+        normals = Normals(_e20.geometric, pick(pick(isGlass, !(agree), false), _e20.geometric, _e20.shading));
     }
-    Normals _e38 = normals;
-    return _e38;
+    Normals _e39 = normals;
+    return _e39;
 }
 
 uint kindOf(uint code_1) {
@@ -1118,9 +1123,9 @@ vec3 albedoOf(Surface s_3, bool fromBack) {
     return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));
 }
 
-Material fetchMaterial(uint i_15) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_15)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_15)), 0);
+Material fetchMaterial(uint i_14) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_14)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_14)), 0);
     return Material(t0_4.xyz, t0_4.w, t1_3.x, t1_3.y, t1_3.z, t1_3.w);
 }
 

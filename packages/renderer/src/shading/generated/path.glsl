@@ -16,10 +16,14 @@ struct Film {
     vec4 sums;
     vec4 squares;
 };
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
 struct RayPair {
     vec3 point;
     uint shape;
-    uint triangle;
+    LeftTriangle left;
     float tMin;
     bool goesOn;
     vec3 direction;
@@ -94,7 +98,7 @@ struct PairHit {
     float t;
     uint shape;
     bool blocked;
-    uint triangle;
+    LeftTriangle triangle;
     vec2 weights;
 };
 struct Bounds {
@@ -110,10 +114,6 @@ struct Slabs {
     vec3 leave;
     float near;
     float far;
-};
-struct LeftTriangle {
-    uint instance;
-    uint triangle;
 };
 struct MeshRays {
     vec3 origin;
@@ -147,7 +147,7 @@ struct Instance {
     uint nodes;
     uint triangles;
     uint interpolated;
-    uint spare;
+    uint row;
 };
 struct Triangle {
     vec3 a;
@@ -290,6 +290,7 @@ struct BsdfSample {
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
+const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
 const uint beginning = 4294967294u;
 const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
@@ -614,7 +615,7 @@ vec2 lensPoint_2(inout Sampler s_3) {
 }
 
 RayPair oneRay(vec3 origin, vec3 direction) {
-    return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
+    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
 Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
@@ -654,7 +655,7 @@ PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
     float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
     float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
     bool nearer = (pathT < found.t);
-    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), 0u, vec2(0.0));
+    return PairHit(pick(nearer, pathT, found.t), pick(nearer, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
@@ -758,13 +759,8 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
     return _e17;
 }
 
-bool isMesh(uint i_7) {
-    uint _e4 = frame.shapeEnds.w;
-    return (i_7 >= _e4);
-}
-
-uvec4 geometryRow(uint i_8) {
-    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
+uvec4 geometryRow(uint i_7) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
     return _e8;
 }
 
@@ -1010,101 +1006,112 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     return _e341;
 }
 
+uint rowOfInstance(uint instance_1) {
+    uint _e3 = frame.instances;
+    Instance _e7 = fetchInstance((_e3 + (instance_1 * instanceRows)));
+    return _e7.row;
+}
+
 PairHit meetMeshes(PairHit found_6, RayPair p_6) {
-    uint first_1 = frame.shapeEnds.w;
-    bool _e10 = isMesh(p_6.shape);
-    LeftTriangle left_1 = LeftTriangle(pick(pick(_e10, (p_6.shape != noShape), false), (p_6.shape - first_1), noInstance), p_6.triangle);
+    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
     float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
     float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
-    MeshHit _e31 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost), left_1);
-    bool met = (_e31.instance != noInstance);
-    return PairHit(pick(met, _e31.t, found_6.t), pick(met, (first_1 + _e31.instance), found_6.shape), pick(found_6.blocked, true, _e31.blocked), _e31.triangle, _e31.weights);
+    MeshHit _e16 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost), p_6.left);
+    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e16.blocked), noTriangle, _e16.weights);
+    if ((_e16.instance != noInstance)) {
+        result.t = _e16.t;
+        uint _e33 = rowOfInstance(_e16.instance);
+        result.shape = _e33;
+        result.triangle = LeftTriangle(_e16.instance, _e16.triangle);
+    }
+    PairHit _e38 = result;
+    return _e38;
 }
 
 PairHit tracePair(RayPair p_7) {
-    PairHit found_7 = PairHit(1e30, 4294967295u, false, 0u, vec2(0.0));
-    uint i_9 = 0u;
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_8 = 0u;
     uvec4 ends = frame.shapeEnds;
-    const bool _e15 = hasSpheres;
-    uint _e16 = i_9;
-    if (pick(_e15, (_e16 < ends.x), false)) {
+    const bool _e17 = hasSpheres;
+    uint _e18 = i_8;
+    if (pick(_e17, (_e18 < ends.x), false)) {
         while(true) {
-            PairHit _e20 = found_7;
-            uint _e21 = i_9;
-            PairHit _e22 = meetSphere(_e20, p_7, _e21);
-            found_7 = _e22;
-            uint _e24 = i_9;
-            i_9 = (_e24 + 1u);
-            uint _e26 = i_9;
-            if ((_e26 >= ends.x)) {
+            PairHit _e22 = found_7;
+            uint _e23 = i_8;
+            PairHit _e24 = meetSphere(_e22, p_7, _e23);
+            found_7 = _e24;
+            uint _e26 = i_8;
+            i_8 = (_e26 + 1u);
+            uint _e28 = i_8;
+            if ((_e28 >= ends.x)) {
                 break;
             }
         }
     }
-    const bool _e30 = hasBoxes;
-    uint _e31 = i_9;
-    if (pick(_e30, (_e31 < ends.y), false)) {
+    const bool _e32 = hasBoxes;
+    uint _e33 = i_8;
+    if (pick(_e32, (_e33 < ends.y), false)) {
         while(true) {
-            PairHit _e35 = found_7;
-            uint _e36 = i_9;
-            PairHit _e37 = meetBox(_e35, p_7, _e36);
-            found_7 = _e37;
-            uint _e39 = i_9;
-            i_9 = (_e39 + 1u);
-            uint _e41 = i_9;
-            if ((_e41 >= ends.y)) {
+            PairHit _e37 = found_7;
+            uint _e38 = i_8;
+            PairHit _e39 = meetBox(_e37, p_7, _e38);
+            found_7 = _e39;
+            uint _e41 = i_8;
+            i_8 = (_e41 + 1u);
+            uint _e43 = i_8;
+            if ((_e43 >= ends.y)) {
                 break;
             }
         }
     }
-    const bool _e45 = hasQuads;
-    uint _e46 = i_9;
-    if (pick(_e45, (_e46 < ends.z), false)) {
+    const bool _e47 = hasQuads;
+    uint _e48 = i_8;
+    if (pick(_e47, (_e48 < ends.z), false)) {
         while(true) {
-            PairHit _e50 = found_7;
-            uint _e51 = i_9;
-            PairHit _e52 = meetQuad(_e50, p_7, _e51);
-            found_7 = _e52;
-            uint _e54 = i_9;
-            i_9 = (_e54 + 1u);
-            uint _e56 = i_9;
-            if ((_e56 >= ends.z)) {
+            PairHit _e52 = found_7;
+            uint _e53 = i_8;
+            PairHit _e54 = meetQuad(_e52, p_7, _e53);
+            found_7 = _e54;
+            uint _e56 = i_8;
+            i_8 = (_e56 + 1u);
+            uint _e58 = i_8;
+            if ((_e58 >= ends.z)) {
                 break;
             }
         }
     }
-    const bool _e60 = hasPlanes;
-    uint _e61 = i_9;
-    if (pick(_e60, (_e61 < ends.w), false)) {
+    const bool _e62 = hasPlanes;
+    uint _e63 = i_8;
+    if (pick(_e62, (_e63 < ends.w), false)) {
         while(true) {
-            PairHit _e65 = found_7;
-            uint _e66 = i_9;
-            PairHit _e67 = meetPlane(_e65, p_7, _e66);
-            found_7 = _e67;
-            uint _e69 = i_9;
-            i_9 = (_e69 + 1u);
-            uint _e71 = i_9;
-            if ((_e71 >= ends.w)) {
+            PairHit _e67 = found_7;
+            uint _e68 = i_8;
+            PairHit _e69 = meetPlane(_e67, p_7, _e68);
+            found_7 = _e69;
+            uint _e71 = i_8;
+            i_8 = (_e71 + 1u);
+            uint _e73 = i_8;
+            if ((_e73 >= ends.w)) {
                 break;
             }
         }
     }
-    const bool _e75 = hasMeshes;
-    if (_e75) {
-        PairHit _e76 = found_7;
-        PairHit _e77 = meetMeshes(_e76, p_7);
-        found_7 = _e77;
+    const bool _e77 = hasMeshes;
+    if (_e77) {
+        PairHit _e78 = found_7;
+        PairHit _e79 = meetMeshes(_e78, p_7);
+        found_7 = _e79;
     }
-    PairHit _e78 = found_7;
-    return _e78;
+    PairHit _e80 = found_7;
+    return _e80;
 }
 
-Surface fetchSurface(uint i_10) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_10)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_10)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_10)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_10)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_10)), 0);
+Surface fetchSurface(uint i_9) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_9)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_9)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_9)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_9)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_9)), 0);
     return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
@@ -1118,10 +1125,10 @@ bool isDielectric(uint code_1) {
     return pick(_e2, (_e3 == dielectric), false);
 }
 
-bool isPlane(uint i_11) {
+bool isPlane(uint i_10) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_11 >= _e4), (i_11 < _e9), false);
+    return pick((i_10 >= _e4), (i_10 < _e9), false);
 }
 
 vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
@@ -1140,45 +1147,45 @@ vec3 turnedBack(vec4 q_2, vec3 v_3) {
     return _e6;
 }
 
-bool isBox(uint i_12) {
+bool isBox(uint i_11) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
 }
 
-bool isSphere(uint i_13) {
+bool isSphere(uint i_12) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_13 < _e4);
+    return (i_12 < _e4);
 }
 
-vec3 normalAt(RayPair p_8, float t_2, uint i_14) {
+vec3 normalAt(RayPair p_8, float t_2, uint i_13) {
     vec3 normal_1 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_14);
+    Bounds _e3 = fetchBounds(i_13);
     vec3 origin_10 = (p_8.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
-        Extent _e11 = fetchExtent(i_14);
+        Extent _e11 = fetchExtent(i_13);
         vec3 _e17 = normal_1;
-        bool _e18 = isPlane(i_14);
+        bool _e18 = isPlane(i_13);
         normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
-        Extent _e22 = fetchExtent(i_14);
-        bool inside = pick((i_14 == p_8.shape), p_8.inwards, false);
+        Extent _e22 = fetchExtent(i_13);
+        bool inside = pick((i_13 == p_8.shape), p_8.inwards, false);
         vec3 _e28 = turned(_e22.a, origin_10);
         vec3 _e31 = turned(_e22.a, p_8.direction);
         vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
-        bool _e39 = isBox(i_14);
+        bool _e39 = isBox(i_13);
         normal_1 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
         vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
+        bool _e47 = isSphere(i_13);
         normal_1 = pick(_e47, (origin_10 + (t_2 * p_8.direction)), _e43);
     }
     vec3 _e49 = normal_1;
@@ -1192,9 +1199,9 @@ vec3 fromOctahedral(uint code_2) {
     return normalize(vec3(pick((z_1 < 0.0), folded, p_17), z_1));
 }
 
-MeshNormals meshNormals(uint instance_1, uint place, vec2 weights) {
+MeshNormals meshNormals(uint instance_2, uint place, vec2 weights) {
     uint _e5 = frame.instances;
-    Instance _e9 = fetchInstance((_e5 + (instance_1 * instanceRows)));
+    Instance _e9 = fetchInstance((_e5 + (instance_2 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
     vec3 normal_8 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
     vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_8));
@@ -1214,15 +1221,13 @@ Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
     vec3 _e5 = normalAt(rays_1, hit.t, shape);
     normals = Normals(_e5, _e5);
     const bool _e9 = hasMeshes;
-    bool _e10 = isMesh(shape);
-    if (pick(_e9, _e10, false)) {
-        uint _e15 = frame.shapeEnds.w;
-        MeshNormals _e19 = meshNormals((shape - _e15), hit.triangle, hit.weights);
-        bool agree = ((dot(_e19.geometric, rays_1.direction) > 0.0) == (dot(_e19.shading, rays_1.direction) > 0.0));
-        normals = Normals(_e19.geometric, pick(pick(isGlass, !(agree), false), _e19.geometric, _e19.shading));
+    if (pick(_e9, (hit.triangle.instance != noInstance), false)) {
+        MeshNormals _e20 = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+        bool agree = ((dot(_e20.geometric, rays_1.direction) > 0.0) == (dot(_e20.shading, rays_1.direction) > 0.0));
+        normals = Normals(_e20.geometric, pick(pick(isGlass, !(agree), false), _e20.geometric, _e20.shading));
     }
-    Normals _e38 = normals;
-    return _e38;
+    Normals _e39 = normals;
+    return _e39;
 }
 
 Basis basisAbout(vec3 n) {
@@ -1241,12 +1246,12 @@ bool isThin(uint code_3) {
     return pick(_e2, ((code_3 & 7u) == 7u), false);
 }
 
-Emitter fetchEmitter(uint i_15) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_15)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_15)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_15)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_15)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_15)), 0);
+Emitter fetchEmitter(uint i_14) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_14)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_14)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_14)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_14)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_14)), 0);
     return Emitter(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
@@ -1254,12 +1259,12 @@ int emitterOf(float code_4) {
     return ((int(code_4) >> 6u) - 1);
 }
 
-Emitter emitterAt(uint i_16, Emitter only) {
+Emitter emitterAt(uint i_15, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_16);
+        Emitter _e5 = fetchEmitter(i_15);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
@@ -1295,15 +1300,15 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_2 = uvec2(_e3);
-    uint left_2 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
+    uint left_1 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
     uint right = pick((cell.x == size_2.x), 0u, cell.x);
     uint upper = (max(cell.y, 1u) - 1u);
     uint lower = min(cell.y, (size_2.y - 1u));
     vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_2, upper)), 0);
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_2, lower)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
     return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
 }
@@ -1541,7 +1546,7 @@ float misWeight(float own, float other) {
 
 vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
-    uint i_17 = 0u;
+    uint i_16 = 0u;
     bool escaped = (hit_1.shape == noShape);
     vec3 direction_18 = p_9.rays.direction;
     bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_18) > 0.0), false);
@@ -1552,9 +1557,9 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only
     if (pick(weighed, (_e33 > 0u), false)) {
         vec3 emission = found_8;
         found_8 = vec3(0.0);
-        i_17 = pick(escaped, 0u, uint(max(_e21, 0)));
+        i_16 = pick(escaped, 0u, uint(max(_e21, 0)));
         while(true) {
-            uint _e46 = i_17;
+            uint _e46 = i_16;
             Emitter _e47 = emitterAt(_e46, only_1);
             FarLight _e48 = farLight(_e47, direction_18);
             float _e52 = shapePdf(_e47, p_9.rays.point, direction_18, hit_1.t, outward);
@@ -1565,11 +1570,11 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only
             vec3 _e63 = found_8;
             float _e65 = misWeight(p_9.pdf, pdf_3);
             found_8 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_17;
-            i_17 = (_e74 + 1u);
+            uint _e74 = i_16;
+            i_16 = (_e74 + 1u);
             const bool _e77 = hasSky;
             const bool _e79 = hasSuns;
-            uint _e84 = i_17;
+            uint _e84 = i_16;
             uint _e87 = frame.emitterCount;
             if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
                 break;
@@ -1611,7 +1616,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
-    uint i_18 = 0u;
+    uint i_17 = 0u;
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
@@ -1619,7 +1624,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     if (pick(_e14, (_e17 > 1u), false)) {
         rest = u_4;
         while(true) {
-            uint _e30 = i_18;
+            uint _e30 = i_17;
             Emitter _e31 = fetchEmitter(_e30);
             float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
             float _e33 = total_1;
@@ -1629,16 +1634,16 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
             float _e39 = rest;
             bool take = (_e39 < share_1);
             uint _e41 = chosen;
-            uint _e42 = i_18;
+            uint _e42 = i_17;
             chosen = pick(take, _e42, _e41);
             float _e44 = chosenWeight;
             chosenWeight = pick(take, _e32, _e44);
             float _e46 = rest;
             float _e53 = rest;
             rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_18;
-            i_18 = (_e59 + 1u);
-            uint _e61 = i_18;
+            uint _e59 = i_17;
+            i_17 = (_e59 + 1u);
+            uint _e61 = i_17;
             uint _e64 = frame.emitterCount;
             if ((_e61 >= _e64)) {
                 break;
@@ -2277,9 +2282,9 @@ float nextHash(inout Sampler s_16) {
     return _e21;
 }
 
-bool isFlat(uint i_19) {
+bool isFlat(uint i_18) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_19 >= _e4);
+    return (i_18 >= _e4);
 }
 
 void meetSurface(inout Path p_10, PairHit hit_2) {
@@ -2374,7 +2379,7 @@ bool isOver(Path p_12) {
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, 0u, 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 pixel_3 = uvec2(fragment.xy);
     uint _e5 = frame.sampleIndex;

@@ -131,7 +131,7 @@ fn isOver(p: Path) -> bool {
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn tracePair(p: RayPair) -> PairHit {
-  var found = PairHit(miss, noShape, false, 0u, vec2f(0.0));
+  var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
   if (hasSpheres & (i < ends.x)) {
@@ -201,7 +201,7 @@ struct RayPair {
   // inwards only its far side counts.
   shape: u32,
   // Of a mesh: the triangle, which no ray that leaves it meets.
-  triangle: u32,
+  left: LeftTriangle,
   // ray.wesl, Start.tMin
   tMin: f32,
   // Whether the path's ray is wanted.
@@ -225,6 +225,13 @@ struct Sampler {
   sample: u32,
   // Where the pixel lies on the Morton curve of its tile of 16 x 16, 8 bits, reversed.
   place: u32,
+}
+
+
+// A triangle of an instance: such as a ray starts on; it is flat, so that no ray meets it again.
+struct LeftTriangle {
+  instance: u32,
+  triangle: u32,
 }
 
 
@@ -302,8 +309,8 @@ fn isDielectric(code: u32) -> bool {
 fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
   let outward = normalAt(rays, hit.t, shape);
   var normals = Normals(outward, outward);
-  if (hasMeshes & isMesh(shape)) {
-    let n = meshNormals(shape - frame.shapeEnds.w, hit.triangle, hit.weights);
+  if (hasMeshes & (hit.triangle.instance != noInstance)) {
+    let n = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
     let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
     normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
   }
@@ -561,7 +568,7 @@ struct PairHit {
   // Whether the light is hidden.
   blocked: bool,
   // Of a mesh: which triangle, and how much its second and third vertex count.
-  triangle: u32,
+  triangle: LeftTriangle,
   weights: vec2f,
 }
 
@@ -633,10 +640,7 @@ struct Normals {
 // Triangle meshes, and such with shading normals of their own.
 override hasMeshes = false;
 
-// Rows after those of all other shapes, in the order of the instances.
-fn isMesh(i: u32) -> bool {
-  return i >= frame.shapeEnds.w;
-}
+const noInstance = 0xffffffffu;
 
 // Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
 fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
@@ -705,8 +709,8 @@ struct Instance {
   triangles: u32,
   // 1: shading normals are interpolated; 0: triangles are flat
   interpolated: u32,
-  // unused
-  spare: u32,
+  // of the scene table: what it is made of
+  row: u32,
 }
 
 
@@ -1831,6 +1835,8 @@ fn unitFloat(h: u32) -> f32 {
   return f32(h >> 8u) * 5.9604644775390625e-8;
 }
 
+const noTriangle = LeftTriangle(noInstance, 0u);
+
 override hasPlanes = true;
 
 fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
@@ -1860,7 +1866,7 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   let pathT = select(t.x, miss, own & !p.inwards);
   let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
   let nearer = pathT < found.t;
-  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), 0u, vec2f(0.0));
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
 }
 
 fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
@@ -1921,23 +1927,17 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 const parallel = 1e-12;
 
 fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
-  let first = frame.shapeEnds.w;
-  let left = LeftTriangle(select(noInstance, p.shape - first, isMesh(p.shape) & (p.shape != noShape)), p.triangle);
   let most = select(-1.0, found.t, p.goesOn);
   let lightMost = select(p.lightDistance, -1.0, found.blocked);
-  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), left);
-  let met = hit.instance != noInstance;
-  return PairHit(select(found.t, hit.t, met), select(found.shape, first + hit.instance, met), found.blocked | hit.blocked, hit.triangle, hit.weights);
+  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), p.left);
+  var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
+  if (hit.instance != noInstance) {
+    result.t = hit.t;
+    result.shape = rowOfInstance(hit.instance);
+    result.triangle = LeftTriangle(hit.instance, hit.triangle);
+  }
+  return result;
 }
-
-// The triangle that a ray starts on; it is flat, so that no ray meets it again.
-struct LeftTriangle {
-  instance: u32,
-  triangle: u32,
-}
-
-
-const noInstance = 0xffffffffu;
 
 fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
@@ -2062,6 +2062,11 @@ struct MeshRays {
   lightMost: f32,
 }
 
+
+// Of the scene table.
+fn rowOfInstance(instance: u32) -> u32 {
+  return fetchInstance(frame.instances + instance * instanceRows).row;
+}
 
 struct MeshHit {
   t: f32,
@@ -2232,7 +2237,7 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
 
 // A ray that starts on no shape, without one to a light.
 fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
-  return RayPair(origin, noShape, 0u, 0.0, true, direction, false, direction, false, -1.0, noShape);
+  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
 }
 
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
