@@ -3,9 +3,9 @@ import { cameraFrame, rayThrough } from './reference/camera.ts';
 import { closestHit } from './reference/cast.ts';
 import { prepareScene } from './reference/prepare.ts';
 import type { Renderer } from './renderer-types.ts';
-import { sceneAt } from './scene/animation.ts';
 import { cameraAxes } from './scene/camera.ts';
 import { lampsAsShapes } from './scene/lamps.ts';
+import { posedSceneAt } from './scene/posed.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
 import { addScaled, dot, subtract } from './scene/vec3.ts';
 
@@ -20,7 +20,7 @@ export function depthAt(
 ): number | null {
   const { width, height } = canvas;
   if (!scene || width * height === 0) return null;
-  const now = sceneSeenBy(settings.integrator, sceneAt(scene, time));
+  const now = sceneSeenBy(settings.integrator, posedSceneAt(scene, time));
   const frame = cameraFrame(camera, width, height, settings.framing);
   const ray = rayThrough(frame, x * width, y * height, width, height);
   const { t } = closestHit({ ...prepareScene(lampsAsShapes(now).scene), visibleLights: [] }, ray);

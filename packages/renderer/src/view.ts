@@ -7,9 +7,10 @@ import { VIEW_NAMES } from './display/views.ts';
 import { PIXEL_FILTERS } from './packed-scene/pack-filter.ts';
 import type { Subject } from './programs.ts';
 import type { Panel, RendererSettings } from './renderer-types.ts';
-import { compileAnimation } from './scene/animation.ts';
+import { type CompiledAnimation, compileAnimation } from './scene/animation.ts';
 import { PROJECTIONS, wholeCamera } from './scene/camera.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
+import { posedSceneAt } from './scene/posed.ts';
 import type { Camera, Scene } from './scene/scene.ts';
 import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
 import { cameraFault } from './scene/well-formed.ts';
@@ -155,7 +156,7 @@ export class View {
   /** Throws a TypeError, and changes nothing, when it is no scene. */
   setScene(given: Scene): void {
     const scene = requireScene(given);
-    this.#at = compileAnimation(scene);
+    this.#at = scene.nodes === undefined ? compileAnimation(scene) : remembering((time) => posedSceneAt(scene, time));
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
@@ -259,4 +260,13 @@ export class View {
   previewRaysPerPixel(): number {
     return 1 + Object.keys(this.#scene?.lights ?? {}).length;
   }
+}
+
+/** The last answer is kept: a frame asks for its scene more than once. */
+function remembering(at: CompiledAnimation): CompiledAnimation {
+  let [last, scene] = [Number.NaN, null as Scene | null];
+  return (time) => {
+    if (scene === null || time !== last) [last, scene] = [time, at(time)];
+    return scene;
+  };
 }

@@ -2,7 +2,7 @@
 import { availableParallelism, cpus } from 'node:os';
 import { builtInScenes } from 'mirrorball/built-in';
 import { DeviceError, type FilmJob, type FilmTracer, raysPerPixel } from 'mirrorball/headless';
-import { type Scene, sceneAt } from 'mirrorball/scene';
+import { posedSceneAt, type Scene } from 'mirrorball/scene';
 import { BACKENDS, type BackendName, type BenchOptions } from '../arguments.ts';
 import { openNamed } from '../backends/open-backend.ts';
 import { startClock } from '../clock.ts';
@@ -92,7 +92,7 @@ function jobOf(id: string, integrator: Measurement['integrator'], { size }: Benc
   const scene: Scene = builtInScenes.find((each) => each.id === id)!.scene;
   const { maxDepth, maxReflections, lightSamples } = scene.render;
   const settings = { integrator, maxDepth, maxReflections, lightSamples, seed: 0 };
-  return { scene: sceneAt(scene, 0), settings, ...size, area: { x: 0, y: 0, ...size } };
+  return { scene: posedSceneAt(scene, 0), settings, ...size, area: { x: 0, y: 0, ...size } };
 }
 
 type Found = Omit<Measurement, 'backend' | 'scene' | 'integrator'>;

@@ -1,6 +1,6 @@
 /** `mirrorball merge`: parts of one picture → the picture, or one part. */
 import type { FilmArea, FilmJob, FilmTracer } from 'mirrorball/headless';
-import { sceneAt } from 'mirrorball/scene';
+import { posedSceneAt } from 'mirrorball/scene';
 import { parseScene } from 'mirrorball/scene-file';
 import { traceAovs } from '../aov-films.ts';
 import { checkAovs, type WithAovs } from '../aov-pictures.ts';
@@ -116,7 +116,7 @@ function jobOf({ part: { identity, texts }, region, file }: Tile): FilmJob {
   const { width, height, seed, time, integrator, settings } = identity;
   const { maxDepth, maxReflections, lightSamples } = { ...parsed.scene.render, ...settings };
   return {
-    scene: sceneAt(parsed.scene, time),
+    scene: posedSceneAt(parsed.scene, time),
     settings: {
       integrator: integrator as FilmJob['settings']['integrator'],
       maxDepth,

@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import type { FilmArea, FilmJob, FilmSettings } from 'mirrorball/headless';
-import { type Scene, sceneAt } from 'mirrorball/scene';
+import { posedSceneAt, type Scene } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
 import { AccumulatedFilm } from '../accumulated-film.ts';
 import { type AovFilms, traceAovs } from '../aov-films.ts';
@@ -105,7 +105,7 @@ async function renderFrame(run: Run, frame: Frame): Promise<void> {
 }
 
 function jobOf({ scene, options, settings, area }: Run, frame: Frame): FilmJob {
-  return { scene: sceneAt(scene, frame.time), settings, ...options.size, area };
+  return { scene: posedSceneAt(scene, frame.time), settings, ...options.size, area };
 }
 
 /** What is held already, when --resume finds it, or an empty film. */

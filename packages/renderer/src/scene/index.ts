@@ -14,6 +14,7 @@ export type { Affine, Clip, Quaternion, SampledTrack, SceneNode, Skin, Variant }
 export { meshMatrices, meshShapes, placedSceneAt } from './placed.ts';
 export { type Placement, placementOf } from './placement.ts';
 export { formatPointer, parsePointer } from './pointer.ts';
+export { posedSceneAt } from './posed.ts';
 export type * from './scene.ts';
 export { studioEnvironment } from './studio-environment.ts';
 export { type AnimationTarget, resolveTarget } from './targets.ts';
