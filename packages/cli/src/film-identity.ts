@@ -53,8 +53,15 @@ function hashedArrays(value: unknown): unknown {
   return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, hashedArrays(part)]));
 }
 
-export function sceneHash({ camera, sky, materials, meshes, shapes, lights, animation }: Scene): string {
-  const moving = [camera, hashedSky(sky), animation, ...(meshes ? [hashedMeshes(meshes)] : [])];
+/** What only models have; not in the fingerprints of scenes without it. */
+function hashedModel({ nodes, skins, clips, clip, images, textures, shapes }: Scene): object[] {
+  if (!nodes) return [];
+  return [hashedArrays([nodes, skins, clips, clip, images, textures, shapes]) as object];
+}
+
+export function sceneHash(scene: Scene): string {
+  const { camera, sky, materials, meshes, shapes, lights, animation } = scene;
+  const moving = [camera, hashedSky(sky), animation, ...(meshes ? [hashedMeshes(meshes)] : []), ...hashedModel(scene)];
   const parts = moving.map((part) => canonical(part, false));
   const named = [materials, shapes, lights].map((things) => canonical(things, true));
   return createHash('sha256')

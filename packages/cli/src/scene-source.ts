@@ -1,6 +1,6 @@
 /** Scenes from files, or built-in ones by name, with everything that is wrong with them. */
 import { readFile, stat } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { builtInScenes } from 'mirrorball/built-in';
 import type { Scene } from 'mirrorball/scene';
 import { loadFiles, parseScene } from 'mirrorball/scene-file';
@@ -15,8 +15,30 @@ export interface GoodScene {
 }
 export type SceneSource = GoodScene | BadScene;
 
+/** Models by other programs: a scene and notes of all that was not taken as it stands. */
+const MODEL = /\.(glb|gltf)$/i;
+
+export const isModel = (file: string): boolean => MODEL.test(file);
+
+async function readModel(file: string): Promise<SceneSource> {
+  const bytes = await readFile(file).catch((error: Error) => {
+    throw usage(`The model ${file} cannot be read: ${error.message}`);
+  });
+  const { importGltf } = await import('mirrorball/gltf');
+  const { nodeDecoder } = await import('mirrorball/node-images');
+  const name = basename(file).replace(MODEL, '');
+  const result = await importGltf(bytes, {
+    name,
+    readFile: (beside) => readBeside(file, beside),
+    decoder: nodeDecoder(),
+  });
+  if (!result.ok) return { file, problems: result.problems };
+  return { file, scene: result.scene, notes: result.report.entries.map(({ message }) => message) };
+}
+
 /** Rejects only when the file cannot be read at all. A file goes before a built-in scene of its name. */
 export async function readScene(file: string): Promise<SceneSource> {
+  if (isModel(file)) return readModel(file);
   let text: string;
   try {
     text = await readFile(file, 'utf8');

@@ -2,6 +2,7 @@ import { FrameController } from './frame-controller.ts';
 import { FrameFigures } from './frame-figures.ts';
 import { type Device, DeviceError } from './gpu/device.ts';
 import { refuseMeshes } from './packed-scene/refuse-meshes.ts';
+import { refuseUndrawn } from './packed-scene/refuse-undrawn.ts';
 import { Painter } from './painter.ts';
 import { readShown } from './read-film.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
@@ -121,6 +122,7 @@ export class GpuRenderer implements Renderer {
   async setScene(scene: Scene): Promise<void> {
     const good = requireScene(scene);
     if (good.render.integrator === 'classic') refuseMeshes(good);
+    else refuseUndrawn(good);
     this.#view.setScene(good);
     this.#workChanged();
     const wanted = this.#view.revision;

@@ -1,6 +1,7 @@
 /** `mirrorball render`: scene → film → file, one picture or many. */
 import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
+import { basename } from 'node:path';
 import type { FilmArea, FilmJob, FilmSettings } from 'mirrorball/headless';
 import { posedSceneAt, type Scene } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
@@ -20,7 +21,7 @@ import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
 import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
 import { noSavings, type Savings, startSavings } from '../savings.ts';
-import { requireSceneFile } from '../scene-source.ts';
+import { isModel, requireSceneFile } from '../scene-source.ts';
 import { duration, percent, type Terminal } from '../terminal.ts';
 import { software } from '../version.ts';
 import { checkWritable } from '../write-atomically.ts';
@@ -28,6 +29,8 @@ import { checkWritable } from '../write-atomically.ts';
 /** What all pictures of a run share. */
 interface Run {
   readonly scene: Scene;
+  /** What it was read from. */
+  readonly file: string;
   readonly options: RenderOptions;
   readonly settings: FilmSettings;
   readonly area: FilmArea;
@@ -50,7 +53,7 @@ export async function render(file: string, options: RenderOptions, terminal: Ter
   let opened: Promise<Backend> | null = null;
   const backend = () => (opened ??= open(options, terminal));
   try {
-    const run = { scene, options, settings, area, goal, terminal, interruption, backend };
+    const run = { file, scene, options, settings, area, goal, terminal, interruption, backend };
     for (const frame of frames) await renderFrame(run, frame);
   } finally {
     // Also when it was never used, or failed.
@@ -110,7 +113,7 @@ function jobOf({ scene, options, settings, area }: Run, frame: Frame): FilmJob {
 
 /** What is held already, when --resume finds it, or an empty film. */
 async function partFor(
-  { scene, options, settings, area, terminal }: Run,
+  { scene, file, options, settings, area, terminal }: Run,
   frame: Frame,
   partFile?: string,
 ): Promise<Part> {
@@ -131,7 +134,9 @@ async function partFor(
       );
   }
   const film = new AccumulatedFilm(area.width * area.height);
-  const texts = { Title: scene.name, Software: software, Scene: writeScene(scene) };
+  // A model's arrays have no place in a text.
+  const source: Record<string, string> = isModel(file) ? { Model: basename(file) } : { Scene: writeScene(scene) };
+  const texts = { Title: scene.name, Software: software, ...source };
   return { identity, film, texts, exposure: scene.render.exposure };
 }
 

@@ -2,7 +2,7 @@
  * Everything that shines, as the path integrator samples it: lights, shapes of an emissive material, the sky. What is left out
  * (more emissive shapes than a loop should run over) still shines, and is found by rays that happen to meet it.
  */
-import { radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
+import { emissionOf, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
 import type { Color, DirectionalLight, LampShape, Light, QuadLight, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
 import { packEnvironment } from './pack-environment.ts';
@@ -167,7 +167,7 @@ function lightsOf({ scene, lightOfShape }: SceneWithLamps): Found[] {
 function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
   const found: Found[] = [];
   for (const [name, shape] of Object.entries(scene.shapes)) {
-    const { emission } = scene.materials[shape.material]!;
+    const emission = emissionOf(scene.materials[shape.material]!);
     // A plane has no area to sample; scene files with such a lamp are refused. Rays find the light of meshes by themselves.
     if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
     found.push({ values: shapeEmitter(shape, emission), shape: name });

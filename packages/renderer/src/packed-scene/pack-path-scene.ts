@@ -7,6 +7,7 @@ import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
 import { packGeometry } from './pack-geometry.ts';
 import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
+import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
 
 /** A map is multiplied by the sky's colours: white where there is none, else by its scale. */
@@ -22,6 +23,7 @@ function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
 }
 
 export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
+  refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
   const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS, meshes: true });
   const { table, shapeNames } = packed;

@@ -150,7 +150,7 @@ function shapeValues(shape: Shape, eye: Vec3): ShapeValues {
     case 'quad':
       return quadValues(shape, eye);
     case 'mesh':
-      throw new UntraceableSceneError(shape.mesh);
+      throw new UntraceableSceneError(`The mesh "${shape.mesh}" has no row of its own here.`);
   }
 }
 

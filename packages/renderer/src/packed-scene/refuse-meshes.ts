@@ -3,17 +3,15 @@ import type { Scene } from '../scene/scene.ts';
 
 /** A scene that is good, and that what should draw it cannot. */
 export class UntraceableSceneError extends Error {
-  constructor(shape: string) {
-    super(
-      `The shape "${shape}" is a mesh; on a GPU only the path integrator traces meshes ("render": { "integrator": "path" }).`,
-    );
-    this.name = 'UntraceableSceneError';
-  }
+  override readonly name = 'UntraceableSceneError';
 }
 
 export const hasMeshes = ({ shapes }: Scene): boolean => Object.values(shapes).some(({ type }) => type === 'mesh');
 
 export function refuseMeshes({ shapes }: Scene): void {
   const mesh = Object.entries(shapes).find(([, { type }]) => type === 'mesh');
-  if (mesh) throw new UntraceableSceneError(mesh[0]);
+  if (mesh)
+    throw new UntraceableSceneError(
+      `The shape "${mesh[0]}" is a mesh; on a GPU only the path integrator traces meshes ("render": { "integrator": "path" }).`,
+    );
 }

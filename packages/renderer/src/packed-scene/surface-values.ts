@@ -1,4 +1,5 @@
 /** Material → the Surface struct: what the path integrator's BSDFs read. */
+import { emissionOf } from '../scene/lamps.ts';
 import type { Color, Material, MaterialType } from '../scene/scene.ts';
 import type { StructValues } from './write-struct.ts';
 
@@ -31,7 +32,7 @@ export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Sur
   return {
     baseColor: m.baseColor,
     code: KINDS.indexOf(m.type) + flags + emitter,
-    emission: m.emission,
+    emission: emissionOf(m),
     reflectivity: m.reflectivity,
     eta: m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta,
     alpha: m.roughness ** 2,

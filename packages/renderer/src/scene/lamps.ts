@@ -20,6 +20,10 @@ export const timesColor = (radiance: number, [r, g, b]: Color): Color => [radian
 export const radianceOf = (light: SphereLight | QuadLight): Color =>
   timesColor(light.radiance, light.type === 'sphere' ? light.diffuse : light.color);
 
+/** What every side of such a surface sends out. */
+export const emissionOf = ({ emission, emissionStrength = 1 }: Material): Color =>
+  timesColor(emissionStrength, emission);
+
 type LampLight = SphereLight | QuadLight;
 const isLamp = (light: Light): light is LampLight =>
   (light.type === 'sphere' || light.type === 'quad') && light.visible;
