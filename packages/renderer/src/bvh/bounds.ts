@@ -1,19 +1,6 @@
 /** Bounds of nodes. Children come after their parents, so one pass from the end does all inner nodes. */
 import type { Workspace } from './workspace.ts';
 
-/** Writes the union of the boxes of both children into node i. */
-export function uniteChildren(bounds: Float32Array, i: number, second: number): void {
-  const to = 6 * i;
-  const a = to + 6;
-  const b = 6 * second;
-  for (let k = 0; k < 3; k++) {
-    const least = bounds[b + k]!;
-    bounds[to + k] = bounds[a + k]! < least ? bounds[a + k]! : least;
-    const greatest = bounds[b + 3 + k]!;
-    bounds[to + 3 + k] = bounds[a + 3 + k]! > greatest ? bounds[a + 3 + k]! : greatest;
-  }
-}
-
 /** Bounds of a leaf from its items, which `order` has from begin to end. */
 export function boundItems(
   { boxes, order, records }: Workspace,
@@ -49,6 +36,26 @@ export function boundItems(
 /** Bounds of inner nodes from those of leaves. */
 export function uniteUpwards(nodeCount: number, links: Uint32Array, bounds: Float32Array): void {
   for (let i = nodeCount - 1; i >= 0; i--) {
-    if (links[2 * i + 1] === 0) uniteChildren(bounds, i, links[2 * i]!);
+    if (links[2 * i + 1] !== 0) continue;
+    const to = 6 * i;
+    const second = 6 * links[2 * i]!;
+    let a = bounds[to + 6]!;
+    let b = bounds[second]!;
+    bounds[to] = a < b ? a : b;
+    a = bounds[to + 7]!;
+    b = bounds[second + 1]!;
+    bounds[to + 1] = a < b ? a : b;
+    a = bounds[to + 8]!;
+    b = bounds[second + 2]!;
+    bounds[to + 2] = a < b ? a : b;
+    a = bounds[to + 9]!;
+    b = bounds[second + 3]!;
+    bounds[to + 3] = a > b ? a : b;
+    a = bounds[to + 10]!;
+    b = bounds[second + 4]!;
+    bounds[to + 4] = a > b ? a : b;
+    a = bounds[to + 11]!;
+    b = bounds[second + 5]!;
+    bounds[to + 5] = a > b ? a : b;
   }
 }

@@ -68,6 +68,21 @@ function copy(from: Uint32Array, to: Uint32Array, at: number, count: number): vo
   for (let i = 0; i < count; i++) to[at + i] = from[i]!;
 }
 
+/** Two items can be split in one way; only whether they should be is a question. Half of all splits are such. */
+export function weighTwo({ records, order, best }: Workspace, begin: number): void {
+  const a = order[begin]!;
+  const b = order[begin + 1]!;
+  const a0 = records[a]!;
+  const a1 = records[a + 1]!;
+  const a2 = records[a + 2]!;
+  const b0 = records[b]!;
+  const b1 = records[b + 1]!;
+  const b2 = records[b + 2]!;
+  best.area = packedArea(minLanes(a0, b0), minLanes(a1, b1), minLanes(a2, b2));
+  const left = packedArea(a0, a1, a2) * (1 + (records[a + 3]! & 1));
+  best.cost = left + packedArea(b0, b1, b2) * (1 + (records[b + 3]! & 1));
+}
+
 /** Leaves the cheapest place in `best`, its `bin` being how many are on the left, and the area of the whole node. */
 export function weighFew(work: Workspace, begin: number, end: number): void {
   const { best, line, bestLine } = work;

@@ -1,12 +1,13 @@
 /**
- * A tree that is there soon, to trace with until the better one is: a linear BVH (Lauterbach et al. 2009). Primitives in Morton's
- * order are split where the highest bit of their codes changes, so nothing is weighed and nothing is moved.
+ * A tree that is there soon, to trace with until the better one is: a linear BVH (Lauterbach et al. 2009). Items in Morton's order
+ * are split where the highest bit of their codes changes, so nothing is weighed and nothing is moved.
  */
 import { uniteUpwards } from './bounds.ts';
 import type { Bvh, TriangleMesh } from './bvh.ts';
-import { eachAlone } from './items.ts';
+import { pairPrimitives } from './items.ts';
 import { sortByMorton } from './morton-order.ts';
 import { triangleBoxes } from './primitive-boxes.ts';
+import { splitRules } from './split.ts';
 import { Workspace } from './workspace.ts';
 
 /** Numbers a waiting node: begin, end, parent, depth. 30 bits of code and 32 halvings of equal ones at most. */
@@ -29,39 +30,8 @@ function changeOfBit(codes: Uint32Array, begin: number, end: number): number {
   return after;
 }
 
-function boundPlaces(
-  boxes: Float32Array,
-  order: Uint32Array,
-  begin: number,
-  end: number,
-  to: Float32Array,
-  at: number,
-) {
-  let x0 = Infinity;
-  let y0 = Infinity;
-  let z0 = Infinity;
-  let x1 = -Infinity;
-  let y1 = -Infinity;
-  let z1 = -Infinity;
-  for (let k = begin; k < end; k++) {
-    const i = order[k]! * 6;
-    if (boxes[i]! < x0) x0 = boxes[i]!;
-    if (boxes[i + 1]! < y0) y0 = boxes[i + 1]!;
-    if (boxes[i + 2]! < z0) z0 = boxes[i + 2]!;
-    if (boxes[i + 3]! > x1) x1 = boxes[i + 3]!;
-    if (boxes[i + 4]! > y1) y1 = boxes[i + 4]!;
-    if (boxes[i + 5]! > z1) z1 = boxes[i + 5]!;
-  }
-  to[at] = x0;
-  to[at + 1] = y0;
-  to[at + 2] = z0;
-  to[at + 3] = x1;
-  to[at + 4] = y1;
-  to[at + 5] = z1;
-}
-
-/** Fills `links` depth first; returns the number of nodes and the depth. */
-function linkNodes(codes: Uint32Array, count: number, leafSize: number, links: Uint32Array): [number, number] {
+/** Links over items: leaves have their first item and how many. Returns the number of nodes and the depth. */
+function linkItems(codes: Uint32Array, count: number, leafItems: number, links: Uint32Array): [number, number] {
   const stack = new Int32Array(DEEPEST * ENTRY);
   stack.set([0, count, -1, 0]);
   let nodeCount = 0;
@@ -73,7 +43,7 @@ function linkNodes(codes: Uint32Array, count: number, leafSize: number, links: U
     let depth = stack[top + 3]!;
     if (parent >= 0) links[2 * parent] = nodeCount;
     top -= ENTRY;
-    for (; end - begin > leafSize; depth++) {
+    for (; end - begin > leafItems; depth++) {
       const middle = changeOfBit(codes, begin, end);
       top += ENTRY;
       stack[top] = middle;
@@ -92,34 +62,73 @@ function linkNodes(codes: Uint32Array, count: number, leafSize: number, links: U
   return [nodeCount, deepest];
 }
 
-function boundNodes(nodeCount: number, links: Uint32Array, order: Uint32Array, boxes: Float32Array): Float32Array {
-  const bounds = new Float32Array(nodeCount * 6);
-  for (let i = 0; i < nodeCount; i++) {
-    const count = links[2 * i + 1]!;
-    const first = links[2 * i]!;
-    if (count > 0) boundPlaces(boxes, order, first, first + count, bounds, i * 6);
+function boundLeaf(boxes: Float32Array, sorted: Uint32Array, begin: number, end: number, to: Float32Array, at: number) {
+  let i = (sorted[begin]! >>> 1) * 6;
+  let x0 = boxes[i]!;
+  let y0 = boxes[i + 1]!;
+  let z0 = boxes[i + 2]!;
+  let x1 = boxes[i + 3]!;
+  let y1 = boxes[i + 4]!;
+  let z1 = boxes[i + 5]!;
+  for (let k = begin + 1; k < end; k++) {
+    i = (sorted[k]! >>> 1) * 6;
+    if (boxes[i]! < x0) x0 = boxes[i]!;
+    if (boxes[i + 1]! < y0) y0 = boxes[i + 1]!;
+    if (boxes[i + 2]! < z0) z0 = boxes[i + 2]!;
+    if (boxes[i + 3]! > x1) x1 = boxes[i + 3]!;
+    if (boxes[i + 4]! > y1) y1 = boxes[i + 4]!;
+    if (boxes[i + 5]! > z1) z1 = boxes[i + 5]!;
   }
-  uniteUpwards(nodeCount, links, bounds);
-  return bounds;
+  to[at] = x0;
+  to[at + 1] = y0;
+  to[at + 2] = z0;
+  to[at + 3] = x1;
+  to[at + 4] = y1;
+  to[at + 5] = z1;
 }
 
-function primitivesOf(codes: Uint32Array, count: number): Uint32Array {
-  const order = new Uint32Array(count);
-  for (let k = 0; k < count; k++) order[k] = codes[k]! >>> 1;
-  return order;
+/** Writes the primitives of items from `place` on and returns the place behind them. */
+function placeItems(sorted: Uint32Array, begin: number, end: number, order: Uint32Array, place: number): number {
+  let next = place;
+  for (let k = begin; k < end; k++) {
+    const primitive = sorted[k]! >>> 1;
+    order[next++] = primitive;
+    if (sorted[k]! & 1) order[next++] = primitive + 1;
+  }
+  return next;
+}
+
+/** Leaves of items become leaves of primitives, in their order, with bounds. */
+function finishLeaves(tree: Bvh, boxes: Float32Array, sorted: Uint32Array): void {
+  const { links, order, bounds, nodeCount } = tree;
+  let place = 0;
+  for (let i = 0; i < nodeCount; i++) {
+    const count = links[2 * i + 1]!;
+    if (count === 0) continue;
+    const first = links[2 * i]!;
+    boundLeaf(boxes, sorted, first, first + count, bounds, 6 * i);
+    links[2 * i] = place;
+    place = placeItems(sorted, first, first + count, order, place);
+    links[2 * i + 1] = place - links[2 * i]!;
+  }
 }
 
 /** Throws a RangeError as `triangleBoxes` does. `leafSize`: most triangles of a leaf, default 4. */
 export function buildFastBvh(mesh: TriangleMesh, { leafSize = 4 }: { readonly leafSize?: number } = {}): Bvh {
   const boxes = triangleBoxes(mesh);
-  const count = boxes.length / 6;
+  const primitiveCount = boxes.length / 6;
+  const order = new Uint32Array(primitiveCount);
   const work = new Workspace();
-  work.fit(count);
-  eachAlone(count, work.order);
+  work.fit(primitiveCount);
+  const count = pairPrimitives(boxes, primitiveCount, splitRules({ maxLeafSize: leafSize }), work.order);
   sortByMorton(work, boxes, count);
-  const order = primitivesOf(work.sorted, count);
-  const links = new Uint32Array(4 * count);
-  const [nodeCount, depth] = count > 0 ? linkNodes(work.sortedCodes, count, leafSize, links) : [0, 0];
-  const bounds = boundNodes(nodeCount, links, order, boxes);
-  return { nodeCount, bounds, links: links.slice(0, 2 * nodeCount), primitiveCount: count, order, depth };
+  const roomy = new Uint32Array(4 * count);
+  // An item has one or two triangles.
+  const leafItems = Math.max(1, leafSize >> 1);
+  const [nodeCount, depth] = count > 0 ? linkItems(work.sortedCodes, count, leafItems, roomy) : [0, 0];
+  const links = roomy.slice(0, 2 * nodeCount);
+  const tree = { nodeCount, bounds: new Float32Array(6 * nodeCount), links, primitiveCount, order, depth };
+  finishLeaves(tree, boxes, work.sorted);
+  uniteUpwards(nodeCount, links, tree.bounds);
+  return tree;
 }

@@ -70,7 +70,7 @@ function pairInMesh(boxes: Float32Array, count: number, share: number, codes: Ui
   return found;
 }
 
-export function eachAlone(count: number, codes: Uint32Array): number {
+function eachAlone(count: number, codes: Uint32Array): number {
   for (let p = 0; p < count; p++) codes[p] = 2 * p;
   return count;
 }

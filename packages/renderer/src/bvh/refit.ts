@@ -1,39 +1,48 @@
-/** Bounds of a tree over triangles that moved: same triangles, same nodes, one pass from the last node to the first. */
+/** Bounds of a tree over triangles that moved: same triangles, same nodes. */
 import { uniteUpwards } from './bounds.ts';
-import type { Bvh, TriangleMesh } from './bvh.ts';
+import type { Bvh } from './bvh.ts';
 
-/** Returns 0, or NaN when a coordinate is none; see primitive-boxes.ts. */
-function boundLeaf(
+/** Indices in the order of the tree's places, as leaves want them, here and on a GPU: place k has corners 3 k … 3 k + 2. */
+export function indicesByPlace(indices: Uint32Array, order: Uint32Array): Uint32Array<ArrayBuffer> {
+  const placed = new Uint32Array(order.length * 3);
+  for (let k = 0; k < order.length; k++) {
+    const i = order[k]! * 3;
+    placed[3 * k] = indices[i]!;
+    placed[3 * k + 1] = indices[i + 1]!;
+    placed[3 * k + 2] = indices[i + 2]!;
+  }
+  return placed;
+}
+
+/** The box of the corners from begin to end. Returns the sum of all coordinates, which is finite if all of them are. */
+function boundCorners(
   positions: Float32Array,
-  indices: Uint32Array,
-  order: Uint32Array,
+  placed: Uint32Array,
   begin: number,
   end: number,
   bounds: Float32Array,
   to: number,
 ): number {
-  let x0 = Infinity;
-  let y0 = Infinity;
-  let z0 = Infinity;
-  let x1 = -Infinity;
-  let y1 = -Infinity;
-  let z1 = -Infinity;
-  let finite = 0;
-  for (let k = begin; k < end; k++) {
-    const i = order[k]! * 3;
-    for (let corner = i; corner < i + 3; corner++) {
-      const v = indices[corner]! * 3;
-      const x = positions[v]!;
-      const y = positions[v + 1]!;
-      const z = positions[v + 2]!;
-      if (x < x0) x0 = x;
-      if (x > x1) x1 = x;
-      if (y < y0) y0 = y;
-      if (y > y1) y1 = y;
-      if (z < z0) z0 = z;
-      if (z > z1) z1 = z;
-      finite += (x + y + z) * 0;
-    }
+  let v = placed[begin]! * 3;
+  let x0 = positions[v]!;
+  let y0 = positions[v + 1]!;
+  let z0 = positions[v + 2]!;
+  let x1 = x0;
+  let y1 = y0;
+  let z1 = z0;
+  let sum = x0 + y0 + z0;
+  for (let corner = begin + 1; corner < end; corner++) {
+    v = placed[corner]! * 3;
+    const x = positions[v]!;
+    const y = positions[v + 1]!;
+    const z = positions[v + 2]!;
+    if (x < x0) x0 = x;
+    else if (x > x1) x1 = x;
+    if (y < y0) y0 = y;
+    else if (y > y1) y1 = y;
+    if (z < z0) z0 = z;
+    else if (z > z1) z1 = z;
+    sum += x + y + z;
   }
   bounds[to] = x0;
   bounds[to + 1] = y0;
@@ -41,28 +50,31 @@ function boundLeaf(
   bounds[to + 3] = x1;
   bounds[to + 4] = y1;
   bounds[to + 5] = z1;
-  return finite;
+  return sum;
 }
 
-function boundLeaves({ nodeCount, links, order, bounds }: Bvh, { positions, indices }: TriangleMesh): number {
-  let finite = 0;
+function boundLeaves({ nodeCount, links, bounds }: Bvh, positions: Float32Array, placed: Uint32Array): number {
+  let sum = 0;
   for (let i = 0; i < nodeCount; i++) {
     const count = links[2 * i + 1]!;
     if (count === 0) continue;
-    const first = links[2 * i]!;
-    finite += boundLeaf(positions, indices, order, first, first + count, bounds, 6 * i);
+    const begin = 3 * links[2 * i]!;
+    sum += boundCorners(positions, placed, begin, begin + 3 * count, bounds, 6 * i);
   }
-  return finite;
+  return sum;
 }
 
 /**
- * Writes the bounds anew. The tree stays correct however far the triangles went, but it was made for where they had been: its
- * `sahCost` tells when building anew pays. Throws a RangeError when a position is no place; then the bounds are of no use.
+ * Writes the bounds anew, from positions and `indicesByPlace`. The tree stays correct however far the triangles went, but it was made
+ * for where they had been: its `sahCost` tells when building anew pays. Throws a RangeError when a position is missing or not
+ * finite; then the bounds are of no use.
  */
-export function refit(bvh: Bvh, mesh: TriangleMesh): void {
-  if (mesh.indices.length !== 3 * bvh.primitiveCount) {
-    throw new RangeError(`The tree has ${bvh.primitiveCount} triangles, the mesh ${mesh.indices.length / 3}`);
+export function refit(bvh: Bvh, positions: Float32Array, placed: Uint32Array): void {
+  if (placed.length < 3 * bvh.primitiveCount) {
+    throw new RangeError(`${placed.length} indices are less than three for each of ${bvh.primitiveCount} triangles`);
   }
-  if (boundLeaves(bvh, mesh) !== 0) throw new RangeError('A position is not finite, or an index leads nowhere');
+  if (!Number.isFinite(boundLeaves(bvh, positions, placed))) {
+    throw new RangeError('A position is not finite, or an index leads nowhere');
+  }
   uniteUpwards(bvh.nodeCount, bvh.links, bvh.bounds);
 }

@@ -2,7 +2,7 @@
 
 import { splitAtBest, weighBins } from './binned-split.ts';
 import { DEFAULT_COSTS } from './bvh.ts';
-import { splitFewAtBest, weighFew } from './exact-split.ts';
+import { splitFewAtBest, weighFew, weighTwo } from './exact-split.ts';
 import { areaOfAll, prepareRange, widestSpread } from './split-range.ts';
 import { FEW, type Workspace } from './workspace.ts';
 
@@ -48,14 +48,19 @@ function leafIsCheaper(work: Workspace, rules: SplitRules, primitives: number): 
 export function split(work: Workspace, begin: number, end: number, rules: SplitRules, primitives: number): number {
   const { best } = work;
   const count = end - begin;
+  if (count === 2) {
+    if (primitives === 0) return begin + 1;
+    weighTwo(work, begin);
+    return leafIsCheaper(work, rules, primitives) ? LEAF : begin + 1;
+  }
   let stride = prepareRange(work, begin, end, false);
+  // All centres are the same: the middle of Morton's order is as good as any place.
+  if (widestSpread(work) === 0) return primitives > 0 ? LEAF : (begin + end) >> 1;
   if (count <= FEW) {
     weighFew(work, begin, end);
     if (leafIsCheaper(work, rules, primitives)) return LEAF;
     return splitFewAtBest(work, begin, end);
   }
-  // All centres are the same: the middle of Morton's order is as good as any place.
-  if (widestSpread(work) === 0) return primitives > 0 ? LEAF : (begin + end) >> 1;
   weighBins(work, begin, end, stride);
   if (stride > 1 && areaOfAll(work, begin, end) > SAMPLE_MISSES * best.area) {
     stride = prepareRange(work, begin, end, true);
