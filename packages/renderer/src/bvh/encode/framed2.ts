@@ -11,68 +11,62 @@
  * word 7 has child 1 (number or first place). Where child 0 is a leaf, word 7 has its first place; then child 1 is the next node, or a
  * leaf whose places follow. A missing child is an inner node whose box ends before it begins.
  */
-import { type Bvh, firstPlace, leafCount } from '../bvh.ts';
+import type { Bvh } from '../bvh.ts';
 import { addChild, type NodeSource } from '../trace/node-source.ts';
-import { collapse, type WideTree } from './collapse.ts';
-import { decodePlane, type Grid, gridsOver, quantiseGreatest, quantiseLeast } from './quantise.ts';
+import { collapse } from './collapse.ts';
+import { decodePlane, type Grid, gridAt, gridsOver, quantiseGreatest, quantiseLeast } from './quantise.ts';
 import type { EncodedNodes } from './reference.ts';
+import type { WideTree } from './wide-tree.ts';
 
 const WORDS = 8;
 const LIMIT = 255;
 const MOST_PRIMITIVES = 15;
 
-/** Of both children; none, for −1, is an inner node. */
-function countsOf(bvh: Bvh, children: readonly number[]): number[] {
-  const counts = children.map((child) => (child < 0 ? 0 : leafCount(bvh, child)));
-  const most = Math.max(...counts);
+/** Of node i's children; a missing one counts as an inner node. */
+function countsOf({ counts }: WideTree, i: number): readonly [number, number] {
+  const [a, b] = [counts[2 * i]!, counts[2 * i + 1]!];
+  const most = Math.max(a, b);
   if (most > MOST_PRIMITIVES) {
     throw new RangeError(`A leaf has ${most} primitives; this encoding holds 1 to ${MOST_PRIMITIVES}`);
   }
-  return counts;
+  return [a, b];
 }
 
-function word7(bvh: Bvh, { numbers }: WideTree, children: readonly number[], counts: readonly number[]): number {
-  const [a, b] = children as [number, number];
-  if (counts[0]! > 0) return firstPlace(bvh, a);
-  if (b < 0) return 0;
-  return counts[1]! > 0 ? firstPlace(bvh, b) : numbers[b]!;
+/** The union of the boxes of node i's children, into `union`. */
+function uniteChildren({ bounds }: Bvh, { children }: WideTree, i: number, union: Float32Array): void {
+  const [a, b] = [children[2 * i]!, children[2 * i + 1]!];
+  for (let k = 0; k < 6; k++) {
+    const first = a < 0 ? 0 : bounds[6 * a + k]!;
+    const second = b < 0 ? first : bounds[6 * b + k]!;
+    union[k] = first < second === k < 3 ? first : second;
+  }
 }
 
-/** The box of one child. */
-const boxOf = (bvh: Bvh, child: number): number[] => [...bvh.bounds.subarray(6 * child, 6 * child + 6)];
-
-function boxOfBoth(bvh: Bvh, children: readonly number[]): number[] {
-  const boxes = children.filter((child) => child >= 0).map((child) => boxOf(bvh, child));
-  if (boxes.length === 0) return [0, 0, 0, 0, 0, 0];
-  return boxes.reduce((u, box) => u.map((x, k) => (k < 3 ? Math.min(x, box[k]!) : Math.max(x, box[k]!))));
-}
-
-function planesAlong(bvh: Bvh, axis: number, grid: Grid, children: readonly number[]): number {
-  let word = 0;
-  children.forEach((child, slot) => {
-    const least = child < 0 ? LIMIT : quantiseLeast(grid, bvh.bounds[6 * child + axis]!);
-    const greatest = child < 0 ? 0 : quantiseGreatest(grid, bvh.bounds[6 * child + 3 + axis]!);
-    word |= (least | (greatest << 8)) << (16 * slot);
-  });
-  return word;
+/** Least and greatest number of a child along an axis; of none, an end before the beginning. */
+function planes({ bounds }: Bvh, child: number, axis: number, grid: Grid): number {
+  if (child < 0) return LIMIT;
+  return quantiseLeast(grid, bounds[6 * child + axis]!) | (quantiseGreatest(grid, bounds[6 * child + 3 + axis]!) << 8);
 }
 
 export function encodeFramed2(bvh: Bvh): EncodedNodes {
   const tree = collapse(bvh, 2);
   const words = new Uint32Array(tree.nodeCount * WORDS);
   const floats = new Float32Array(words.buffer);
+  const union = new Float32Array(6);
   for (let i = 0; i < tree.nodeCount; i++) {
     const at = i * WORDS;
-    const children = [tree.children[2 * i]!, tree.children[2 * i + 1]!];
-    const counts = countsOf(bvh, children);
-    const grids = gridsOver(boxOfBoth(bvh, children), LIMIT);
-    const [ex, ey, ez] = grids.map((grid) => grid.exponent + 127) as [number, number, number];
-    grids.forEach((grid, axis) => {
+    const [a, b] = countsOf(tree, i);
+    uniteChildren(bvh, tree, i, union);
+    const grids = gridsOver(union, 0, LIMIT);
+    words[at + 3] = (a << 24) | (b << 28);
+    for (let axis = 0; axis < 3; axis++) {
+      const grid = grids[axis]!;
       floats[at + axis] = grid.origin;
-      words[at + 4 + axis] = planesAlong(bvh, axis, grid, children);
-    });
-    words[at + 3] = ex | (ey << 8) | (ez << 16) | (counts[0]! << 24) | (counts[1]! << 28);
-    words[at + 7] = word7(bvh, tree, children, counts);
+      words[at + 3]! |= (grid.exponent + 127) << (8 * axis);
+      const first = planes(bvh, tree.children[2 * i]!, axis, grid);
+      words[at + 4 + axis] = first | (planes(bvh, tree.children[2 * i + 1]!, axis, grid) << 16);
+    }
+    words[at + 7] = tree.indices[a > 0 ? 2 * i : 2 * i + 1]!;
   }
   return { words, nodeCount: tree.nodeCount, stackSize: tree.stackSize, depth: tree.depth };
 }
@@ -87,10 +81,7 @@ export function framed2Source({ words, stackSize }: EncodedNodes, order: Uint32A
       const at = node * WORDS;
       const header = words[at + 3]!;
       const counts = [(header >>> 24) & 15, header >>> 28] as const;
-      const grids = [0, 1, 2].map((axis) => ({
-        origin: floats[at + axis]!,
-        exponent: ((header >>> (8 * axis)) & 255) - 127,
-      }));
+      const grids = [0, 1, 2].map((axis) => gridAt(floats[at + axis]!, ((header >>> (8 * axis)) & 255) - 127));
       const reference = words[at + 7]!;
       const second = counts[0] === 0 ? reference : counts[1] === 0 ? node + 1 : reference + counts[0];
       const indices = [counts[0] === 0 ? node + 1 : reference, second] as const;

@@ -11,7 +11,7 @@
 import type { Bvh } from '../bvh.ts';
 import { addChild, type NodeSource } from '../trace/node-source.ts';
 import { collapse } from './collapse.ts';
-import { decodePlane, type Grid, gridsOver, quantiseGreatest, quantiseLeast } from './quantise.ts';
+import { decodePlane, type Grid, gridsOver, NO_BOX, quantiseGreatest, quantiseLeast } from './quantise.ts';
 import { type EncodedNodes, indexOf, NO_CHILD, primitivesOf } from './reference.ts';
 import { referenceTo } from './wide2.ts';
 
@@ -25,7 +25,7 @@ export interface QuantisedNodes extends EncodedNodes {
 
 export function encodeQuantised2(bvh: Bvh): QuantisedNodes {
   const tree = collapse(bvh, 2);
-  const grids = gridsOver(bvh.nodeCount > 0 ? bvh.bounds : [0, 0, 0, 0, 0, 0], LIMIT);
+  const grids = gridsOver(bvh.nodeCount > 0 ? bvh.bounds : NO_BOX, 0, LIMIT);
   const words = new Uint32Array(tree.nodeCount * WORDS);
   for (let i = 0; i < tree.nodeCount; i++) {
     for (let slot = 0; slot < 2; slot++) {
@@ -37,7 +37,7 @@ export function encodeQuantised2(bvh: Bvh): QuantisedNodes {
         const greatest = child < 0 ? 0 : quantiseGreatest(grids[axis]!, bvh.bounds[at + 3]!);
         words[i * WORDS + 3 * slot + axis] = least | (greatest << 16);
       }
-      words[i * WORDS + 6 + slot] = child < 0 ? NO_CHILD : referenceTo(bvh, tree, child);
+      words[i * WORDS + 6 + slot] = referenceTo(tree, 2 * i + slot);
     }
   }
   return { words, nodeCount: tree.nodeCount, stackSize: tree.stackSize, depth: tree.depth, grids };

@@ -1,34 +1,45 @@
 /** Which child lies in which of eight slots: Ylitie, Karras and Laine (2017), section 3.3, with a greedy assignment. */
 
-const centre = (box: readonly number[], axis: number): number => (box[axis]! + box[axis + 3]!) / 2;
+/** Twice the centre of a box of six numbers from `at` on. */
+const centre = (bounds: Float32Array, at: number, axis: number): number => bounds[at + axis]! + bounds[at + axis + 3]!;
 
-/** How far a child lies from the node's middle in the direction of a slot, whose bits 2, 1, 0 are set for positive x, y, z. */
-function reach(node: readonly number[], child: readonly number[], slot: number): number {
-  let sum = 0;
-  for (let axis = 0; axis < 3; axis++) {
-    const sign = (slot >> (2 - axis)) & 1 ? 1 : -1;
-    sum += sign * (centre(child, axis) - centre(node, axis));
+/** How far each child lies from the node's middle in the direction of each slot, whose bits 2, 1, 0 are set for positive x, y, z. */
+function reaches(bounds: Float32Array, node: number, children: readonly number[], table: Float64Array): void {
+  for (let c = 0; c < children.length; c++) {
+    const dx = centre(bounds, 6 * children[c]!, 0) - centre(bounds, 6 * node, 0);
+    const dy = centre(bounds, 6 * children[c]!, 1) - centre(bounds, 6 * node, 1);
+    const dz = centre(bounds, 6 * children[c]!, 2) - centre(bounds, 6 * node, 2);
+    for (let slot = 0; slot < 8; slot++) {
+      table[8 * c + slot] = (slot & 4 ? dx : -dx) + (slot & 2 ? dy : -dy) + (slot & 1 ? dz : -dz);
+    }
   }
-  return sum;
 }
 
-/** Returns eight children, −1 where there is none. The pair of child and free slot that fits best is taken first. */
-export function assignSlots(
-  node: readonly number[],
-  children: readonly number[],
-  boxOf: (child: number) => readonly number[],
-): number[] {
-  const slots = new Array<number>(8).fill(-1);
-  const pairs = children.flatMap((child) => {
-    const box = boxOf(child);
-    return slots.map((_, slot) => ({ child, slot, reach: reach(node, box, slot) }));
-  });
-  pairs.sort((a, b) => b.reach - a.reach || a.child - b.child || a.slot - b.slot);
-  const placed = new Set<number>();
-  for (const { child, slot } of pairs) {
-    if (placed.has(child) || slots[slot]! >= 0) continue;
-    slots[slot] = child;
-    placed.add(child);
+/** The place in the table of the best pair of a child and a slot that are both free. */
+function bestFree(table: Float64Array, children: number, freeChildren: number, freeSlots: number): number {
+  let best = -1;
+  for (let place = 0; place < 8 * children; place++) {
+    if (((freeChildren >> (place >> 3)) & (freeSlots >> (place & 7)) & 1) === 0) continue;
+    if (best < 0 || table[place]! > table[best]!) best = place;
+  }
+  return best;
+}
+
+const table = new Float64Array(64);
+
+/**
+ * `children`: up to eight nodes below `node`, with boxes in `bounds`. Returns for each of eight slots which of them it has, −1 for none. The
+ * pair of child and slot that fits best is taken first.
+ */
+export function assignSlots(bounds: Float32Array, node: number, children: readonly number[]): number[] {
+  const slots = [-1, -1, -1, -1, -1, -1, -1, -1];
+  reaches(bounds, node, children, table);
+  let [freeChildren, freeSlots] = [(1 << children.length) - 1, 255];
+  while (freeChildren !== 0) {
+    const place = bestFree(table, children.length, freeChildren, freeSlots);
+    slots[place & 7] = place >> 3;
+    freeChildren &= ~(1 << (place >> 3));
+    freeSlots &= ~(1 << (place & 7));
   }
   return slots;
 }

@@ -9,19 +9,20 @@
  *
  * A missing child has a box that ends before it begins.
  */
-import { type Bvh, firstPlace, leafCount } from '../bvh.ts';
+import type { Bvh } from '../bvh.ts';
 import { addChild, type NodeSource } from '../trace/node-source.ts';
-import { collapse, type WideTree } from './collapse.ts';
+import { collapse } from './collapse.ts';
 import { type EncodedNodes, indexOf, leafReference, NO_CHILD, primitivesOf } from './reference.ts';
+import type { WideTree } from './wide-tree.ts';
 
 const WORDS = 16;
 /** Where the twelve numbers of a node lie: least x, y, z, greatest x, y, z of child 0, the same of child 1. */
 const PLACES = [0, 2, 8, 1, 3, 9, 4, 6, 10, 5, 7, 11] as const;
 
-/** Of a binary node in a wide tree. */
-export function referenceTo(bvh: Bvh, { numbers }: WideTree, node: number): number {
-  const count = leafCount(bvh, node);
-  return count > 0 ? leafReference(firstPlace(bvh, node), count) : numbers[node]!;
+/** To what is in a slot of a wide tree, counted over all its nodes. */
+export function referenceTo({ children, counts, indices }: WideTree, slot: number): number {
+  if (children[slot]! < 0) return NO_CHILD;
+  return counts[slot]! > 0 ? leafReference(indices[slot]!, counts[slot]!) : indices[slot]!;
 }
 
 export function encodeWide2(bvh: Bvh): EncodedNodes {
@@ -34,7 +35,7 @@ export function encodeWide2(bvh: Bvh): EncodedNodes {
       for (let k = 0; k < 6; k++) {
         floats[i * WORDS + PLACES[6 * slot + k]!] = child < 0 ? (k < 3 ? 1 : -1) : bvh.bounds[6 * child + k]!;
       }
-      words[i * WORDS + 12 + slot] = child < 0 ? NO_CHILD : referenceTo(bvh, tree, child);
+      words[i * WORDS + 12 + slot] = referenceTo(tree, 2 * i + slot);
     }
   }
   return { words, nodeCount: tree.nodeCount, stackSize: tree.stackSize, depth: tree.depth };

@@ -11,12 +11,13 @@ import type { Bvh } from '../bvh.ts';
 import { addChild, type NodeSource } from '../trace/node-source.ts';
 import { collapse } from './collapse.ts';
 import { type EncodedNodes, indexOf, NO_CHILD, primitivesOf } from './reference.ts';
+import type { WideTree } from './wide-tree.ts';
 import { referenceTo } from './wide2.ts';
 
 const WORDS = 32;
 
-export function encodeWide4(bvh: Bvh): EncodedNodes {
-  const tree = collapse(bvh, 4);
+/** `tree`: another way to collapse, as `cheapestCollapse(bvh, 4, 16)`. */
+export function encodeWide4(bvh: Bvh, tree: WideTree = collapse(bvh, 4)): EncodedNodes {
   const words = new Uint32Array(tree.nodeCount * WORDS);
   const floats = new Float32Array(words.buffer);
   for (let i = 0; i < tree.nodeCount; i++) {
@@ -25,7 +26,7 @@ export function encodeWide4(bvh: Bvh): EncodedNodes {
       for (let k = 0; k < 6; k++) {
         floats[i * WORDS + 4 * k + slot] = child < 0 ? (k < 3 ? 1 : -1) : bvh.bounds[6 * child + k]!;
       }
-      words[i * WORDS + 24 + slot] = child < 0 ? NO_CHILD : referenceTo(bvh, tree, child);
+      words[i * WORDS + 24 + slot] = referenceTo(tree, 4 * i + slot);
     }
   }
   return { words, nodeCount: tree.nodeCount, stackSize: tree.stackSize, depth: tree.depth };

@@ -1,6 +1,6 @@
 /** Reads what wide8.ts writes. */
 import { addChild, type Children, type NodeSource } from '../trace/node-source.ts';
-import { decodePlane, type Grid } from './quantise.ts';
+import { decodePlane, type Grid, gridAt } from './quantise.ts';
 import { WIDTH, type Wide8Nodes, WORDS } from './wide8.ts';
 
 const bitsIn = (n: number): number => (n === 0 ? 0 : (n & 1) + bitsIn(n >>> 1));
@@ -27,10 +27,9 @@ export function wide8Source({ words, order, stackSize }: Wide8Nodes): NodeSource
     order,
     stackSize,
     readChildren(node, into) {
-      const grids = [0, 1, 2].map((axis) => ({
-        origin: floats[node * WORDS + axis]!,
-        exponent: bytes[4 * node * WORDS + 12 + axis]! - 127,
-      }));
+      const grids = [0, 1, 2].map((axis) =>
+        gridAt(floats[node * WORDS + axis]!, bytes[4 * node * WORDS + 12 + axis]! - 127),
+      );
       into.count = 0;
       for (let slot = 0; slot < WIDTH; slot++) addSlot(node, slot, grids, into);
     },

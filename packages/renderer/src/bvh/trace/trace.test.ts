@@ -3,6 +3,7 @@ import { awkwardMeshes, bumpySphere, landscape, meshOf, shuffled, soup } from '.
 import { between, pick, type Random, randomDirection, seededRandom } from '../../../../../tests/fixtures/random.ts';
 import { buildBvh } from '../build-bvh.ts';
 import type { TriangleMesh } from '../bvh.ts';
+import { cheapestCollapse } from '../encode/cheapest-collapse.ts';
 import { encodeFramed2, framed2Source } from '../encode/framed2.ts';
 import { encodeQuantised2, quantised2Source } from '../encode/quantised2.ts';
 import { encodeWide2, wide2Source } from '../encode/wide2.ts';
@@ -26,6 +27,7 @@ function sourcesOf(mesh: TriangleMesh): Readonly<Record<string, NodeSource>> {
     quantised2: quantised2Source(encodeQuantised2(bvh), bvh.order),
     framed2: framed2Source(encodeFramed2(bvh), bvh.order),
     wide4: wide4Source(encodeWide4(bvh), bvh.order),
+    'wide4 at the least cost': wide4Source(encodeWide4(bvh, cheapestCollapse(bvh, 4, 16)), bvh.order),
     wide8: wide8Source(encodeWide8(bvh)),
   };
 }
