@@ -1,5 +1,6 @@
 import { aovFilms } from './aov.ts';
 import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
+import { treesFromWorker } from './bvh.ts';
 import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
@@ -49,6 +50,7 @@ export const harness = {
   probeShapes,
   probeWildLamps,
   shadeMean,
+  treesFromWorker,
   compileAll,
   chiSquareSamples,
   probeEdges,

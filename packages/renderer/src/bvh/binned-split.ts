@@ -3,11 +3,9 @@
  * centres; for each border between two slices the cost of a split is area × count on the left plus the same on the right.
  */
 import { centreOf, minLanes, NOTHING, packedArea } from './packed-box.ts';
-import { spreadAlong, widestSpread } from './split-range.ts';
+import { isNarrow, spreadAlong } from './split-range.ts';
 import { MOST_BINS, type Workspace } from './workspace.ts';
 
-/** An axis along which centres spread less than this share of the widest spread is not tried. */
-const NARROW = 0.3;
 /** Binary places of the factor from twice-the-centre to bin; with 17 places of the other and 5 of a bin it stays below 2³². */
 const PLACES = 26;
 
@@ -35,7 +33,7 @@ function fillBins(work: Workspace, begin: number, end: number, stride: number, a
     bins[bin] = minLanes(bins[bin]!, records[at]!);
     bins[bin + 1] = minLanes(bins[bin + 1]!, records[at + 1]!);
     bins[bin + 2] = minLanes(bins[bin + 2]!, records[at + 2]!);
-    bins[bin + 3] = (bins[bin + 3]! + 1) | 0;
+    bins[bin + 3] = (bins[bin + 3]! + 1 + (records[at + 3]! & 1)) | 0;
   }
 }
 
@@ -89,12 +87,10 @@ function sweepFromLeft({ bins, costs, best }: Workspace, count: number, axis: nu
 export function weighBins(work: Workspace, begin: number, end: number, stride: number): void {
   const { bins, best } = work;
   const count = binsFor(end - begin);
-  const narrow = NARROW * widestSpread(work);
   best.cost = Infinity;
   for (let axis = 0; axis < 3; axis++) {
-    const spread = spreadAlong(work, axis);
-    if (spread <= narrow) continue;
-    const factor = ((count * 2 ** PLACES) / (spread + 1)) | 0;
+    if (isNarrow(work, axis)) continue;
+    const factor = ((count * 2 ** PLACES) / (spreadAlong(work, axis) + 1)) | 0;
     clearBins(bins, count);
     fillBins(work, begin, end, stride, axis, factor);
     best.area = sweepFromRight(work, count);
@@ -104,7 +100,7 @@ export function weighBins(work: Workspace, begin: number, end: number, stride: n
 
 /** Keeps the order within both sides. Without branches: which side is as good as random. */
 function partition(work: Workspace, begin: number, end: number, axis: number, threshold: number): number {
-  const { records, order, spare } = work;
+  const { records, order, codes: spare } = work;
   let left = begin;
   let right = 0;
   for (let k = begin; k < end; k++) {
@@ -130,6 +126,6 @@ export function splitAtBest(work: Workspace, begin: number, end: number): number
   // The least centre of that bin: (centre − range) · factor ≥ bin · 2^PLACES.
   const threshold = (Math.ceil((bin * 2 ** PLACES) / factor) + range[axis]!) | 0;
   const middle = partition(work, begin, end, axis, threshold);
-  copyBack(work.spare, work.order, middle, end);
+  copyBack(work.codes, work.order, middle, end);
   return middle;
 }

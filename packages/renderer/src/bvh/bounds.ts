@@ -1,26 +1,14 @@
-/** Bounds of all nodes from those of the primitives. Children come after their parents, so one pass from the end does it. */
+/** Bounds of nodes. Children come after their parents, so one pass from the end does all inner nodes. */
+import type { Workspace } from './workspace.ts';
 
-/** Writes the union of the boxes of both children into node i. */
-export function uniteChildren(bounds: Float32Array, i: number, second: number): void {
-  const to = 6 * i;
-  const a = to + 6;
-  const b = 6 * second;
-  for (let k = 0; k < 3; k++) {
-    const least = bounds[b + k]!;
-    bounds[to + k] = bounds[a + k]! < least ? bounds[a + k]! : least;
-    const greatest = bounds[b + 3 + k]!;
-    bounds[to + 3 + k] = bounds[a + 3 + k]! > greatest ? bounds[a + 3 + k]! : greatest;
-  }
-}
-
-function uniteLeaf(
-  bounds: Float32Array,
-  node: number,
-  boxes: Float32Array,
-  order: Uint32Array,
+/** Bounds of a leaf from its items, which `order` has from begin to end. */
+export function boundItems(
+  { boxes, order, records }: Workspace,
   begin: number,
   end: number,
-) {
+  bounds: Float32Array,
+  node: number,
+): void {
   let x0 = Infinity;
   let y0 = Infinity;
   let z0 = Infinity;
@@ -28,7 +16,7 @@ function uniteLeaf(
   let y1 = -Infinity;
   let z1 = -Infinity;
   for (let k = begin; k < end; k++) {
-    const i = order[k]! * 6;
+    const i = (records[order[k]! + 3]! >>> 2) * 6;
     if (boxes[i]! < x0) x0 = boxes[i]!;
     if (boxes[i + 1]! < y0) y0 = boxes[i + 1]!;
     if (boxes[i + 2]! < z0) z0 = boxes[i + 2]!;
@@ -45,18 +33,29 @@ function uniteLeaf(
   bounds[to + 5] = z1;
 }
 
-/** `boxes` as in primitive-boxes.ts. */
-export function boundNodes(
-  nodeCount: number,
-  links: Uint32Array,
-  order: Uint32Array,
-  boxes: Float32Array,
-  bounds: Float32Array,
-): void {
+/** Bounds of inner nodes from those of leaves. */
+export function uniteUpwards(nodeCount: number, links: Uint32Array, bounds: Float32Array): void {
   for (let i = nodeCount - 1; i >= 0; i--) {
-    const count = links[2 * i + 1]!;
-    const first = links[2 * i]!;
-    if (count === 0) uniteChildren(bounds, i, first);
-    else uniteLeaf(bounds, i, boxes, order, first, first + count);
+    if (links[2 * i + 1] !== 0) continue;
+    const to = 6 * i;
+    const second = 6 * links[2 * i]!;
+    let a = bounds[to + 6]!;
+    let b = bounds[second]!;
+    bounds[to] = a < b ? a : b;
+    a = bounds[to + 7]!;
+    b = bounds[second + 1]!;
+    bounds[to + 1] = a < b ? a : b;
+    a = bounds[to + 8]!;
+    b = bounds[second + 2]!;
+    bounds[to + 2] = a < b ? a : b;
+    a = bounds[to + 9]!;
+    b = bounds[second + 3]!;
+    bounds[to + 3] = a > b ? a : b;
+    a = bounds[to + 10]!;
+    b = bounds[second + 4]!;
+    bounds[to + 4] = a > b ? a : b;
+    a = bounds[to + 11]!;
+    b = bounds[second + 5]!;
+    bounds[to + 5] = a > b ? a : b;
   }
 }

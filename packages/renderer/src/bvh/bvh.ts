@@ -63,5 +63,5 @@ export function sahCost(bvh: Bvh, costs: TraceCosts = DEFAULT_COSTS): number {
     const count = leafCount(bvh, i);
     sum += halfArea(bvh, i) * (count > 0 ? costs.primitive * count : costs.node);
   }
-  return bvh.nodeCount === 0 ? 0 : sum / halfArea(bvh, 0);
+  return sum > 0 ? sum / halfArea(bvh, 0) : 0;
 }

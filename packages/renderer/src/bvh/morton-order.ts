@@ -1,8 +1,9 @@
 /**
  * Primitives sorted along Morton's curve: 10 bits an axis of twice the centre, interleaved (Lauterbach et al. 2009), by a
- * radix sort with three passes of 10 bits. Neighbours in space are then neighbours in memory, and every k-th primitive of a
+ * radix sort with three passes of 10 bits. Neighbours in space are then neighbours in memory, and every k-th item of a
  * range is a fair sample of it.
  */
+import { uniteBoxes } from './primitive-boxes.ts';
 import type { Workspace } from './workspace.ts';
 
 const BITS = 10;
@@ -15,20 +16,21 @@ const SPREAD = Uint32Array.from({ length: BUCKETS }, (_, n) => {
   return spaced;
 });
 
-function countCodes(work: Workspace, boxes: Float32Array, count: number, union: Float64Array): void {
-  const { codes, buckets } = work;
+function countCodes(work: Workspace, boxes: Float32Array, count: number): void {
+  const { codes, order, buckets, union } = work;
   const spread = SPREAD;
   const extent = Math.max(union[3]! - union[0]!, union[4]! - union[1]!, union[5]! - union[2]!);
   const scale = extent > 0 ? (BUCKETS * 0.49999) / extent : 0;
   const ox = 2 * union[0]!;
   const oy = 2 * union[1]!;
   const oz = 2 * union[2]!;
-  for (let p = 0, i = 0; p < count; p++, i += 6) {
+  for (let k = 0; k < count; k++) {
+    const i = (order[k]! >>> 1) * 6;
     const x = ((boxes[i]! + boxes[i + 3]! - ox) * scale) | 0;
     const y = ((boxes[i + 1]! + boxes[i + 4]! - oy) * scale) | 0;
     const z = ((boxes[i + 2]! + boxes[i + 5]! - oz) * scale) | 0;
     const code = spread[x]! | (spread[y]! << 1) | (spread[z]! << 2);
-    codes[p] = code;
+    codes[k] = code;
     buckets[code & 0x3ff]!++;
     buckets[0x400 + ((code >>> 10) & 0x3ff)]!++;
     buckets[0x800 + (code >>> 20)]!++;
@@ -63,18 +65,17 @@ function scatter(
   }
 }
 
-function number(order: Uint32Array, count: number): void {
-  for (let i = 0; i < count; i++) order[i] = i;
-}
-
-/** Leaves the sorted codes in `spareCodes` and the primitives in `spare`; stable, so equal codes stay in the mesh's order. */
-export function sortByMorton(work: Workspace, boxes: Float32Array, count: number, union: Float64Array): void {
-  const { codes, order, spareCodes, spare, buckets } = work;
+/**
+ * Measures the `union` of the boxes, sorts what is in `order`, with codes as items.ts explains them, into `sorted`, and the
+ * Morton codes into `sortedCodes`. Stable: what has equal ones stays in the order in which it came.
+ */
+export function sortByMorton(work: Workspace, boxes: Float32Array, count: number): void {
+  const { codes, order, sortedCodes, sorted, buckets } = work;
+  uniteBoxes(boxes, order, count, work.union);
   buckets.fill(0);
-  countCodes(work, boxes, count, union);
+  countCodes(work, boxes, count);
   for (let digit = 0; digit < 3; digit++) startBuckets(buckets, digit * BUCKETS, (digit + 1) * BUCKETS);
-  number(order, count);
-  scatter(buckets, count, 0, codes, order, spareCodes, spare);
-  scatter(buckets, count, 1, spareCodes, spare, codes, order);
-  scatter(buckets, count, 2, codes, order, spareCodes, spare);
+  scatter(buckets, count, 0, codes, order, sortedCodes, sorted);
+  scatter(buckets, count, 1, sortedCodes, sorted, codes, order);
+  scatter(buckets, count, 2, codes, order, sortedCodes, sorted);
 }

@@ -14,7 +14,7 @@ export const LIMIT = 32767;
 /** Every word of the box of nothing. */
 export const NOTHING = 0x7fff7fff;
 
-/** Words a record: the box, and the number of the primitive. */
+/** Words a record: the box, and the code of the item. */
 export const RECORD = 4;
 
 /**
@@ -38,10 +38,10 @@ export function packedArea(w0: number, w1: number, w2: number): number {
 /** Sum of least and greatest coordinate, that is twice the centre, minus LIMIT. */
 export const centreOf = (word: number): number => (word & 0x7fff) - (word >>> 16);
 
-/** Writes the packed box of a primitive into its record. The grid starts at ox, oy, oz and has `scale` cells a unit. */
+/** Writes the packed box of an item into its record. The grid starts at ox, oy, oz and has `scale` cells a unit. */
 export function packBox(
   boxes: Float32Array,
-  primitive: number,
+  item: number,
   records: Int32Array,
   at: number,
   ox: number,
@@ -49,7 +49,7 @@ export function packBox(
   oz: number,
   scale: number,
 ): void {
-  const i = primitive * 6;
+  const i = (item >>> 2) * 6;
   const x0 = ((boxes[i]! - ox) * scale) | 0;
   const y0 = ((boxes[i + 1]! - oy) * scale) | 0;
   const z0 = ((boxes[i + 2]! - oz) * scale) | 0;

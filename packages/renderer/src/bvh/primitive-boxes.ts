@@ -17,14 +17,24 @@ function writeBoxes(positions: Float32Array, indices: Uint32Array, boxes: Float3
     const a = indices[i]! * 3;
     const b = indices[i + 1]! * 3;
     const c = indices[i + 2]! * 3;
-    for (let axis = 0; axis < 3; axis++) {
-      const p = positions[a + axis]!;
-      const q = positions[b + axis]!;
-      const r = positions[c + axis]!;
-      boxes[at + axis] = least(p, q, r);
-      boxes[at + 3 + axis] = greatest(p, q, r);
-      finite += (p + q + r) * 0;
-    }
+    let p = positions[a]!;
+    let q = positions[b]!;
+    let r = positions[c]!;
+    boxes[at] = least(p, q, r);
+    boxes[at + 3] = greatest(p, q, r);
+    finite += (p + q + r) * 0;
+    p = positions[a + 1]!;
+    q = positions[b + 1]!;
+    r = positions[c + 1]!;
+    boxes[at + 1] = least(p, q, r);
+    boxes[at + 4] = greatest(p, q, r);
+    finite += (p + q + r) * 0;
+    p = positions[a + 2]!;
+    q = positions[b + 2]!;
+    r = positions[c + 2]!;
+    boxes[at + 2] = least(p, q, r);
+    boxes[at + 5] = greatest(p, q, r);
+    finite += (p + q + r) * 0;
   }
   return finite;
 }
@@ -50,15 +60,16 @@ export function triangleBoxes(mesh: TriangleMesh): Float32Array {
   return boxes;
 }
 
-/** The union of the first `count` boxes, into `union`. */
-export function unionOfBoxes(boxes: Float32Array, count: number, union: Float64Array): void {
+/** The union, into `union`, of the boxes of what `codes` has: codes of primitives and pairs as in items.ts. */
+export function uniteBoxes(boxes: Float32Array, codes: Uint32Array, count: number, union: Float64Array): void {
   let x0 = Infinity;
   let y0 = Infinity;
   let z0 = Infinity;
   let x1 = -Infinity;
   let y1 = -Infinity;
   let z1 = -Infinity;
-  for (let i = 0; i < count * 6; i += 6) {
+  for (let k = 0; k < count; k++) {
+    const i = (codes[k]! >>> 1) * 6;
     if (boxes[i]! < x0) x0 = boxes[i]!;
     if (boxes[i + 1]! < y0) y0 = boxes[i + 1]!;
     if (boxes[i + 2]! < z0) z0 = boxes[i + 2]!;

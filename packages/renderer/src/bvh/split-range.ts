@@ -48,17 +48,22 @@ function measureRange(work: Workspace, begin: number, end: number, stride: numbe
 }
 
 export const spreadAlong = ({ range }: Workspace, axis: number): number => range[axis + 3]! - range[axis]!;
+/** An axis along which centres spread less than this share of the widest spread is not tried. */
+const NARROW = 0.4;
+export const isNarrow = (work: Workspace, axis: number): boolean =>
+  spreadAlong(work, axis) < NARROW * widestSpread(work);
+
 export const widestSpread = (work: Workspace): number =>
   Math.max(spreadAlong(work, 0), spreadAlong(work, 1), spreadAlong(work, 2));
 
-function uniteBoxes(work: Workspace, boxes: Float32Array, begin: number, end: number): void {
-  const { records, order, union } = work;
+function uniteItems(work: Workspace, begin: number, end: number): void {
+  const { records, order, boxes, nodeUnion: union } = work;
   for (let axis = 0; axis < 3; axis++) {
     union[axis] = Infinity;
     union[axis + 3] = -Infinity;
   }
   for (let k = begin; k < end; k++) {
-    const i = records[order[k]! + 3]! * 6;
+    const i = (records[order[k]! + 3]! >>> 2) * 6;
     for (let axis = 0; axis < 3; axis++) {
       if (boxes[i + axis]! < union[axis]!) union[axis] = boxes[i + axis]!;
       if (boxes[i + axis + 3]! > union[axis + 3]!) union[axis + 3] = boxes[i + axis + 3]!;
@@ -67,9 +72,9 @@ function uniteBoxes(work: Workspace, boxes: Float32Array, begin: number, end: nu
 }
 
 /** Packs the boxes of a node anew, on a grid over this node alone. */
-function refineGrid(work: Workspace, boxes: Float32Array, begin: number, end: number): void {
-  const { records, order, union } = work;
-  uniteBoxes(work, boxes, begin, end);
+function refineGrid(work: Workspace, begin: number, end: number): void {
+  const { records, order, boxes, nodeUnion: union } = work;
+  uniteItems(work, begin, end);
   const scale = gridScale(union);
   for (let k = begin; k < end; k++) {
     const at = order[k]!;
@@ -101,7 +106,7 @@ export function areaOfAll(work: Workspace, begin: number, end: number): number {
 }
 
 /** Measures the `range` and returns the stride at which it did: 1 is every primitive. */
-export function prepareRange(work: Workspace, boxes: Float32Array, begin: number, end: number, all: boolean): number {
+export function prepareRange(work: Workspace, begin: number, end: number, all: boolean): number {
   const count = end - begin;
   let stride = all || count < 2 * SAMPLE ? 1 : Math.floor(count / SAMPLE);
   measureRange(work, begin, end, stride);
@@ -111,7 +116,7 @@ export function prepareRange(work: Workspace, boxes: Float32Array, begin: number
     measureRange(work, begin, end, 1);
     if (widestSpread(work) >= FINE) return 1;
   }
-  refineGrid(work, boxes, begin, end);
+  refineGrid(work, begin, end);
   measureRange(work, begin, end, 1);
   return stride;
 }

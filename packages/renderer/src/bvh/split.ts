@@ -2,7 +2,7 @@
 
 import { splitAtBest, weighBins } from './binned-split.ts';
 import { DEFAULT_COSTS } from './bvh.ts';
-import { splitFewAtBest, weighFew } from './exact-split.ts';
+import { splitFewAtBest, weighFew, weighTwo } from './exact-split.ts';
 import { areaOfAll, prepareRange, widestSpread } from './split-range.ts';
 import { FEW, type Workspace } from './workspace.ts';
 
@@ -36,29 +36,36 @@ export const LEAF = -1;
 /** The box of the sample may be this much smaller than that of all: else something large or far away was left out. */
 const SAMPLE_MISSES = 1.25;
 
-const leafIsCheaper = (rules: SplitRules, count: number, area: number, splitCost: number): boolean =>
-  count <= rules.maxLeafSize && rules.primitiveCost * (count * area - splitCost) <= rules.nodeCost * area;
+function leafIsCheaper(work: Workspace, rules: SplitRules, primitives: number): boolean {
+  const { area, cost } = work.best;
+  return primitives > 0 && rules.primitiveCost * (primitives * area - cost) <= rules.nodeCost * area;
+}
 
-/** All centres are the same: the middle of Morton's order is as good as any place. */
-const halves = (rules: SplitRules, begin: number, end: number): number =>
-  end - begin <= rules.maxLeafSize ? LEAF : (begin + end) >> 1;
-
-/** Sorts `order` between begin and end into two parts and returns where the second begins; or LEAF. */
-export function split(work: Workspace, boxes: Float32Array, begin: number, end: number, rules: SplitRules): number {
+/**
+ * Sorts the items in `order` from begin to end into two parts and returns where the second begins; or LEAF. `primitives` is how
+ * many a leaf would have, or 0 when there may be no leaf.
+ */
+export function split(work: Workspace, begin: number, end: number, rules: SplitRules, primitives: number): number {
   const { best } = work;
   const count = end - begin;
-  let stride = prepareRange(work, boxes, begin, end, false);
+  if (count === 2) {
+    if (primitives === 0) return begin + 1;
+    weighTwo(work, begin);
+    return leafIsCheaper(work, rules, primitives) ? LEAF : begin + 1;
+  }
+  let stride = prepareRange(work, begin, end, false);
+  // All centres are the same: the middle of Morton's order is as good as any place.
+  if (widestSpread(work) === 0) return primitives > 0 ? LEAF : (begin + end) >> 1;
   if (count <= FEW) {
     weighFew(work, begin, end);
-    if (leafIsCheaper(rules, count, best.area, best.cost)) return LEAF;
+    if (leafIsCheaper(work, rules, primitives)) return LEAF;
     return splitFewAtBest(work, begin, end);
   }
-  if (widestSpread(work) === 0) return halves(rules, begin, end);
   weighBins(work, begin, end, stride);
   if (stride > 1 && areaOfAll(work, begin, end) > SAMPLE_MISSES * best.area) {
-    stride = prepareRange(work, boxes, begin, end, true);
+    stride = prepareRange(work, begin, end, true);
     weighBins(work, begin, end, stride);
   }
-  if (leafIsCheaper(rules, count, best.area, best.cost)) return LEAF;
+  if (leafIsCheaper(work, rules, primitives)) return LEAF;
   return splitAtBest(work, begin, end);
 }

@@ -5,15 +5,15 @@
 import { RECORD } from './packed-box.ts';
 
 export const MOST_BINS = 32;
-/** So many primitives or fewer are split exactly. */
+/** So many items or fewer are split exactly. */
 export const FEW = 8;
 
 export class Workspace {
   // Of one split: see split-range.ts, binned-split.ts and exact-split.ts.
 
-  /** Least and greatest `centreOf` the primitives looked at last: x, y, z, x, y, z. */
+  /** Least and greatest `centreOf` the items looked at last: x, y, z, x, y, z. */
   readonly range = new Int32Array(6);
-  readonly union = new Float64Array(6);
+  readonly nodeUnion = new Float64Array(6);
   readonly packedUnion = new Int32Array(3);
   /** Four words a bin: its packed box, its count. */
   readonly bins = new Int32Array(MOST_BINS * 4);
@@ -25,31 +25,33 @@ export class Workspace {
   readonly bestLine = new Uint32Array(FEW);
   readonly centres = new Int32Array(FEW);
 
-  // Of one tree.
+  // Of one tree. Primitives are numbered as they came; items are explained in items.ts.
 
   capacity = 0;
-  /** Packed boxes in Morton order; see packed-box.ts. */
-  records = new Int32Array(0);
-  /** While nodes are split: where each record starts. Of leaves: the primitives themselves. */
-  order = new Uint32Array(0);
-  /** For what a partition or a pass of sorting needs beside `order`. */
-  spare = new Uint32Array(0);
-  codes = new Uint32Array(0);
-  /** How many codes have each value of their low, middle and high ten bits; then where the next of them goes. */
+  readonly union = new Float64Array(6);
+  /** How many Morton codes have each value of their low, middle and high ten bits; then where the next of them goes. */
   readonly buckets = new Uint32Array(3 * 1024);
-  spareCodes = new Uint32Array(0);
-  /** As in `Bvh`; a binary tree of n leaves has 2n − 1 nodes. */
-  links = new Uint32Array(0);
+  /** Morton codes; later what a partition has to put aside. */
+  codes = new Uint32Array(0);
+  sortedCodes = new Uint32Array(0);
+  /** Primitives and pairs in Morton's order. */
+  sorted = new Uint32Array(0);
+  /** Of the items, six floats each. */
+  boxes = new Float32Array(0);
+  /** Packed boxes and codes of the items; see packed-box.ts. */
+  records = new Int32Array(0);
+  /** Where the record of each item starts: what splits sort. */
+  order = new Uint32Array(0);
 
   fit(count: number): void {
     if (count <= this.capacity) return;
     const capacity = Math.max(count, this.capacity * 2);
+    this.codes = new Uint32Array(capacity);
+    this.sortedCodes = new Uint32Array(capacity);
+    this.sorted = new Uint32Array(capacity);
+    this.boxes = new Float32Array(capacity * 6);
     this.records = new Int32Array(capacity * RECORD);
     this.order = new Uint32Array(capacity);
-    this.spare = new Uint32Array(capacity);
-    this.codes = new Uint32Array(capacity);
-    this.spareCodes = new Uint32Array(capacity);
-    this.links = new Uint32Array(capacity * 4);
     this.capacity = capacity;
   }
 }

@@ -4,8 +4,8 @@
  * coordinates relative to the eye; the second only when other meshes come in.
  */
 
-import { buildBvh } from '../bvh/build-bvh.ts';
-import { type Bvh, leafCount } from '../bvh/bvh.ts';
+import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
+import { InstanceTree } from '../bvh/instance-tree.ts';
 import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
@@ -116,24 +116,19 @@ function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest:
   moving.u32.set(words);
 }
 
-/** Over the instances' boxes, relative to the eye; each instance is a leaf of its own. */
+/** Keeps its arrays from frame to frame; what it gives is encoded at once. */
+const instanceTree = new InstanceTree();
+
+/** Over the instances' boxes, relative to the eye; each instance is a leaf of its own, which names it. */
 function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
-  const corners = placed.flatMap(({ placement, mesh }) => {
+  const boxes = new Float32Array(placed.length * 6);
+  placed.forEach(({ placement, mesh }, i) => {
     const { min, max } = placedBounds(meshBounds(mesh), placement);
-    return [...subtract(min, eye), ...subtract(max, eye)];
+    boxes.set(subtract(min, eye), 6 * i);
+    boxes.set(subtract(max, eye), 6 * i + 3);
   });
-  // A triangle from corner to corner of a box has that box.
-  const indices = Uint32Array.from(
-    { length: placed.length * 3 },
-    (_, i) => 2 * Math.floor(i / 3) + (i % 3 === 1 ? 1 : 0),
-  );
-  const bvh = buildBvh({ positions: new Float32Array(corners), indices }, { leafSize: 1, maxLeafSize: 1 });
-  for (let i = 0; i < bvh.nodeCount; i++) {
-    const count = leafCount(bvh, i);
-    if (count > 1) throw new Error(`A leaf of ${count} instances.`);
-    // Leaves name instances, not places.
-    if (count === 1) bvh.links[2 * i] = bvh.order[bvh.links[2 * i]!]!;
-  }
+  const bvh = instanceTree.build(boxes, placed.length);
+  for (let i = 0; i < bvh.nodeCount; i++) if (leafCount(bvh, i) > 0) bvh.links[2 * i] = bvh.order[firstPlace(bvh, i)]!;
   return bvh;
 }
 
