@@ -27,6 +27,12 @@ const PARTS = [
     entry: join(source, 'reference/reference-renderer.ts'),
   },
   {
+    name: 'meshes',
+    importer: 'packed-scene/geometry-packer.ts',
+    asked: './pack-geometry.ts',
+    entry: join(source, 'packed-scene/pack-geometry.ts'),
+  },
+  {
     name: 'mesh-files',
     importer: 'scene-file/load-meshes.ts',
     asked: '../mesh-file/mesh-file.ts',

@@ -3,9 +3,9 @@
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
+import { geometryOf } from './geometry-packer.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
-import { packGeometry } from './pack-geometry.ts';
 import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
@@ -43,6 +43,6 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   const meshes = Object.entries(lamps.scene.shapes).flatMap(([name, shape]) =>
     shape.type === 'mesh' ? [{ shape, row: rows.get(name)! }] : [],
   );
-  const geometry = packGeometry(lamps.scene, meshes, eye);
+  const geometry = geometryOf(lamps.scene, meshes, eye);
   return { ...packed, ...skyOf(scene.sky), geometry, emitterCount: emitters.length };
 }

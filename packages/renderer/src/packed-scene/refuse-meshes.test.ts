@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { cubeMesh } from '../../../../tests/fixtures/meshes/solids.ts';
 import { testScene } from '../../../../tests/fixtures/scenes.ts';
+import { loadGeometryPacker } from './geometry-packer.ts';
 import { packPathScene } from './pack-path-scene.ts';
 import { packScene } from './pack-scene.ts';
 import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
@@ -16,7 +17,8 @@ test('meshes that no shape places are no hindrance', () => {
   expect(packScene(scene, [0, 0, 5]).shapeNames).toEqual(['ball']);
 });
 
-test('for the classic integrator nothing is packed without the meshes that it has', () => {
+test('for the classic integrator nothing is packed without the meshes that it has', async () => {
+  await loadGeometryPacker();
   const scene = testScene({ ball, 'my cube': cube }, {}, { meshes });
   expect(() => packScene(scene, [0, 0, 5])).toThrow(UntraceableSceneError);
   expect(() => packScene(scene, [0, 0, 5])).toThrow('The shape "my cube" is a mesh');
