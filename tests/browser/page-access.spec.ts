@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { choose, coarse, expectPicture, group, rendererState, scenes, soon, unfold } from './studio.ts';
+import { choose, coarse, expectPicture, fewSamples, group, rendererState, scenes, soon, unfold } from './studio.ts';
 
 const address = { backend: 'webgl2', query: { ...coarse, paused: 1 } } as const;
 const axePath = fileURLToPath(import.meta.resolve('axe-core/axe.min.js'));
@@ -26,6 +26,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds no serious problem (${colorScheme})`, async ({ page, openStudio }) => {
     await page.emulateMedia({ colorScheme });
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     for (const section of ['Performance', 'Page']) await unfold(page, section);
     await choose(page, 'Side by side', 'Reflections 1 · 2 · 10');
@@ -40,6 +41,7 @@ test.describe('in Chinese', () => {
   test.use({ locale: 'zh-CN' });
   test('the browser’s language is taken, and can be changed', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     await expect(page.locator('html')).toHaveAttribute('lang', 'zh-CN');
     await expect(page.getByRole('slider', { name: '反射次数' })).toBeVisible();
@@ -60,6 +62,7 @@ test.describe('in Chinese', () => {
 
   test('what is wrong with a scene file is said in Chinese, and once', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     const buffer = Buffer.from(JSON.stringify({ version: 1, name: 'x', camera: { eye: [0, 1, 5], target: 7 } }));
     await page.locator('input[type=file]').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
     const dialog = page.getByRole('dialog', { name: '无法打开 x.json' });
@@ -70,6 +73,7 @@ test.describe('in Chinese', () => {
 
   test('nothing but names is left in English', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     for (const section of ['性能', '页面']) await unfold(page, section);
     const text = await page.getByRole('complementary').innerText();
@@ -84,6 +88,7 @@ test.describe('on a phone on its side', () => {
 
   test('the panel is folded at first, and the figures stay in one line beside it', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     await expect(page.getByRole('slider', { name: '反射次数' })).toBeHidden();
     const status = page.getByRole('region', { name: '上一帧的渲染数据' });
@@ -103,6 +108,7 @@ test.describe('on a phone', () => {
 
   test('the panel folds away, opens by touch, and everything fits', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     const slider = page.getByRole('slider', { name: 'Reflections' });
     await expect(slider, 'the panel is folded at first').toBeHidden();
@@ -121,6 +127,7 @@ test.describe('on a phone', () => {
 
   test('the scene’s middle square fits into what the controls leave', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     const framing = async () => (await rendererState(page)).settings.framing!;
     const folded = await framing();
@@ -134,6 +141,7 @@ test.describe('on a phone', () => {
 
   test('a finger orbits', async ({ page, openStudio }) => {
     await openStudio(address);
+    await fewSamples(page);
     await expectPicture(page);
     // Real touches, which Playwright itself cannot move.
     const devtools = await page.context().newCDPSession(page);

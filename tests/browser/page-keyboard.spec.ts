@@ -1,9 +1,10 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { coarse, expectPicture, expectState, rendererState, scenes, settled, soon } from './studio.ts';
+import { coarse, expectPicture, expectState, fewSamples, rendererState, scenes, settled, soon } from './studio.ts';
 
 test.beforeEach(async ({ page, openStudio }) => {
   await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
+  await fewSamples(page);
   await expectPicture(page);
 });
 
