@@ -214,6 +214,7 @@ test('the CPU’s still picture by the address is not excused, gets finer, and d
 test('the address is taken as far as it is understood, and the rest is named', async ({ page, openStudio }) => {
   const strange = { exposure: 8, reflections: 99, colour: 'red' };
   await openStudio({ backend: 'webgl2', query: { ...coarse, ...strange, paused: 1 } });
+  await fewSamples(page);
   await expect(page.getByRole('slider', { name: 'Exposure' })).toHaveValue('8');
   await expect(page.getByText('reflections=99 (0 … 64)')).toBeVisible();
   await expect(page.getByText('colour=red')).toBeVisible();
@@ -221,6 +222,7 @@ test('the address is taken as far as it is understood, and the rest is named', a
 
 test('a scene file opens; a broken one lists its problems and changes nothing', async ({ page, openStudio }) => {
   await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
+  await fewSamples(page);
   const file = (name: string, text: string) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
   const input = page.locator('input[type=file]');
   await input.setInputFiles(
@@ -238,6 +240,7 @@ test('a scene opens with its map of the sky when both files come together, and s
   openStudio,
 }) => {
   await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
+  await fewSamples(page);
   const scene = `{ "version": 1, "name": "Under a map", "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "sky": { "image": "sky.npy" },
     "materials": { "grey": {} }, "shapes": { "ball": { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "grey" } } }`;
   const file = (name: string, content: string | Uint8Array) => ({
