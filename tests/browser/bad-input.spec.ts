@@ -8,7 +8,7 @@ import {
 import { goodScene } from '../../packages/renderer/src/scene-file/broken/good-scene.ts';
 import { backends, expect, test } from './fixtures.ts';
 import { hookGpu, hooks } from './gpu-hooks.ts';
-import { expectPicture, expectState, quick, rendererState } from './studio.ts';
+import { expectPicture, expectState, fewSamples, quick, rendererState } from './studio.ts';
 
 /** Broken scenes as the text of a file; what only an object can hold has none. */
 function brokenFiles(): { name: string; text: string }[] {
@@ -71,7 +71,7 @@ function openAll(page: Page, files: readonly Given[]): Promise<Listed[][]> {
 for (const backend of backends)
   test(`broken scene files list their problems, and the scene runs on (${backend})`, async ({ page, openStudio }) => {
     await hookGpu(page);
-    await openStudio({ backend, query: { ...quick, size: 160, paused: 0 } });
+    await openStudio({ backend, query: { ...quick, size: 64, paused: 0 } });
     await expectPicture(page);
     await page.evaluate(() => Object.assign(window, { sceneBefore: window.mirrorball.renderer!.scene }));
     const { draws } = await hooks(page);
@@ -106,6 +106,7 @@ for (const backend of backends)
 
 test('junk by the API throws a TypeError and changes nothing', async ({ page, openStudio }) => {
   await openStudio({ backend: 'webgl2', query: { ...quick, size: 160, paused: 1 } });
+  await fewSamples(page);
   await expectPicture(page);
   const before = await rendererState(page);
   const answers = await page.evaluate(async () => {

@@ -51,7 +51,7 @@ for (const backend of backends) {
     const materials = { white: testMaterial({ baseColor: [albedo, albedo, albedo] }) };
     for (const point of points) {
       const scene = testScene({ floor }, { lamp }, { camera: lookingAt(point.at), materials, render: RENDER });
-      const [red] = await measure(harness, backend, scene, 16);
+      const [red] = await measure(harness, backend, scene, 4);
       expectShare(red!, point.radiance, 0.003, `at ${point.at.join(', ')}`);
     }
   });
@@ -61,7 +61,7 @@ for (const backend of backends) {
       const furnace = referenceScene(name);
       // So near that every pixel sees the ball.
       const scene = { ...furnace, camera: { ...furnace.camera, verticalFov: 18 } };
-      for (const [c, { mean, error }] of (await measure(harness, backend, scene, 64)).entries()) {
+      for (const [c, { mean, error }] of (await measure(harness, backend, scene, 16)).entries()) {
         expect.soft(error, `${name}, channel ${c}: noise`).toBeLessThan(5e-4);
         expect.soft(Math.abs(mean - 1), `${name}, channel ${c}`).toBeLessThan(1e-3);
       }
@@ -77,7 +77,7 @@ for (const backend of backends) {
     for (const x of PENUMBRA.places) {
       const shapes = { floor, screen: PENUMBRA.screen };
       const scene = testScene(shapes, { lamp }, { camera: lookingAt([x, 0, 0]), materials, render: RENDER });
-      const channels = await measure(harness, backend, scene, 256);
+      const channels = await measure(harness, backend, scene, 64);
       for (const [c, measured] of channels.entries()) {
         const exact = (PENUMBRA.albedo[c]! * penumbraIrradiance(x)) / Math.PI;
         expectShare(measured, exact, 0.003, `at x = ${x}, channel ${c}`);
@@ -97,7 +97,7 @@ for (const backend of backends) {
         };
         const sky = { horizon: [1, 1, 1], zenith: [1, 1, 1] } as const;
         const scene = testScene({ floor }, {}, { camera, sky, materials: { white: metal }, render: RENDER });
-        const [red] = await measure(harness, backend, scene, 32);
+        const [red] = await measure(harness, backend, scene, 8);
         const what = `alpha ${alpha}, cosine ${cosine}`;
         expect.soft(red!.error, `${what}: noise`).toBeLessThan(1e-3);
         expect.soft(Math.abs(red!.mean - exact), what).toBeLessThan(2e-3);

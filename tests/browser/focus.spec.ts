@@ -1,5 +1,5 @@
 import { expect, test } from './fixtures.ts';
-import { choose, coarse, expectState, rendererState, soon } from './studio.ts';
+import { choose, coarse, expectState, fewSamples, rendererState, soon } from './studio.ts';
 
 const query = { ...coarse, scene: 'materials', paused: 1 };
 
@@ -8,6 +8,7 @@ test('a click focuses on what is there, a drag does not; so does a key, and the 
   openStudio,
 }) => {
   await openStudio({ backend: 'webgl2', query });
+  await fewSamples(page);
   const focus = async () => (await rendererState(page))?.camera.focusDistance ?? 0;
   const distance = page.getByRole('slider', { name: 'Focus distance' });
   await expect(distance).toBeDisabled();
@@ -46,6 +47,7 @@ test('the address has a lens; it stays when the view is reset, and goes with the
   openStudio,
 }) => {
   await openStudio({ backend: 'webgl2', query: { ...query, aperture: 0.05, focus: 2.5 } });
+  await fewSamples(page);
   const lens = async () => {
     const { aperture = 0, focusDistance = 0 } = (await rendererState(page))?.camera ?? {};
     return [aperture, focusDistance];

@@ -92,7 +92,7 @@ for (const backend of backends) {
 
   test(`200 scene switches leave nothing behind (${backend})`, async ({ page, openStudio }) => {
     await hookGpu(page);
-    await openStudio({ backend, query: small });
+    await openStudio({ backend, query: { ...small, size: 64 } });
     await settled(page);
     // So many that the browser has compiled what it is going to.
     await switchScenes(page, 60);

@@ -6,6 +6,7 @@ import {
   expectChange,
   expectPicture,
   expectState,
+  fewSamples,
   group,
   lookAtPicture,
   quick,
@@ -23,6 +24,7 @@ for (const { backend, origin } of everywhere) {
   const all = ALL_SCENES.includes(where);
   test(`shows ${all ? 'each of the three scenes' : 'a scene'}, moving (${where})`, async ({ page, openStudio }) => {
     await openStudio({ backend, origin, query: { ...coarse, paused: 1 } });
+    await fewSamples(page);
     let look = await expectPicture(page);
     await expectState(page, (state) => state.backend, backend);
     // The first is shown already: begin with the second and come back to it.
@@ -39,14 +41,22 @@ for (const { backend, origin } of everywhere) {
   });
 }
 
-for (const backend of backends) {
-  test.describe(`each control does what it says (${backend})`, () => {
-    test.beforeEach(async ({ page, openStudio }) => {
-      await openStudio({ backend, query: { ...coarse, paused: 1 } });
-      await expectPicture(page);
+/** All on one page: to open it, with all that it compiles, takes longer than most controls. Each step leaves the page as it was. */
+for (const backend of backends)
+  test(`each control does what it says (${backend})`, async ({ page, openStudio }) => {
+    test.setTimeout(180_000);
+    await openStudio({ backend, query: { ...coarse, paused: 1 } });
+    await fewSamples(page);
+    await expectPicture(page);
+
+    await test.step('the status line has figures', async () => {
+      const status = page.getByRole('region', { name: 'Figures of the last frame' });
+      await expect(status).toContainText(backend === 'webgpu' ? 'WebGPU' : 'WebGL2');
+      await expect(status).toContainText(/\d+ × \d+/);
+      await expect(status).toContainText(/[1-9]\d* samples/);
     });
 
-    test('light: reflections, samples, exposure', async ({ page }) => {
+    await test.step('light: reflections, samples, exposure', async () => {
       await page.getByRole('slider', { name: 'Reflections' }).fill('7');
       await expectState(page, (state) => state.settings.maxReflections, 7);
       await choose(page, 'Samples per light', '9');
@@ -68,9 +78,12 @@ for (const backend of backends) {
         await expectState(page, (state) => state.settings.toneMapping, toneMapping);
         look = await expectChange(page, look, 3, `${name} looks different`);
       }
+      await page.getByRole('slider', { name: 'Exposure' }).fill('0');
+      await choose(page, 'Samples per light', '1');
+      await page.getByRole('slider', { name: 'Reflections' }).fill('3');
     });
 
-    test('path tracing: method and path segments', async ({ page }) => {
+    await test.step('path tracing: method and path segments', async () => {
       const before = await lookAtPicture(page);
       await choose(page, 'Method', 'Path tracing');
       await expectState(page, (state) => state.settings.integrator, 'path');
@@ -82,7 +95,7 @@ for (const backend of backends) {
       await expectState(page, (state) => state.settings.integrator, 'classic');
     });
 
-    test('view: depth and shapes instead of the picture, and back', async ({ page }) => {
+    await test.step('view: depth and shapes instead of the picture, and back', async () => {
       const menu = page.getByRole('combobox', { name: 'Show' });
       let before = await lookAtPicture(page);
       for (const [name, view] of [
@@ -96,7 +109,7 @@ for (const backend of backends) {
       }
     });
 
-    test('comparison: strips with dividers that move', async ({ page }) => {
+    await test.step('comparison: strips with dividers that move', async () => {
       await choose(page, 'Side by side', 'Reflections 1 · 2 · 10');
       await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.maxReflections), [1, 2, 10]);
       const divider = page.getByRole('separator', { name: 'Divider 1 of 2' });
@@ -119,7 +132,7 @@ for (const backend of backends) {
       await expectState(page, (state) => state.settings.comparison, null);
     });
 
-    test('motion: play, pause, step, speed, time', async ({ page }) => {
+    await test.step('motion: play, pause, step, speed, time', async () => {
       await expectState(page, (state) => state.playing, false);
       const start = (await rendererState(page)).time;
       await page.getByRole('button', { name: 'Step 1/60 s' }).click();
@@ -132,9 +145,10 @@ for (const backend of backends) {
       await expectState(page, (state) => state.playing && state.time > 1.1, true);
       await page.getByRole('button', { name: 'Pause', exact: true }).click();
       await expectState(page, (state) => state.playing, false);
+      await choose(page, 'Speed', '1×');
     });
 
-    test('view: orbit, pan and dolly by mouse, then back', async ({ page }) => {
+    await test.step('view: orbit, pan and dolly by mouse, then back', async () => {
       const eye = async () => (await rendererState(page)).camera.eye;
       const start = await eye();
       await page.mouse.move(200, 300);
@@ -149,7 +163,8 @@ for (const backend of backends) {
       await soon(eye, 'the view is the scene’s again').toEqual(start);
     });
 
-    test('performance: backend, resolution, target, adaptive', async ({ page }) => {
+    // The last one: the other backend stays.
+    await test.step('performance: backend, resolution, target, adaptive', async () => {
       await unfold(page, 'Performance');
       await page.getByRole('slider', { name: 'Resolution scale' }).fill('0.5');
       await expectState(page, (state) => state.settings.resolutionScale, 0.5);
@@ -164,15 +179,7 @@ for (const backend of backends) {
       await expectState(page, (state) => [state.backend, state.settings.resolutionScale], [other, 0.5]);
       await expectPicture(page);
     });
-
-    test('the status line has figures', async ({ page }) => {
-      const status = page.getByRole('region', { name: 'Figures of the last frame' });
-      await expect(status).toContainText(backend === 'webgpu' ? 'WebGPU' : 'WebGL2');
-      await expect(status).toContainText(/\d+ × \d+/);
-      await expect(status).toContainText(/[1-9]\d* samples/);
-    });
   });
-}
 
 test('the CPU’s still picture can be chosen, and says that it is one', async ({ page, openStudio }) => {
   await page.setViewportSize({ width: 480, height: 320 });
@@ -207,6 +214,7 @@ test('the CPU’s still picture by the address is not excused, gets finer, and d
 test('the address is taken as far as it is understood, and the rest is named', async ({ page, openStudio }) => {
   const strange = { exposure: 8, reflections: 99, colour: 'red' };
   await openStudio({ backend: 'webgl2', query: { ...coarse, ...strange, paused: 1 } });
+  await fewSamples(page);
   await expect(page.getByRole('slider', { name: 'Exposure' })).toHaveValue('8');
   await expect(page.getByText('reflections=99 (0 … 64)')).toBeVisible();
   await expect(page.getByText('colour=red')).toBeVisible();
@@ -214,6 +222,7 @@ test('the address is taken as far as it is understood, and the rest is named', a
 
 test('a scene file opens; a broken one lists its problems and changes nothing', async ({ page, openStudio }) => {
   await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
+  await fewSamples(page);
   const file = (name: string, text: string) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
   const input = page.locator('input[type=file]');
   await input.setInputFiles(
@@ -231,6 +240,7 @@ test('a scene opens with its map of the sky when both files come together, and s
   openStudio,
 }) => {
   await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
+  await fewSamples(page);
   const scene = `{ "version": 1, "name": "Under a map", "camera": { "eye": [0, 0, 5], "target": [0, 0, 0] }, "sky": { "image": "sky.npy" },
     "materials": { "grey": {} }, "shapes": { "ball": { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "grey" } } }`;
   const file = (name: string, content: string | Uint8Array) => ({

@@ -56,6 +56,18 @@ export async function settled(page: Page): Promise<void> {
   await soon(samples, 'samples in the film').toBe(4);
 }
 
+/**
+ * Makes four samples the whole picture of the renderer there is. Drawn in software, a picture that gets finer on and on takes a
+ * processor to itself, and what most tests look at does not.
+ */
+export async function fewSamples(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const renderer = window.mirrorball?.renderer;
+    renderer?.set({ maxSamples: 4 });
+    return Boolean(renderer);
+  });
+}
+
 /** Lets the page believe that its tab is hidden, or seen again. */
 export async function setHidden(page: Page, hidden: boolean): Promise<void> {
   await page.evaluate((value) => {
