@@ -3,6 +3,9 @@ import { decode } from 'fast-png';
 import { codeBlocks, root } from '../documents/documents.ts';
 import { expect, test } from './fixtures.ts';
 
+// Drawn in software, a large picture takes its time.
+test.use({ viewport: { width: 480, height: 320 } });
+
 /** What a newcomer copies from the README, in a page of its own, with the built library beside it. */
 for (const readme of ['README.md', 'README.zh-CN.md']) {
   test(`the page in ${readme} draws a picture`, async ({ page }) => {

@@ -15,6 +15,9 @@ const seeds = `seeds ${SEED} to ${SEED + BATCHES - 1}`;
 /** Half a minute each, and of S1's kind: `npm run proof` has them. */
 const LONG = ['S1_d4', 'S1b'];
 
+// The longest file, and one of the last: both workers take of it, as no film depends on another.
+test.describe.configure({ mode: 'parallel' });
+
 for (const name of referenceNames.filter((scene) => !LONG.includes(scene)))
   test(`webgl2: ${name} is the reference's picture (${seeds})`, ({ harness }, info) =>
     compare(harness, 'webgl2', name, info));
