@@ -109,19 +109,6 @@ test.describe('on a phone', () => {
     await openStudio(address);
     await fewSamples(page);
     await expectPicture(page);
-    await test.step('a finger orbits', async () => {
-      // Real touches, which Playwright itself cannot move.
-      const devtools = await page.context().newCDPSession(page);
-      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number) =>
-        devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: 300 }] });
-      const eye = async () => (await rendererState(page)).camera.eye;
-      const start = await eye();
-      await touch('touchStart', 120);
-      for (const x of [140, 170, 200]) await touch('touchMove', x);
-      await touch('touchEnd');
-      await soon(eye).not.toEqual(start);
-    });
-
     await test.step('the panel folds away, opens by touch, and everything fits', async () => {
       const slider = page.getByRole('slider', { name: 'Reflections' });
       await expect(slider, 'the panel is folded at first').toBeHidden();
@@ -147,6 +134,21 @@ test.describe('on a phone', () => {
       const open = await framing();
       const sheet = (await page.getByRole('complementary', { name: 'Controls' }).boundingBox())!;
       expect((open.center[1] + open.height / 2) * 700).toBeLessThanOrEqual(sheet.y + 1);
+    });
+
+    // Last: a browser may take a tap so soon after it for the end of the same gesture.
+    await test.step('a finger orbits', async () => {
+      await page.getByRole('button', { name: 'Hide controls' }).tap();
+      // Real touches, which Playwright itself cannot move.
+      const devtools = await page.context().newCDPSession(page);
+      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', x?: number) =>
+        devtools.send('Input.dispatchTouchEvent', { type, touchPoints: x === undefined ? [] : [{ x, y: 300 }] });
+      const eye = async () => (await rendererState(page)).camera.eye;
+      const start = await eye();
+      await touch('touchStart', 120);
+      for (const x of [140, 170, 200]) await touch('touchMove', x);
+      await touch('touchEnd');
+      await soon(eye).not.toEqual(start);
     });
   });
 });
