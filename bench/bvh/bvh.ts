@@ -17,7 +17,7 @@ import { encodeWide4 } from '../../packages/renderer/src/bvh/encode/wide4.ts';
 import { encodeWide8 } from '../../packages/renderer/src/bvh/encode/wide8.ts';
 import { buildFastBvh } from '../../packages/renderer/src/bvh/fast-tree.ts';
 import { InstanceTree } from '../../packages/renderer/src/bvh/instance-tree.ts';
-import { indicesByPlace, refit } from '../../packages/renderer/src/bvh/refit.ts';
+import { planRefit, refit } from '../../packages/renderer/src/bvh/refit.ts';
 import { bumpySphere, landscape, shuffled, soup } from '../../tests/fixtures/meshes.ts';
 import { seededRandom } from '../../tests/fixtures/random.ts';
 import { markdownTable } from '../statistics.mjs';
@@ -82,10 +82,10 @@ function builders(name: string, mesh: TriangleMesh): string[][] {
 function others(name: string, mesh: TriangleMesh): string[] {
   const count = mesh.indices.length / 3;
   const tree = buildBvh(mesh);
-  const placed = indicesByPlace(mesh.indices, tree.order);
+  const plan = planRefit(tree, mesh);
   const [fast, fitted] = race([
     { run: () => buildFastBvh(mesh) },
-    { run: () => refit(tree, mesh.positions, placed) },
+    { run: () => refit(tree, mesh.positions, plan) },
   ]) as [number, number];
   const cost = sahCost(buildFastBvh(mesh)) / sahCost(tree);
   return [name, speed(count, fast), cost.toFixed(2), speed(count, fitted)];

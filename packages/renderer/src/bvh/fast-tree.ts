@@ -119,7 +119,7 @@ export function buildFastBvh(mesh: TriangleMesh, { leafSize = 4 }: { readonly le
   const primitiveCount = boxes.length / 6;
   const order = new Uint32Array(primitiveCount);
   const work = new Workspace();
-  work.fit(primitiveCount);
+  work.fitSorting(primitiveCount);
   const count = pairPrimitives(boxes, primitiveCount, splitRules({ maxLeafSize: leafSize }), work.order);
   sortByMorton(work, boxes, count);
   const roomy = new Uint32Array(4 * count);

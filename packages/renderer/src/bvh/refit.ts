@@ -1,29 +1,50 @@
 /** Bounds of a tree over triangles that moved: same triangles, same nodes. */
 import { uniteUpwards } from './bounds.ts';
-import type { Bvh } from './bvh.ts';
+import type { Bvh, TriangleMesh } from './bvh.ts';
 
-/** Indices in the order of the tree's places, as leaves want them, here and on a GPU: place k has corners 3 k … 3 k + 2. */
-export function indicesByPlace(indices: Uint32Array, order: Uint32Array): Uint32Array<ArrayBuffer> {
-  const placed = new Uint32Array(order.length * 3);
-  for (let k = 0; k < order.length; k++) {
-    const i = order[k]! * 3;
-    placed[3 * k] = indices[i]!;
-    placed[3 * k + 1] = indices[i + 1]!;
-    placed[3 * k + 2] = indices[i + 2]!;
-  }
-  return placed;
+/** The vertices of each leaf, each of them once: triangles of a leaf share about half of their corners. */
+export interface RefitPlan {
+  readonly vertices: Uint32Array;
+  /** Where those of a node begin in `vertices`; those of an inner node end there too. One more than there are nodes. */
+  readonly begins: Uint32Array;
 }
 
-/** The box of the corners from begin to end. Returns the sum of all coordinates, which is finite if all of them are. */
-function boundCorners(
+function includes(vertices: Uint32Array, begin: number, end: number, vertex: number): boolean {
+  for (let k = begin; k < end; k++) if (vertices[k] === vertex) return true;
+  return false;
+}
+
+/** Made once for a tree. */
+export function planRefit(bvh: Bvh, { indices }: Pick<TriangleMesh, 'indices'>): RefitPlan {
+  const { nodeCount, primitiveCount, links, order } = bvh;
+  if (indices.length !== 3 * primitiveCount) {
+    throw new RangeError(`The tree has ${primitiveCount} triangles, the mesh ${indices.length / 3}`);
+  }
+  const vertices = new Uint32Array(indices.length);
+  const begins = new Uint32Array(nodeCount + 1);
+  let end = 0;
+  for (let i = 0; i < nodeCount; i++) {
+    begins[i] = end;
+    for (let place = links[2 * i]!, left = links[2 * i + 1]!; left > 0; place++, left--) {
+      for (let corner = 3 * order[place]!; corner < 3 * order[place]! + 3; corner++) {
+        if (!includes(vertices, begins[i]!, end, indices[corner]!)) vertices[end++] = indices[corner]!;
+      }
+    }
+  }
+  begins[nodeCount] = end;
+  return { vertices: vertices.slice(0, end), begins };
+}
+
+/** The box of some vertices. Returns the sum of all coordinates, which is finite if all of them are. */
+function boundVertices(
   positions: Float32Array,
-  placed: Uint32Array,
+  vertices: Uint32Array,
   begin: number,
   end: number,
   bounds: Float32Array,
   to: number,
 ): number {
-  let v = placed[begin]! * 3;
+  let v = vertices[begin]! * 3;
   let x0 = positions[v]!;
   let y0 = positions[v + 1]!;
   let z0 = positions[v + 2]!;
@@ -31,8 +52,8 @@ function boundCorners(
   let y1 = y0;
   let z1 = z0;
   let sum = x0 + y0 + z0;
-  for (let corner = begin + 1; corner < end; corner++) {
-    v = placed[corner]! * 3;
+  for (let k = begin + 1; k < end; k++) {
+    v = vertices[k]! * 3;
     const x = positions[v]!;
     const y = positions[v + 1]!;
     const z = positions[v + 2]!;
@@ -53,28 +74,25 @@ function boundCorners(
   return sum;
 }
 
-function boundLeaves({ nodeCount, links, bounds }: Bvh, positions: Float32Array, placed: Uint32Array): number {
+function boundLeaves(nodeCount: number, bounds: Float32Array, positions: Float32Array, plan: RefitPlan): number {
+  const { vertices, begins } = plan;
   let sum = 0;
   for (let i = 0; i < nodeCount; i++) {
-    const count = links[2 * i + 1]!;
-    if (count === 0) continue;
-    const begin = 3 * links[2 * i]!;
-    sum += boundCorners(positions, placed, begin, begin + 3 * count, bounds, 6 * i);
+    const begin = begins[i]!;
+    const end = begins[i + 1]!;
+    if (end > begin) sum += boundVertices(positions, vertices, begin, end, bounds, 6 * i);
   }
   return sum;
 }
 
 /**
- * Writes the bounds anew, from positions and `indicesByPlace`. The tree stays correct however far the triangles went, but it was made
- * for where they had been: its `sahCost` tells when building anew pays. Throws a RangeError when a position is missing or not
- * finite; then the bounds are of no use.
+ * Writes the bounds anew. The tree stays correct however far the triangles went, but it was made for where they had been: its
+ * `sahCost` tells when building anew pays. Throws a RangeError when a position is missing or not finite; then the bounds are of
+ * no use.
  */
-export function refit(bvh: Bvh, positions: Float32Array, placed: Uint32Array): void {
-  if (placed.length < 3 * bvh.primitiveCount) {
-    throw new RangeError(`${placed.length} indices are less than three for each of ${bvh.primitiveCount} triangles`);
-  }
-  if (!Number.isFinite(boundLeaves(bvh, positions, placed))) {
+export function refit({ nodeCount, links, bounds }: Bvh, positions: Float32Array, plan: RefitPlan): void {
+  if (!Number.isFinite(boundLeaves(nodeCount, bounds, positions, plan))) {
     throw new RangeError('A position is not finite, or an index leads nowhere');
   }
-  uniteUpwards(bvh.nodeCount, bvh.links, bvh.bounds);
+  uniteUpwards(nodeCount, links, bounds);
 }

@@ -6,7 +6,7 @@ import { RECORD } from './packed-box.ts';
 
 export const MOST_BINS = 32;
 /** So many items or fewer are split exactly. */
-export const FEW = 8;
+export const FEW = 12;
 
 export class Workspace {
   // Of one split: see split-range.ts, binned-split.ts and exact-split.ts.
@@ -27,6 +27,7 @@ export class Workspace {
 
   // Of one tree. Primitives are numbered as they came; items are explained in items.ts.
 
+  /** Items for which there is room. */
   capacity = 0;
   readonly union = new Float64Array(6);
   /** How many Morton codes have each value of their low, middle and high ten bits; then where the next of them goes. */
@@ -43,15 +44,22 @@ export class Workspace {
   /** Where the record of each item starts: what splits sort. */
   order = new Uint32Array(0);
 
-  fit(count: number): void {
-    if (count <= this.capacity) return;
-    const capacity = Math.max(count, this.capacity * 2);
+  /** Room to sort so many primitives. */
+  fitSorting(count: number): void {
+    if (count <= this.codes.length) return;
+    const capacity = Math.max(count, this.codes.length * 2);
     this.codes = new Uint32Array(capacity);
     this.sortedCodes = new Uint32Array(capacity);
     this.sorted = new Uint32Array(capacity);
-    this.boxes = new Float32Array(capacity * 6);
-    this.records = new Int32Array(capacity * RECORD);
     this.order = new Uint32Array(capacity);
-    this.capacity = capacity;
+  }
+
+  /** Room for so many items too. */
+  fit(count: number): void {
+    this.fitSorting(count);
+    if (count <= this.capacity) return;
+    this.capacity = this.codes.length;
+    this.boxes = new Float32Array(this.capacity * 6);
+    this.records = new Int32Array(this.capacity * RECORD);
   }
 }

@@ -8,6 +8,7 @@ import { type NodeSource, roomForChildren } from '../trace/node-source.ts';
 import { cheapestCollapse, WIDE_COSTS } from './cheapest-collapse.ts';
 import { collapse } from './collapse.ts';
 import { encodeFramed2, framed2Source } from './framed2.ts';
+import { placedIndices } from './placed-indices.ts';
 import { encodeQuantised2, quantised2Source } from './quantised2.ts';
 import { placesBelow, wideCost } from './wide-tree.ts';
 import { encodeWide2, wide2Source } from './wide2.ts';
@@ -183,4 +184,14 @@ test('the cheapest collapse is the cheapest there is, and cheaper than opening t
   const cheapest = cheapestCollapse(bvh, 8, 3);
   expect(cheapest.nodeCount).toBeLessThan(bvh.primitiveCount / 7);
   expect(wideCost(bvh, cheapest, WIDE_COSTS)).toBeLessThan(0.9 * wideCost(bvh, collapse(bvh, 8), WIDE_COSTS));
+});
+
+test('placed indices: what leaves point to', () => {
+  const mesh = landscape(seededRandom(86), 6);
+  const bvh = buildBvh(mesh);
+  const placed = placedIndices(mesh.indices, bvh.order);
+  bvh.order.forEach((triangle, place) => {
+    const corners = mesh.indices.subarray(3 * triangle, 3 * triangle + 3);
+    expect(placed.subarray(3 * place, 3 * place + 3)).toEqual(corners);
+  });
 });
