@@ -32,11 +32,6 @@ export function packMesh(mesh: Mesh): PackedMesh {
   return packed;
 }
 
-/** Takes a tree that was built elsewhere, as a worker does. */
-export function givePackedMesh(mesh: Mesh, bvh: Bvh): void {
-  known.set(mesh, packWithTree(mesh, bvh));
-}
-
 function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
   const { words: nodes, stackNeed } = encodeWideBvh(bvh);
   return { nodes, triangles: trianglesOf(mesh, bvh.order), order: bvh.order, stackNeed };
