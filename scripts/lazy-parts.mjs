@@ -38,6 +38,12 @@ const PARTS = [
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
   },
+  {
+    name: 'mesh-files',
+    importer: 'open/mesh-scene.ts',
+    asked: '../mesh-file/mesh-file.ts',
+    entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
   { name: 'gltf', importer: 'gltf/index.ts', asked: './read-gltf.ts', entry: join(source, 'gltf/read-gltf.ts') },
   {
     name: 'ktx2',
@@ -161,7 +167,7 @@ function partsAskedBy(id) {
 
 /** @param {string} code @param {Part} part @param {'text' | 'file'} as */
 function replaced(code, part, as) {
-  const call = new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`);
+  const call = new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`, 'g');
   if (!call.test(code))
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);
   return code.replace(call, as === 'text' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);

@@ -3,6 +3,7 @@ import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { basename } from 'node:path';
 import type { FilmArea, FilmJob, FilmSettings } from 'mirrorball/headless';
+import { isModelName } from 'mirrorball/open';
 import { posedSceneAt, type Scene } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
 import { AccumulatedFilm } from '../accumulated-film.ts';
@@ -21,7 +22,7 @@ import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
 import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
 import { noSavings, type Savings, startSavings } from '../savings.ts';
-import { isModel, requireSceneFile } from '../scene-source.ts';
+import { requireSceneFile } from '../scene-source.ts';
 import { duration, percent, type Terminal } from '../terminal.ts';
 import { software } from '../version.ts';
 import { checkWritable } from '../write-atomically.ts';
@@ -135,7 +136,7 @@ async function partFor(
   }
   const film = new AccumulatedFilm(area.width * area.height);
   // A model's arrays have no place in a text.
-  const source: Record<string, string> = isModel(file) ? { Model: basename(file) } : { Scene: writeScene(scene) };
+  const source: Record<string, string> = isModelName(file) ? { Model: basename(file) } : { Scene: writeScene(scene) };
   const texts = { Title: scene.name, Software: software, ...source };
   return { identity, film, texts, exposure: scene.render.exposure };
 }

@@ -9,6 +9,7 @@ export type * from './material-layers.ts';
 export type * from './mesh.ts';
 export { triangleCount, vertexCount } from './mesh.ts';
 export { meshBounds, placedBounds } from './mesh-bounds.ts';
+export { MODEL_RENDER, studioSky } from './model-view.ts';
 export { type NodeTransforms, nodeTransforms } from './node-transforms.ts';
 export type { Affine, Clip, Quaternion, SampledTrack, SceneNode, Skin, Variant } from './nodes.ts';
 export { meshMatrices, meshShapes, placedSceneAt } from './placed.ts';

@@ -1,0 +1,4 @@
+/** Any file that can be shown, in. */
+export { endingOf, FileSet, type GivenFile, MOST_FILE_BYTES, nameOf } from './file-set.ts';
+export { type OpenedFiles, openFiles } from './open-files.ts';
+export { isModelName, type OpenedModel, type OpenOptions, openModel } from './open-model.ts';
