@@ -37,6 +37,14 @@ export class GeometryBuffer {
     this.#meshes = meshes;
   }
 
+  /** Gives the memory back, and forgets the meshes. */
+  release(): void {
+    this.#buffer?.destroy();
+    this.#buffer = null;
+    this.#meshes = [];
+    this.#movingRows = -1;
+  }
+
   /** Throws when it holds nothing yet. */
   get buffer(): DataBuffer {
     if (!this.#buffer) throw new Error('No geometry has been given.');

@@ -184,8 +184,11 @@ export class Stages {
     const reach = viewReach(shot.camera, width / height, shot.settings.framing);
     const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
+    // The classic integrator uses neither, and a model that has been left would stay in memory.
     if (packed.environment) this.#environment.hold(packed.environment);
+    else this.#environment.release();
     if (packed.geometry) this.#geometry.hold(packed.geometry);
+    else this.#geometry.release();
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));

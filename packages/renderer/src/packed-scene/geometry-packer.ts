@@ -1,23 +1,48 @@
 /** What packs meshes, with all that builds trees, comes when the first scene with some does: see scripts/lazy-parts.mjs. */
+
+import { isDeformable } from '../scene/deform.ts';
+import type { Mesh } from '../scene/mesh.ts';
+import { meshShapes } from '../scene/placed.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
 import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type { Preparation } from './pack-in-worker.ts';
 import { createBlock } from './write-struct.ts';
 
-type Pack = (scene: Scene, shapes: readonly MeshInRow[], eye: Vec3) => PackedGeometry;
+type Packer = typeof import('./pack-geometry.ts');
 
-let pack: Pack | null = null;
+let packer: Packer | null = null;
 
-export async function loadGeometryPacker(): Promise<void> {
-  pack ??= (await import('./pack-geometry.ts')).packGeometry;
+export async function loadGeometryPacker(): Promise<Packer> {
+  packer ??= await import('./pack-geometry.ts');
+  return packer;
 }
-export const geometryPackerLoaded = (): boolean => pack !== null;
+export const geometryPackerLoaded = (): boolean => packer !== null;
+
+/** Meshes that stand in the scene as they are; those that bend are others at every time. */
+function stillMeshes(scene: Scene): Mesh[] {
+  const meshes = meshShapes(scene).map(([, { mesh }]) => scene.meshes?.[mesh]?.data);
+  return [...new Set(meshes)].filter((mesh) => mesh !== undefined && !isDeformable(mesh)) as Mesh[];
+}
+
+/** Whether nothing of the scene's meshes has to be waited for. */
+export function areMeshesReady(scene: Scene): boolean {
+  const meshes = stillMeshes(scene);
+  return packer === null ? meshShapes(scene).length === 0 : meshes.every(packer.isPacked);
+}
+
+/** Resolves when nothing has to be waited for: trees are built, in a worker. */
+export async function prepareMeshes(scene: Scene, preparation?: Preparation): Promise<void> {
+  if (areMeshesReady(scene)) return;
+  const { packMeshes } = await loadGeometryPacker();
+  await packMeshes(stillMeshes(scene), preparation);
+}
 
 /** Throws when there are meshes and their packer has not been loaded. */
 export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
   if (shapes.length === 0) return NO_GEOMETRY;
-  if (pack === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
-  return pack(scene, shapes, eye);
+  if (packer === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
+  return packer.packGeometry(scene, shapes, eye);
 }
 
 const rows = geometryRows('WideNode');

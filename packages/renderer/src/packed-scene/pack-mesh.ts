@@ -4,7 +4,7 @@
  * has.
  */
 
-import { buildBvh } from '../bvh/build-bvh.ts';
+import { buildInSteps } from '../bvh/build-bvh.ts';
 import type { Bvh } from '../bvh/bvh.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
@@ -19,10 +19,33 @@ const NUMBERS = (['vertexA', 'vertexB', 'vertexC'] as const).map((field) => fiel
 /** A mesh does not change. */
 const known = new WeakMap<Mesh, PackedMesh>();
 
+export const isPacked = (mesh: Mesh): boolean => known.has(mesh);
+
+/** For who has packed it elsewhere. */
+export const keepPacked = (mesh: Mesh, packed: PackedMesh): void => void known.set(mesh, packed);
+
+/** At once, unless it has been done before. */
 export function packMesh(mesh: Mesh): PackedMesh {
   let packed = known.get(mesh);
-  if (!packed) known.set(mesh, (packed = packWithTree(mesh, buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF }))));
-  return packed;
+  if (packed) return packed;
+  const steps = packInSteps(mesh);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (!done) continue;
+    packed = value;
+    keepPacked(mesh, packed);
+    return packed;
+  }
+}
+
+/** Yields the share that is done, 0 … 1. */
+export function* packInSteps(mesh: Mesh): Generator<number, PackedMesh, void> {
+  const steps = buildInSteps(mesh, { maxLeafSize: MOST_IN_LEAF });
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return packWithTree(mesh, value);
+    yield 0.8 * value;
+  }
 }
 
 function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {

@@ -214,10 +214,15 @@ class WebGpuDevice implements Device {
     return { ...base, write } as TableTexture;
   }
 
-  createData(rows: number): DataBuffer {
+  checkData(rows: number): void {
     const size = rows * 16;
     for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
       if (size > this.#device.limits[limit]) throw noRoom(limit, this.#device.limits[limit], size);
+  }
+
+  createData(rows: number): DataBuffer {
+    this.checkData(rows);
+    const size = rows * 16;
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
     const data: DataBuffer & GpuResource = {
