@@ -26,6 +26,7 @@ export class CpuRenderer implements Renderer {
   readonly backend = 'cpu';
   /** It has no path tracing, whatever the settings ask for. */
   readonly drawnBy = 'classic';
+  readonly compiling = false;
   readonly canvas: HTMLCanvasElement;
   speed = 1;
   playing = false;

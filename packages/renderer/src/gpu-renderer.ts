@@ -91,6 +91,9 @@ export class GpuRenderer implements Renderer {
   get stats() {
     return this.#figures.stats;
   }
+  get compiling() {
+    return this.#view.scene !== null && this.#painter !== null && !this.#painter.stages.has(this.#view.subject);
+  }
   get scene() {
     return this.#view.scene;
   }

@@ -117,6 +117,8 @@ export interface Renderer {
    */
   readonly drawnBy: Integrator;
   readonly stats: FrameStats;
+  /** Whether the picture waits for its program; until then a coarser one, a sketch or the one before is shown. */
+  readonly compiling: boolean;
   readonly scene: Scene | null;
   /** The camera in use: the scene's own, possibly animated, until it is set; `resetCamera` goes back to the scene's. */
   camera: Camera;

@@ -214,7 +214,7 @@ export class View {
 
   /** Whether time passing changes the picture. */
   get moves(): boolean {
-    return this.playing && this.#speed !== 0 && (this.#scene?.animation.length ?? 0) > 0;
+    return this.playing && this.#speed !== 0 && this.#scene !== null && isAnimated(this.#scene);
   }
 
   /** Lets this many seconds of the world's time pass. */
@@ -261,6 +261,9 @@ export class View {
     return 1 + Object.keys(this.#scene?.lights ?? {}).length;
   }
 }
+
+const isAnimated = ({ animation, clip, clips }: Scene): boolean =>
+  animation.length > 0 || (clip !== undefined && (clips?.[clip]?.tracks.length ?? 0) > 0);
 
 /** The last answer is kept: a frame asks for its scene more than once. */
 function remembering(at: CompiledAnimation): CompiledAnimation {

@@ -18,7 +18,7 @@ export type MeshScene =
 /** What a part has whose material nobody describes: a light grey that shows form. */
 const PLAIN: Partial<Material> = { type: 'metallicRoughness', baseColor: [0.6, 0.6, 0.6], roughness: 0.6 };
 
-/** `readFile`: for .mtl files, from the file's own folder on. Never rejects for what files have. */
+/** `readFile`: for .mtl files, from the file's own folder on. Never rejects. */
 export async function meshScene(bytes: Uint8Array, file: string, readFile?: ReadFile): Promise<MeshScene> {
   const { readMeshFile } = await import('../mesh-file/mesh-file.ts');
   const content = readMeshFile(bytes, file);

@@ -27,8 +27,10 @@ export const isModelName = (path: string): boolean =>
 /** Rejects with the signal's reason when that is aborted, and never for what files have. */
 export async function openModel(bytes: Uint8Array, path: string, options: OpenOptions = {}): Promise<OpenedModel> {
   const ending = endingOf(path);
+  options.onProgress?.({ step: 'files', done: 0, total: 1 });
   if (GLTF_ENDINGS.includes(ending))
     return importGltf(bytes, { ...options, name: nameOf(path).replace(/\.[^.]*$/, '') });
+  options.onProgress?.({ step: 'meshes', done: 0, total: 1 });
   if ((MESH_ENDINGS as readonly string[]).includes(ending))
     return withReport(await meshScene(bytes, path, options.readFile));
   return openScene(new TextDecoder().decode(bytes), options);

@@ -1,15 +1,16 @@
 /** What packs meshes, with all that builds trees, comes when the first scene with some does: see scripts/lazy-parts.mjs. */
 
 import { isDeformable } from '../scene/deform.ts';
-import type { Mesh } from '../scene/mesh.ts';
+import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import { meshShapes } from '../scene/placed.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
+import type * as PackGeometry from './pack-geometry.ts';
 import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
 import { createBlock } from './write-struct.ts';
 
-type Packer = typeof import('./pack-geometry.ts');
+type Packer = typeof PackGeometry;
 
 let packer: Packer | null = null;
 
@@ -36,6 +37,20 @@ export async function prepareMeshes(scene: Scene, preparation?: Preparation): Pr
   if (areMeshesReady(scene)) return;
   const { packMeshes } = await loadGeometryPacker();
   await packMeshes(stillMeshes(scene), preparation);
+}
+
+/** Packs them on this thread, as a worker may, and gives them. `onProgress` gets the share that is done, 0 … 1. */
+export async function packHere(scene: Scene, onProgress: (done: number) => void = () => {}) {
+  const meshes = stillMeshes(scene);
+  if (meshes.length === 0) return [];
+  const { packMesh } = await loadGeometryPacker();
+  const all = meshes.reduce((sum, mesh) => sum + triangleCount(mesh), 0);
+  let before = 0;
+  return meshes.map((mesh) => {
+    const packed = packMesh(mesh, (done) => onProgress((before + done * triangleCount(mesh)) / all));
+    before += triangleCount(mesh);
+    return [mesh, packed] as const;
+  });
 }
 
 /** Throws when there are meshes and their packer has not been loaded. */

@@ -21,7 +21,7 @@ import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
 // Comes with the rest of what meshes need.
 export { packMeshes } from './pack-in-worker.ts';
-export { isPacked, keepPacked } from './pack-mesh.ts';
+export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
 
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */

@@ -23,7 +23,10 @@ export async function packMeshes(meshes: readonly Mesh[], preparation: Preparati
   preparation.signal?.throwIfAborted();
   const todo = [...new Set(meshes)].filter((mesh) => !isPacked(mesh));
   const triangles = todo.reduce((sum, mesh) => sum + triangleCount(mesh), 0);
-  if (triangles <= AT_ONCE) return todo.forEach(packMesh);
+  if (triangles <= AT_ONCE) {
+    for (const mesh of todo) packMesh(mesh);
+    return;
+  }
   const progress = new Progress(todo, triangles, preparation);
   const worker = startWorker();
   if (!worker || !(await packThere(worker, progress, preparation))) await packHere(progress, preparation);

@@ -24,17 +24,18 @@ export const isPacked = (mesh: Mesh): boolean => known.has(mesh);
 /** For who has packed it elsewhere. */
 export const keepPacked = (mesh: Mesh, packed: PackedMesh): void => void known.set(mesh, packed);
 
-/** At once, unless it has been done before. */
-export function packMesh(mesh: Mesh): PackedMesh {
-  let packed = known.get(mesh);
-  if (packed) return packed;
+/** At once, unless it has been done before. `onProgress` gets the share that is done, 0 … 1. */
+export function packMesh(mesh: Mesh, onProgress: (done: number) => void = () => {}): PackedMesh {
+  const before = known.get(mesh);
+  if (before) return before;
   const steps = packInSteps(mesh);
   for (;;) {
     const { done, value } = steps.next();
-    if (!done) continue;
-    packed = value;
-    keepPacked(mesh, packed);
-    return packed;
+    if (done) {
+      keepPacked(mesh, value);
+      return value;
+    }
+    onProgress(value);
   }
 }
 

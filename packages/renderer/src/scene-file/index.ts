@@ -3,5 +3,6 @@ export { type LoadedScene, loadFiles } from './load-files.ts';
 export { type ParsedScene, parseScene } from './parse-scene.ts';
 export type { Problem } from './problem.ts';
 export { fetchBeside, type ReadFile } from './read-file.ts';
+export { withGround } from './with-ground.ts';
 export { type SceneParts, withParts } from './with-parts.ts';
 export { writeScene } from './write-scene.ts';
