@@ -4,14 +4,14 @@ import type { Problem, ReportEntry } from 'mirrorball';
 import type * as Tables from './chinese-tables.ts';
 
 const tables = signal<typeof Tables | null>(null);
-let loading: Promise<void> | null = null;
+
+async function load(): Promise<void> {
+  tables.value = await import('./chinese-tables.ts');
+}
 
 /** Called while something is drawn, it draws that again when the tables are there. */
 function loaded(): typeof Tables | null {
-  if (tables.value === null)
-    loading ??= import('./chinese-tables.ts').then((module) => {
-      tables.value = module;
-    });
+  if (tables.value === null) void load();
   return tables.value;
 }
 

@@ -18,7 +18,8 @@ export async function loadGeometryPacker(): Promise<Packer> {
   packer ??= await import('./pack-geometry.ts');
   return packer;
 }
-export const geometryPackerLoaded = (): boolean => packer !== null;
+/** Null until it has been loaded. */
+export const geometryPacker = (): Packer | null => packer;
 
 /** Meshes that stand in the scene as they are; those that bend are others at every time. */
 function stillMeshes(scene: Scene): Mesh[] {

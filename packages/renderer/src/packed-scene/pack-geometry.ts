@@ -20,6 +20,7 @@ import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
 // Comes with the rest of what meshes need.
+export { sketchInSteps } from '../sketch/sketch.ts';
 export { packMeshes } from './pack-in-worker.ts';
 export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
 
