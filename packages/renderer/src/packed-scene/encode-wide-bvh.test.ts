@@ -7,10 +7,10 @@ import { triangleBoxes } from '../bvh/primitive-boxes.ts';
 import { addChild, type NodeSource, roomForChildren } from '../bvh/trace/node-source.ts';
 import { closestByBruteForce, closestHit } from '../bvh/trace/trace.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
-import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
+import { type FieldName, fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 
-const word = (field: string) => fieldOffset('WideNode', field) / 4;
-const FACES = ['minX', 'minY', 'minZ', 'maxX', 'maxY', 'maxZ'].map(word);
+const word = (field: FieldName<'WideNode'>) => fieldOffset('WideNode', field) / 4;
+const FACES = (['minX', 'minY', 'minZ', 'maxX', 'maxY', 'maxZ'] as const).map(word);
 
 /** The words read back as a kernel reads them. */
 function wideSource(bvh: Bvh): NodeSource {
