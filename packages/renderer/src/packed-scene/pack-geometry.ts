@@ -1,6 +1,6 @@
 /**
  * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
- * instances; then, mesh by mesh, the nodes of its tree and its triangles. The first part is written for every frame that moves, in
+ * instances; then, mesh by mesh, the nodes of its tree, its triangles and its vertices. The first part is written for every frame that moves, in
  * coordinates relative to the eye; the second only when other meshes come in.
  */
 
@@ -14,7 +14,8 @@ import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import { encodeWideBvh } from './encode-wide-bvh.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { type PackedMesh, packMesh } from './pack-mesh.ts';
+import { packMesh } from './pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
 export interface PackedGeometry {
@@ -67,21 +68,24 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
   const movingRows = instances + room * INSTANCE_ROWS;
   const starts = new Map<Mesh, number>();
   let rows = movingRows;
-  for (const [mesh, { nodes, triangles }] of meshes) {
+  for (const [mesh, packed] of meshes) {
     starts.set(mesh, rows);
-    rows += (nodes.length + triangles.length) / GEOMETRY_ROW;
+    rows += wordsOf(packed).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
   }
   const moving = createBlock(movingRows * ROW_BYTES);
   writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
   placed.forEach(({ placement, mesh, row }, i) => {
     const nodes = starts.get(mesh)!;
-    const triangles = nodes + meshes.get(mesh)!.nodes.length / GEOMETRY_ROW;
+    const packed = meshes.get(mesh)!;
+    const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
     writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
       ...rowsInto(placement, eye),
       nodes,
       triangles,
-      interpolated: mesh.normals ? 1 : 0,
+      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       row,
+      vertexRows: packed.vertices.rows,
+      vertexFlags: packed.vertices.flags,
     });
   });
   return { movingRows, moving, instances, instanceCount: placed.length, meshes: [...meshes.values()], rows };
