@@ -6,11 +6,10 @@
 
 import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
+import { AFFINE_LENGTH, IDENTITY, invertAffine, isSolid, type Numbers } from '../scene/affine.ts';
+import { meshBounds, placedBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
 import { meshMatrices } from '../scene/placed.ts';
-import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
 import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import { encodeWideBvh } from './encode-wide-bvh.ts';
@@ -49,7 +48,8 @@ export class DeepTreeError extends Error {
 
 /** One instance. */
 interface Placed {
-  readonly placement: Placement;
+  /** To the world, 12 numbers. */
+  readonly placement: Numbers;
   readonly mesh: Mesh;
   /** Of the scene table. */
   readonly row: number;
@@ -104,7 +104,7 @@ function instancesOf(scene: Scene, { shape, row, cover }: MeshInRow): Placed[] {
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
-    const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
+    const placement = matrices.subarray(at, at + AFFINE_LENGTH);
     if (isSolid(placement)) placed.push({ placement, mesh, row, cover });
   }
   return placed;
@@ -144,8 +144,7 @@ function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
 }
 
 /** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
-function rowsInto(placement: Placement, eye: Vec3) {
-  const { x, y, z, origin } = inverse({ ...placement, origin: subtract(placement.origin, eye) });
-  const row = (axis: 0 | 1 | 2) => [x[axis], y[axis], z[axis], origin[axis]];
-  return { toMeshX: row(0), toMeshY: row(1), toMeshZ: row(2) };
+function rowsInto(placement: Numbers, eye: Vec3) {
+  const back = invertAffine(Array.from(placement, (x, i) => (i % 4 < 3 ? x : x - eye[(i - 3) / 4]!)))!;
+  return { toMeshX: back.slice(0, 4), toMeshY: back.slice(4, 8), toMeshZ: back.slice(8) };
 }
