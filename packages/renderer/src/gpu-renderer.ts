@@ -151,8 +151,9 @@ export class GpuRenderer implements Renderer {
 
   /** Throws now what would otherwise end the drawing later: meshes for which the device has no room, trees that kernels cannot go down. */
   #tryOut(scene: Scene): void {
-    const { geometry } = packPathScene(posedSceneAt(scene, 0), scene.camera.eye);
-    if (geometry) this.#device.checkData(geometry.rows);
+    const { geometry, textures } = packPathScene(posedSceneAt(scene, 0), scene.camera.eye);
+    if (geometry) this.#device.checkData(geometry.rows, 'meshes');
+    if (textures) this.#device.checkData(textures.rows, 'textures');
   }
 
   set(settings: Partial<RendererSettings>): void {

@@ -25,6 +25,7 @@ import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
 import { Sketcher, type SketchWish } from './sketcher.ts';
+import { TexelBuffer } from './texel-buffer.ts';
 
 /** One state of the world, as the film is to hold it. */
 export interface Shot extends Subject {
@@ -59,6 +60,7 @@ export class Stages {
   #packed: PackedScene | undefined;
   readonly #environment: EnvironmentTexture;
   readonly #geometry: GeometryBuffer;
+  readonly #texels: TexelBuffer;
   #shot: Shot | null = null;
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
@@ -93,6 +95,7 @@ export class Stages {
     this.#environment = new EnvironmentTexture(device);
     this.#geometry = new GeometryBuffer(device);
     this.#sketcher = new Sketcher(device);
+    this.#texels = new TexelBuffer(device);
   }
 
   get film(): Film {
@@ -187,11 +190,13 @@ export class Stages {
     const reach = viewReach(shot.camera, width / height, shot.settings.framing);
     const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
     this.#packed = packed;
-    // The classic integrator uses neither, and a model that has been left would stay in memory.
+    // The classic integrator uses none of them, and a model that has been left would stay in memory.
     if (packed.environment) this.#environment.hold(packed.environment);
     else this.#environment.release();
     if (packed.geometry) this.#geometry.hold(packed.geometry);
     else this.#geometry.release();
+    if (packed.textures) this.#texels.hold(packed.textures);
+    else this.#texels.release();
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
@@ -255,7 +260,12 @@ export class Stages {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
     if (this.#content === 'path' || isAov(this.#content)) {
-      const all = { ...inputs, environment: this.#environment.texture, geometry: this.#geometry.buffer };
+      const all = {
+        ...inputs,
+        environment: this.#environment.texture,
+        geometry: this.#geometry.buffer,
+        texels: this.#texels.buffer,
+      };
       if (this.#content === 'path') drawPath(device, pass, film.next, all, region);
       else drawAov(device, pass, film.next, all, region);
     } else drawClassic(device, pass, film.next, inputs, region);

@@ -1,13 +1,17 @@
-/** What packs meshes, with all that builds trees, comes when the first scene with some does: see scripts/lazy-parts.mjs. */
+/**
+ * What packs meshes, with all that builds trees, and their textures comes when the first scene with some does: see
+ * scripts/lazy-parts.mjs.
+ */
 
 import { isDeformable } from '../scene/deform.ts';
 import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import { meshShapes } from '../scene/placed.ts';
-import type { Scene, Vec3 } from '../scene/scene.ts';
+import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
 import type * as PackGeometry from './pack-geometry.ts';
 import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
+import type { TextureRows } from './pack-textures.ts';
 import { createBlock } from './write-struct.ts';
 
 type Packer = typeof PackGeometry;
@@ -57,8 +61,17 @@ export async function packHere(scene: Scene, onProgress: (done: number) => void 
 /** Throws when there are meshes and their packer has not been loaded. */
 export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
   if (shapes.length === 0) return NO_GEOMETRY;
+  return loaded().packGeometry(scene, shapes, eye);
+}
+
+/** `materials`: those of meshes. Throws likewise. */
+export function texturesOf(scene: Scene, materials: readonly Material[]): TextureRows {
+  return materials.length === 0 ? NO_TEXTURES : loaded().packTextures(scene, materials);
+}
+
+function loaded(): Packer {
   if (packer === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
-  return packer.packGeometry(scene, shapes, eye);
+  return packer;
 }
 
 const rows = geometryRows('WideNode');
@@ -70,4 +83,10 @@ const NO_GEOMETRY: PackedGeometry = {
   instanceCount: 0,
   meshes: [],
   rows,
+};
+
+/** No material asks. */
+const NO_TEXTURES: TextureRows = {
+  textures: { uses: createBlock(16), images: [], rows: 1 },
+  rowOf: new Map(),
 };

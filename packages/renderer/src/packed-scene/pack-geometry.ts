@@ -6,11 +6,10 @@
 
 import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
+import { AFFINE_LENGTH, IDENTITY, invertAffine, isSolid, type Numbers } from '../scene/affine.ts';
+import { meshBounds, placedBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
 import { meshMatrices } from '../scene/placed.ts';
-import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
 import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import { encodeWideBvh } from './encode-wide-bvh.ts';
@@ -23,6 +22,7 @@ import { type Block, createBlock, writeStruct } from './write-struct.ts';
 export { sketchInSteps } from '../sketch/sketch.ts';
 export { packMeshes } from './pack-in-worker.ts';
 export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
+export { packTextures } from './pack-textures.ts';
 
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
@@ -51,16 +51,20 @@ export class DeepTreeError extends Error {
 
 /** One instance. */
 interface Placed {
-  readonly placement: Placement;
+  /** To the world, 12 numbers. */
+  readonly placement: Numbers;
   readonly mesh: Mesh;
   /** Of the scene table. */
   readonly row: number;
+  readonly cover: number;
 }
 
 /** A mesh that stands in the world: `row` of the scene table says what it is made of. */
 export interface MeshInRow {
   readonly shape: MeshShape;
   readonly row: number;
+  /** `Instance.cover` */
+  readonly cover: number;
 }
 
 /** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
@@ -79,7 +83,7 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
   }
   const moving = createBlock(movingRows * ROW_BYTES);
   writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
-  placed.forEach(({ placement, mesh, row }, i) => {
+  placed.forEach(({ placement, mesh, row, cover }, i) => {
     const nodes = starts.get(mesh)!;
     const packed = meshes.get(mesh)!;
     const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
@@ -87,8 +91,9 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
       ...rowsInto(placement, eye),
       nodes,
       triangles,
-      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       row,
+      cover,
+      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       vertexRows: packed.vertices.rows,
       vertexFlags: packed.vertices.flags,
     });
@@ -97,13 +102,13 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
 }
 
 /** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row }: MeshInRow): Placed[] {
+function instancesOf(scene: Scene, { shape, row, cover }: MeshInRow): Placed[] {
   const mesh = dataOf(scene, shape);
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
-    const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
-    if (isSolid(placement)) placed.push({ placement, mesh, row });
+    const placement = matrices.subarray(at, at + AFFINE_LENGTH);
+    if (isSolid(placement)) placed.push({ placement, mesh, row, cover });
   }
   return placed;
 }
@@ -142,8 +147,7 @@ function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
 }
 
 /** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
-function rowsInto(placement: Placement, eye: Vec3) {
-  const { x, y, z, origin } = inverse({ ...placement, origin: subtract(placement.origin, eye) });
-  const row = (axis: 0 | 1 | 2) => [x[axis], y[axis], z[axis], origin[axis]];
-  return { toMeshX: row(0), toMeshY: row(1), toMeshZ: row(2) };
+function rowsInto(placement: Numbers, eye: Vec3) {
+  const back = invertAffine(Array.from(placement, (x, i) => (i % 4 < 3 ? x : x - eye[(i - 3) / 4]!)))!;
+  return { toMeshX: back.slice(0, 4), toMeshY: back.slice(4, 8), toMeshZ: back.slice(8) };
 }

@@ -21,7 +21,7 @@ const MORE = geometryRows('Vertex') * GEOMETRY_ROW;
 const RED_GREEN = MORE + fieldOffset('VertexMore', 'redGreen') / 4;
 const BLUE_ALPHA = MORE + fieldOffset('VertexMore', 'blueAlpha') / 4;
 const SECOND_UV = MORE + fieldOffset('VertexMore', 'uv') / 4;
-/** Lowest bit of an octahedral vector's second number: moves the vector by less than its rounding does. */
+/** Lowest bit of an octahedral vector’s second number: such a vector is off by at most 1.4e-4 radians. */
 const LEFT_HANDED = 0x10000;
 const WHITE = 0xffffffff;
 

@@ -1,6 +1,6 @@
-import { boundsAt } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Material, MeshShape, Scene } from '../scene/scene.ts';
+import { boundsAt } from '../scene/scene-bounds.ts';
 import { isParsedScene, trustScene } from './parse-scene.ts';
 
 /** How far the floor reaches, in half diagonals of what stands on it. */

@@ -14,6 +14,7 @@ import type { Camera, Color, Material, Scene, Shape, Vec3 } from '../scene/scene
 import { addScaled, cross, dot, negate, normalize, subtract } from '../scene/vec3.ts';
 import { GeometryWalk } from './geometry-walk.ts';
 import { type SketchLight, sketchLight } from './sketch-light.ts';
+import { type SketchTexture, sketchTexture } from './sketch-texture.ts';
 
 export interface SketchView {
   /** It stands still: as it is at one time, nodes applied. */
@@ -51,7 +52,7 @@ class SketchTracer {
   readonly #analytic: readonly PreparedAnalytic[];
   readonly #walk: GeometryWalk;
   /** By row of the scene table. */
-  readonly #rows: readonly { readonly material: Material; readonly mesh: Mesh | null }[];
+  readonly #rows: readonly { readonly material: Material; readonly mesh: Mesh | null; readonly texture: SketchTexture | null }[]; // biome-ignore format: one type
 
   constructor({ scene, camera, geometry, shapeNames }: SketchView) {
     this.#eye = camera.eye;
@@ -65,7 +66,8 @@ class SketchTracer {
     this.#rows = shapeNames.map((name) => {
       const shape = lamps.shapes[name]!;
       const mesh = shape.type === 'mesh' ? (lamps.meshes?.[shape.mesh]?.data ?? null) : null;
-      return { material: lamps.materials[shape.material]!, mesh };
+      const material = lamps.materials[shape.material]!;
+      return { material, mesh, texture: mesh && sketchTexture(scene, material, mesh) };
     });
   }
 
@@ -84,7 +86,7 @@ class SketchTracer {
 
   #meshColor(ray: Ray): Color {
     const { row, mesh: packed, place, u, v } = this.#walk;
-    const { material, mesh } = this.#rows[row]!;
+    const { material, mesh, texture } = this.#rows[row]!;
     const first = 3 * packed!.order[place]!;
     const { positions, indices, normals, colors } = mesh!;
     const corners = [indices[first]!, indices[first + 1]!, indices[first + 2]!] as const;
@@ -94,7 +96,13 @@ class SketchTracer {
     const corner = (k: 0 | 1 | 2): Vec3 => [positions[3 * corners[k]]!, positions[3 * corners[k] + 1]!, positions[3 * corners[k] + 2]!]; // biome-ignore format: three
     const own = normals ? at(normals, 3) : cross(subtract(corner(1), corner(0)), subtract(corner(2), corner(0)));
     const tint: Color = colors ? at(colors, 4) : [1, 1, 1];
-    return this.#shade(material, tint, this.#walk.toWorld(own), ray);
+    const texel = texture?.(corners, weights) ?? [1, 1, 1];
+    return this.#shade(
+      material,
+      [tint[0] * texel[0], tint[1] * texel[1], tint[2] * texel[2]],
+      this.#walk.toWorld(own),
+      ray,
+    );
   }
 
   #shade(material: Material, tint: Color, outward: Vec3, { direction }: Ray): Color {

@@ -20,7 +20,7 @@ import { compileProgram } from './program.ts';
 /** How long a lost context may take to come back before the device counts as gone. */
 const RESTORE_TIMEOUT_MS = 3000;
 const RESTORE_PAUSE_MS = 50;
-/** Columns of the texture that data lie in, as shading/mesh/geometry_row.wesl has it: every device has so many. */
+/** Columns of the texture that data lie in, as shading/mesh/geometry_row.wesl and shading/texture/texel_row.wesl have it: every device has so many. */
 const DATA_COLUMNS = 2048;
 
 interface GlPass extends Pass {
@@ -186,13 +186,13 @@ class WebGl2Device implements Device {
     return { ...base, write, destroy } as TableTexture;
   }
 
-  checkData(rows: number): void {
+  checkData(rows: number, what: string): void {
     if (Math.ceil(rows / DATA_COLUMNS) > this.maxTextureSize)
-      throw noRoom('maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
+      throw noRoom(what, 'maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
   }
 
-  createData(rows: number): DataBuffer {
-    this.checkData(rows);
+  createData(rows: number, what: string): DataBuffer {
+    this.checkData(rows, what);
     const gl = this.#gl;
     const lines = Math.ceil(rows / DATA_COLUMNS);
     const base = this.#texture(DATA_COLUMNS, lines, gl.RGBA32UI);

@@ -214,14 +214,14 @@ class WebGpuDevice implements Device {
     return { ...base, write } as TableTexture;
   }
 
-  checkData(rows: number): void {
+  checkData(rows: number, what: string): void {
     const size = rows * 16;
     for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
-      if (size > this.#device.limits[limit]) throw noRoom(limit, this.#device.limits[limit], size);
+      if (size > this.#device.limits[limit]) throw noRoom(what, limit, this.#device.limits[limit], size);
   }
 
-  createData(rows: number): DataBuffer {
-    this.checkData(rows);
+  createData(rows: number, what: string): DataBuffer {
+    this.checkData(rows, what);
     const size = rows * 16;
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
