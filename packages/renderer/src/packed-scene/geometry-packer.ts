@@ -1,10 +1,11 @@
 /** What packs meshes, with all that builds trees, comes when the first scene with some does: see scripts/lazy-parts.mjs. */
-import type { Scene, Vec3 } from '../scene/scene.ts';
+import type { Bodies } from '../scene/bodies.ts';
+import type { Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
-import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type { PackedGeometry } from './pack-geometry.ts';
 import { createBlock } from './write-struct.ts';
 
-type Pack = (scene: Scene, shapes: readonly MeshInRow[], eye: Vec3) => PackedGeometry;
+type Pack = (bodies: Bodies, firstRow: number, eye: Vec3, before: PackedGeometry | null) => PackedGeometry;
 
 let pack: Pack | null = null;
 
@@ -13,11 +14,11 @@ export async function loadGeometryPacker(): Promise<void> {
 }
 export const geometryPackerLoaded = (): boolean => pack !== null;
 
-/** Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  if (shapes.length === 0) return NO_GEOMETRY;
+/** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
+export function geometryOf(bodies: Bodies, firstRow: number, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
+  if (bodies.all.length === 0) return NO_GEOMETRY;
   if (pack === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
-  return pack(scene, shapes, eye);
+  return pack(bodies, firstRow, eye, before);
 }
 
 const rows = geometryRows('WideNode');
@@ -27,6 +28,9 @@ const NO_GEOMETRY: PackedGeometry = {
   moving: createBlock(rows * 16),
   instances: 0,
   instanceCount: 0,
+  treeRows: rows,
+  revision: 0,
+  changedInstances: [0, 0],
   meshes: [],
   rows,
 };

@@ -17,6 +17,16 @@ export interface PackedMesh {
   /** Which triangle of the mesh stands at each place. */
   readonly order: Uint32Array;
   readonly stackNeed: number;
+  /** Grows when the words are written anew. */
+  readonly revision: number;
+}
+
+/** A packed mesh and what its tree was made of. */
+export interface TreeOfMesh {
+  readonly packed: PackedMesh;
+  readonly bvh: Bvh;
+  /** As in `WideBvh`. */
+  readonly sources: Uint32Array;
 }
 
 const TRIANGLE_WORDS = geometryRows('Triangle') * GEOMETRY_ROW;
@@ -28,18 +38,29 @@ const known = new WeakMap<Mesh, PackedMesh>();
 
 export function packMesh(mesh: Mesh): PackedMesh {
   let packed = known.get(mesh);
-  if (!packed) known.set(mesh, (packed = packWithTree(mesh, buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF }))));
+  if (!packed) known.set(mesh, (packed = packWithTree(mesh, treeFor(mesh)).packed));
   return packed;
 }
 
-function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
-  const { words: nodes, stackNeed } = encodeWideBvh(bvh);
-  return { nodes, triangles: trianglesOf(mesh, bvh.order), order: bvh.order, stackNeed };
+/** The tree that kernels take. */
+export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh =>
+  buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF });
+
+export function packWithTree(mesh: Mesh, bvh: Bvh): TreeOfMesh {
+  const { words: nodes, stackNeed, sources } = encodeWideBvh(bvh);
+  const triangles = new Uint32Array(bvh.order.length * TRIANGLE_WORDS);
+  writeTriangles(triangles, new Float32Array(triangles.buffer), mesh.indices, bvh.order, mesh);
+  return { packed: { nodes, triangles, order: bvh.order, stackNeed, revision: 0 }, bvh, sources };
 }
 
-function trianglesOf({ positions, indices, normals }: Mesh, order: Uint32Array): Uint32Array<ArrayBuffer> {
-  const words = new Uint32Array(order.length * TRIANGLE_WORDS);
-  const floats = new Float32Array(words.buffer);
+/** `floats`: the same memory as `words`. */
+export function writeTriangles(
+  words: Uint32Array,
+  floats: Float32Array,
+  indices: Uint32Array,
+  order: Uint32Array,
+  { positions, normals }: Pick<Mesh, 'positions' | 'normals'>,
+): void {
   const codes = normals && octahedralNormals(normals);
   for (let place = 0; place < order.length; place++) {
     const at = place * TRIANGLE_WORDS;
@@ -53,7 +74,6 @@ function trianglesOf({ positions, indices, normals }: Mesh, order: Uint32Array):
       if (codes) words[at + NORMALS[corner]!] = codes[vertex]!;
     }
   }
-  return words;
 }
 
 function octahedralNormals(normals: Float32Array): Uint32Array {

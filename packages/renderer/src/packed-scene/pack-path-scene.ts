@@ -2,11 +2,12 @@
 
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
+import type { Moment } from '../scene/motion.ts';
 import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { geometryOf } from './geometry-packer.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
-import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
+import { isPackedFrom, type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
 
@@ -22,7 +23,16 @@ function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
   return { horizon: factor, zenith: factor, environment: packEnvironment(map), environmentTurn };
 }
 
-export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
+/** `moment`: the scene with its meshes, at the time that is to be seen. */
+export function packPathScene({ scene, bodies }: Moment, eye: Vec3, options: PackOptions = {}): PackedScene {
+  const { reuse } = options;
+  // Where nothing but meshes has moved the table holds what it should.
+  const packed = reuse && isPackedFrom(reuse, scene, eye, options) ? reuse : packRows(scene, eye, options);
+  const firstBody = packed.shapeEnds[3];
+  return { ...packed, geometry: geometryOf(bodies, firstBody, eye, reuse?.geometry ?? null) };
+}
+
+function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
   refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
   const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS, meshes: true });
@@ -40,9 +50,6 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  const meshes = Object.entries(lamps.scene.shapes).flatMap(([name, shape]) =>
-    shape.type === 'mesh' ? [{ shape, row: rows.get(name)! }] : [],
-  );
-  const geometry = geometryOf(lamps.scene, meshes, eye);
-  return { ...packed, ...skyOf(scene.sky), geometry, emitterCount: emitters.length };
+  const source = { ...packed.source, scene, surfaces: true };
+  return { ...packed, source, ...skyOf(scene.sky), emitterCount: emitters.length };
 }

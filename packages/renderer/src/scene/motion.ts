@@ -17,6 +17,12 @@ export interface Moment {
   readonly bodies: Bodies;
 }
 
+/** Of a scene that is animated already, as `posedSceneAt` gives it. */
+export function stillMoment(scene: Scene): Moment {
+  const { clips: _, clip: __, ...still } = scene;
+  return new Motion({ ...still, animation: [] }).at(0);
+}
+
 /** Throws as `posedSceneAt` does. */
 export class Motion {
   readonly #transforms: NodeTransforms;
