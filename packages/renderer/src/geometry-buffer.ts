@@ -2,7 +2,7 @@
 import type { DataBuffer, Device } from './gpu/device.ts';
 import { GEOMETRY_ROW } from './packed-scene/layout.ts';
 import type { PackedGeometry } from './packed-scene/pack-geometry.ts';
-import type { PackedMesh } from './packed-scene/pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-scene/packed-mesh.ts';
 
 /** A mesh that the buffer holds, as it was when it was uploaded. */
 interface HeldMesh {
@@ -43,8 +43,8 @@ export class GeometryBuffer {
   #writeMeshes(): void {
     let row = this.#movingRows;
     for (const held of this.#meshes) {
-      const { nodes, triangles, revision } = held.mesh;
-      for (const words of [nodes, triangles]) {
+      const { revision } = held.mesh;
+      for (const words of wordsOf(held.mesh)) {
         if (held.revision !== revision) this.#buffer!.write(row, words);
         row += words.length / GEOMETRY_ROW;
       }

@@ -2,9 +2,8 @@
  * Where instances stand → their rows of the geometry and their boxes, both relative to the eye. What stands where it stood costs no more
  * than a look.
  */
-import { AFFINE_LENGTH } from '../scene/affine.ts';
+import { AFFINE_LENGTH, isSolid } from '../scene/affine.ts';
 import type { Vec3 } from '../scene/scene.ts';
-import { SHORTEST, SMALLEST_SINE } from '../scene/well-formed.ts';
 import { fieldOffset, structSize } from './layout.ts';
 import type { Block } from './write-struct.ts';
 
@@ -20,7 +19,7 @@ export interface InstancedMesh {
 
 const WORDS = structSize('Instance') / 4;
 const ROWS = (['toMeshX', 'toMeshY', 'toMeshZ'] as const).map((field) => fieldOffset('Instance', field) / 4);
-export const SHARED = ['nodes', 'triangles', 'interpolated', 'row'] as const;
+export const SHARED = ['nodes', 'triangles', 'vertices', 'row', 'vertexRows', 'vertexFlags'] as const;
 const SHARED_AT = SHARED.map((field) => fieldOffset('Instance', field) / 4);
 
 export class InstanceRows {
@@ -60,7 +59,7 @@ export class InstanceRows {
     this.changedTo = 0;
     for (let i = 0; i < meshOf.length; i++) {
       const at = i * AFFINE_LENGTH;
-      if (!isSolidAt(matrices, at)) continue;
+      if (!isSolid(matrices, at)) continue;
       const mesh = meshOf[i]!;
       const same = this.#meshes[slot] === mesh && !mesh.boxChanged && equalAt(matrices, at, this.#matrices, slot * AFFINE_LENGTH); // biome-ignore format: one thought
       if (!same) {
@@ -144,24 +143,6 @@ function writeExtent(
   const half = (Math.abs(a) * (box[3]! - box[0]!) + Math.abs(b) * (box[4]! - box[1]!) + Math.abs(c) * (box[5]! - box[2]!)) / 2; // biome-ignore format: a sum
   boxes[at] = middle - half;
   boxes[at + 3] = middle + half;
-}
-
-/** Whether the map keeps three dimensions, so that there is a way back; as `isSolid` of scene/placement.ts says of placements. */
-function isSolidAt(m: Float64Array, at: number): boolean {
-  const a = m[at]!;
-  const b = m[at + 1]!;
-  const c = m[at + 2]!;
-  const d = m[at + 4]!;
-  const e = m[at + 5]!;
-  const f = m[at + 6]!;
-  const g = m[at + 8]!;
-  const h = m[at + 9]!;
-  const i = m[at + 10]!;
-  const x = Math.sqrt(a * a + d * d + g * g);
-  const y = Math.sqrt(b * b + e * e + h * h);
-  const z = Math.sqrt(c * c + f * f + i * i);
-  if (!(x >= SHORTEST && y >= SHORTEST && z >= SHORTEST)) return false;
-  return Math.abs(a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)) >= SMALLEST_SINE * x * y * z;
 }
 
 function equalAt(a: Float64Array, i: number, b: Float64Array, k: number): boolean {

@@ -1,19 +1,20 @@
 /**
  * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
- * instances; then, mesh by mesh, the nodes of its tree and its triangles. The first part is written for every frame that moves, in
+ * instances; then, mesh by mesh, the nodes of its tree, its triangles and its vertices. The first part is written for every frame that moves, in
  * coordinates relative to the eye; a mesh only when it comes in, or when its form changes. Arrays are kept from frame to frame.
  */
 
 import type { Bvh } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
 import type { Bodies, Body } from '../scene/bodies.ts';
+import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshBounds } from '../scene/mesh-bounds.ts';
 import type { Vec3 } from '../scene/scene.ts';
 import { WideEncoder } from './encode-wide-bvh.ts';
 import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { type PackedMesh, packMesh } from './pack-mesh.ts';
+import { packMesh } from './pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { PosedMesh } from './posed-mesh.ts';
 import { type Block, createBlock } from './write-struct.ts';
 
@@ -139,12 +140,19 @@ class GeometryOfBodies implements PackedGeometry {
     let rows = this.movingRows;
     for (const mesh of this.meshes) {
       starts.set(mesh, rows);
-      rows += (mesh.nodes.length + mesh.triangles.length) / GEOMETRY_ROW;
+      rows += wordsOf(mesh).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
     }
-    this.#packed.forEach(({ body, mesh, shared }, index) => {
+    this.#packed.forEach(({ mesh, shared }, index) => {
       const nodes = starts.get(mesh)!;
       const triangles = nodes + mesh.nodes.length / GEOMETRY_ROW;
-      const values = { nodes, triangles, interpolated: body.mesh.normals ? 1 : 0, row: this.#firstRow + index };
+      const values = {
+        nodes,
+        triangles,
+        vertices: triangles + mesh.triangles.length / GEOMETRY_ROW,
+        row: this.#firstRow + index,
+        vertexRows: mesh.vertices.rows,
+        vertexFlags: mesh.vertices.flags,
+      };
       shared.set(SHARED.map((field) => values[field]));
     });
     return rows;

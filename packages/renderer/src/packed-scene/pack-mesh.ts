@@ -1,6 +1,7 @@
 /**
- * Mesh → its tree and its triangles as the kernels read them. Triangles lie in the order of the tree's leaves, each with its three
- * vertices and their normals, so that a ray needs no indices. It is done once for each mesh, however many instances it has.
+ * Mesh → its tree, its triangles and its vertices as the kernels read them. Triangles lie in the order of the tree's leaves, each with its
+ * three places, so that a ray needs no indices until it is known where it ends. It is done once for each mesh, however many instances it
+ * has.
  */
 
 import { buildBvh } from '../bvh/build-bvh.ts';
@@ -8,20 +9,10 @@ import type { Bvh } from '../bvh/bvh.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { toOctahedral } from './octahedral.ts';
+import { packVertices } from './pack-vertices.ts';
+import type { PackedMesh } from './packed-mesh.ts';
 
-export interface PackedMesh {
-  /** Rows of the tree's nodes, the root's first. */
-  readonly nodes: Uint32Array<ArrayBuffer>;
-  readonly triangles: Uint32Array<ArrayBuffer>;
-  /** Which triangle of the mesh stands at each place. */
-  readonly order: Uint32Array;
-  readonly stackNeed: number;
-  /** Grows when the words are written anew. */
-  readonly revision: number;
-}
-
-/** A packed mesh and what its tree was made of. */
+/** A packed mesh with the tree that its words were made of. */
 export interface TreeOfMesh {
   readonly packed: PackedMesh;
   readonly bvh: Bvh;
@@ -30,8 +21,8 @@ export interface TreeOfMesh {
 }
 
 const TRIANGLE_WORDS = geometryRows('Triangle') * GEOMETRY_ROW;
-const VERTICES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
-const NORMALS = (['normalA', 'normalB', 'normalC'] as const).map((field) => fieldOffset('Triangle', field) / 4);
+const PLACES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
+const NUMBERS = (['vertexA', 'vertexB', 'vertexC'] as const).map((field) => fieldOffset('Triangle', field) / 4);
 
 /** A mesh does not change. */
 const known = new WeakMap<Mesh, PackedMesh>();
@@ -48,36 +39,30 @@ export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh =>
 
 export function packWithTree(mesh: Mesh, bvh: Bvh): TreeOfMesh {
   const { words: nodes, stackNeed, sources } = encodeWideBvh(bvh);
-  const triangles = new Uint32Array(bvh.order.length * TRIANGLE_WORDS);
-  writeTriangles(triangles, new Float32Array(triangles.buffer), mesh.indices, bvh.order, mesh);
-  return { packed: { nodes, triangles, order: bvh.order, stackNeed, revision: 0 }, bvh, sources };
+  const triangles = trianglesOf(mesh, bvh.order);
+  const packed = { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };
+  return { packed, bvh, sources };
 }
 
-/** `floats`: the same memory as `words`. */
-export function writeTriangles(
-  words: Uint32Array,
-  floats: Float32Array,
-  indices: Uint32Array,
-  order: Uint32Array,
-  { positions, normals }: Pick<Mesh, 'positions' | 'normals'>,
-): void {
-  const codes = normals && octahedralNormals(normals);
-  for (let place = 0; place < order.length; place++) {
-    const at = place * TRIANGLE_WORDS;
-    const triangle = order[place]! * 3;
-    for (let corner = 0; corner < 3; corner++) {
-      const vertex = indices[triangle + corner]!;
-      const to = at + VERTICES[corner]!;
-      floats[to] = positions[3 * vertex]!;
-      floats[to + 1] = positions[3 * vertex + 1]!;
-      floats[to + 2] = positions[3 * vertex + 2]!;
-      if (codes) words[at + NORMALS[corner]!] = codes[vertex]!;
+function trianglesOf({ positions, indices }: Mesh, order: Uint32Array): Uint32Array<ArrayBuffer> {
+  const words = new Uint32Array(order.length * TRIANGLE_WORDS);
+  for (let place = 0; place < order.length; place++)
+    for (let corner = 0; corner < 3; corner++)
+      words[place * TRIANGLE_WORDS + NUMBERS[corner]!] = indices[3 * order[place]! + corner]!;
+  writePlaces(words, new Float32Array(words.buffer), positions);
+  return words;
+}
+
+/** The places of all corners, by the vertices that the triangles name already. `floats`: the same memory as `words`. */
+export function writePlaces(words: Uint32Array, floats: Float32Array, positions: Float32Array): void {
+  for (let corner = 0; corner < 3; corner++) {
+    const from = NUMBERS[corner]!;
+    const to = PLACES[corner]!;
+    for (let at = 0; at < words.length; at += TRIANGLE_WORDS) {
+      const vertex = 3 * words[at + from]!;
+      floats[at + to] = positions[vertex]!;
+      floats[at + to + 1] = positions[vertex + 1]!;
+      floats[at + to + 2] = positions[vertex + 2]!;
     }
   }
-}
-
-function octahedralNormals(normals: Float32Array): Uint32Array {
-  const codes = new Uint32Array(normals.length / 3);
-  for (let vertex = 0; vertex < codes.length; vertex++) codes[vertex] = toOctahedral(normals, 3 * vertex);
-  return codes;
 }

@@ -8,7 +8,9 @@ import { planRefit, type RefitPlan, refit } from '../bvh/refit.ts';
 import type { Deformed } from '../scene/deform.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { writeBoxes } from './encode-wide-bvh.ts';
-import { type PackedMesh, packWithTree, type TreeOfMesh, treeFor, writeTriangles } from './pack-mesh.ts';
+import { packWithTree, type TreeOfMesh, treeFor, writePlaces } from './pack-mesh.ts';
+import { type PackedVertices, writeForm } from './pack-vertices.ts';
+import type { PackedMesh } from './packed-mesh.ts';
 
 interface Planned extends TreeOfMesh {
   readonly plan: RefitPlan;
@@ -28,22 +30,22 @@ function treeOf(mesh: Mesh): Planned {
 export class PosedMesh implements PackedMesh {
   readonly nodes: Uint32Array<ArrayBuffer>;
   readonly triangles: Uint32Array<ArrayBuffer>;
+  readonly vertices: PackedVertices;
   readonly order: Uint32Array;
   readonly stackNeed: number;
   revision = 0;
   /** With bounds of its own. */
   readonly bvh: Bvh;
-  readonly #mesh: Mesh;
   readonly #tree: Planned;
   readonly #nodeFloats: Float32Array;
   readonly #triangleFloats: Float32Array;
 
   constructor(mesh: Mesh) {
     const tree = treeOf(mesh);
-    this.#mesh = mesh;
     this.#tree = tree;
     this.nodes = tree.packed.nodes.slice();
     this.triangles = tree.packed.triangles.slice();
+    this.vertices = { ...tree.packed.vertices, words: tree.packed.vertices.words.slice() };
     this.order = tree.packed.order;
     this.stackNeed = tree.packed.stackNeed;
     this.bvh = { ...tree.bvh, bounds: tree.bvh.bounds.slice() };
@@ -52,11 +54,12 @@ export class PosedMesh implements PackedMesh {
   }
 
   /** Takes another form. Throws a RangeError when a place in it is not finite. */
-  pose({ positions, normals }: Deformed): void {
+  pose(form: Deformed): void {
     const { plan, sources } = this.#tree;
-    refit(this.bvh, positions, plan);
+    refit(this.bvh, form.positions, plan);
     writeBoxes(sources, sources.length / 4, this.bvh, this.#nodeFloats);
-    writeTriangles(this.triangles, this.#triangleFloats, this.#mesh.indices, this.order, { positions, normals });
+    writePlaces(this.triangles, this.#triangleFloats, form.positions);
+    writeForm(this.vertices, form);
     this.revision++;
   }
 

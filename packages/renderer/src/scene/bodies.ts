@@ -9,7 +9,7 @@ import type { Mesh } from './mesh.ts';
 import type { NodeTransforms } from './node-transforms.ts';
 import { playingClip } from './node-transforms.ts';
 import type { Skin } from './nodes.ts';
-import { meshShapes, ownPlacement } from './placed.ts';
+import { meshShapes, placementOf } from './placed.ts';
 import { type PlacementTarget, placementTarget } from './placement-target.ts';
 import { clipTime, evaluateSampled, widthOf } from './sampled-track.ts';
 import type { MeshShape, Scene } from './scene.ts';
@@ -63,7 +63,7 @@ class MovingBody implements Body {
     transforms: NodeTransforms,
   ) {
     this.node = shape.node === undefined ? -1 : placeOf(transforms, shape.node);
-    this.own = ownPlacement(shape);
+    this.own = placementOf(shape);
     const skin = shape.skin === undefined ? undefined : scene.skins?.[shape.skin];
     this.skin = skin && mesh.skin ? skin : null;
     const bends = isDeformable(mesh) && (this.skin !== null || shape.node !== undefined);
@@ -197,7 +197,7 @@ const RADIANS = Math.PI / 180;
 /** The scale itself, or at the instant when it goes through 0 the least that is none (`mendScale`). */
 const mended = (s: number): number => (Math.abs(s) >= SMALLEST_SCALE ? s : s < 0 ? -SMALLEST_SCALE : SMALLEST_SCALE);
 
-/** What `ownPlacement` gives for these parts. `local` is written over. */
+/** What `placementOf` gives for these parts. `local` is written over. */
 function composeParts(
   parts: Float64Array,
   matrix: readonly number[] | undefined,

@@ -146,16 +146,20 @@ struct Instance {
     vec4 toMeshZ;
     uint nodes;
     uint triangles;
-    uint interpolated;
+    uint vertices;
     uint row;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+    uint spare1_;
 };
 struct Triangle {
     vec3 a;
-    uint normalA;
+    uint vertexA;
     vec3 b;
-    uint normalB;
+    uint vertexB;
     vec3 c;
-    uint normalC;
+    uint vertexC;
 };
 struct TriangleHit {
     float t;
@@ -180,6 +184,11 @@ struct Normals {
 struct MeshNormals {
     vec3 geometric;
     vec3 shading;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
 };
 struct Basis {
     vec3 tangent;
@@ -298,10 +307,11 @@ const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
 const uint leaving = 4294967295u;
 const uint placeMask = 268435455u;
-const uint instanceRows = 4u;
+const uint instanceRows = 5u;
 const uint triangleRows = 3u;
 const uint countShift = 28u;
 const uint dielectric = 3u;
+const uint hasNormals = 1u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
 const uint metallicRoughness = 1u;
@@ -430,9 +440,9 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_14), 15.0);
-    float t_3 = (x_14 - piece);
+    float t_4 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_3 = (c.x + (t_3 * (c.y + (t_3 * (c.z + (t_3 * c.w))))));
+    float offset_3 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -646,8 +656,8 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far_1 = (along + half_1);
-    float t_4 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
+    float t_5 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -674,8 +684,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_5 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
+    vec3 t_6 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -706,8 +716,8 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_6 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_6 > tMin_1), false), t_6, 1e30));
+    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
@@ -727,10 +737,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_7 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_7);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_7 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_14 = ((t_7 * direction_4) - toCenter_1);
+    float t_8 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_14 = ((t_8 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_14, reciprocalU)), abs(dot(p_14, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_7 > tMin_2), (t_7 < 1e30), false), within, false), t_7, 1e30);
+    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -744,11 +754,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_8 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_8 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_8, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -788,7 +798,8 @@ Instance fetchInstance(uint row_1) {
     uvec4 _e6 = geometryRow((row_1 + 1u));
     uvec4 _e9 = geometryRow((row_1 + 2u));
     uvec4 _e12 = geometryRow((row_1 + 3u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
 SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
@@ -826,8 +837,8 @@ TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
     float sum = ((_e35 + _e36) + _e37);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
     float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
-    float t_9 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_9, -1.0), (vec2(_e36, _e37) * inverse_2));
+    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2));
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -1135,10 +1146,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_10 = pick(entering, _e5.near, _e5.far);
+    float t_11 = pick(entering, _e5.near, _e5.far);
     vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_10);
-    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    bool onX = (crossed.x == t_11);
+    bool onY = pick(!(onX), (crossed.y == t_11), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1199,21 +1210,38 @@ vec3 fromOctahedral(uint code_2) {
     return normalize(vec3(pick((z_1 < 0.0), folded, p_17), z_1));
 }
 
-MeshNormals meshNormals(uint instance_2, uint place, vec2 weights) {
+Vertex fetchVertex(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec3 blendedNormal(Instance i_14, Triangle t_3, vec2 weights) {
+    Vertex _e8 = fetchVertex((i_14.vertices + (t_3.vertexA * i_14.vertexRows)));
+    vec3 _e10 = fromOctahedral(_e8.normal);
+    Vertex _e16 = fetchVertex((i_14.vertices + (t_3.vertexB * i_14.vertexRows)));
+    vec3 _e18 = fromOctahedral(_e16.normal);
+    Vertex _e24 = fetchVertex((i_14.vertices + (t_3.vertexC * i_14.vertexRows)));
+    vec3 _e26 = fromOctahedral(_e24.normal);
+    return (((((1.0 - weights.x) - weights.y) * _e10) + (weights.x * _e18)) + (weights.y * _e26));
+}
+
+MeshNormals meshNormals(uint instance_2, uint place, vec2 weights_1) {
+    vec3 shading = vec3(0.0);
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_2 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
     vec3 normal_8 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
     vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_8));
-    vec3 _e37 = fromOctahedral(_e14.normalA);
-    vec3 _e41 = fromOctahedral(_e14.normalB);
-    vec3 _e46 = fromOctahedral(_e14.normalC);
-    vec3 blended = (((((1.0 - weights.x) - weights.y) * _e37) + (weights.x * _e41)) + (weights.y * _e46));
-    vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * blended);
-    float size_1 = dot(smoothed, smoothed);
-    float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
-    bool useful = pick((_e9.interpolated != 0u), (size_1 > 0.0), false);
-    return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
+    shading = geometric;
+    if (((_e9.vertexFlags & hasNormals) != 0u)) {
+        vec3 _e44 = blendedNormal(_e9, _e14, weights_1);
+        vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * _e44);
+        float size_1 = dot(smoothed, smoothed);
+        float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+        shading = pick((size_1 > 0.0), (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric);
+    }
+    vec3 _e61 = shading;
+    return MeshNormals(geometric, _e61);
 }
 
 Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
@@ -1246,12 +1274,12 @@ bool isThin(uint code_3) {
     return pick(_e2, ((code_3 & 7u) == 7u), false);
 }
 
-Emitter fetchEmitter(uint i_14) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_14)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_14)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_14)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_14)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_14)), 0);
+Emitter fetchEmitter(uint i_15) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_15)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_15)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_15)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_15)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_15)), 0);
     return Emitter(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
@@ -1259,12 +1287,12 @@ int emitterOf(float code_4) {
     return ((int(code_4) >> 6u) - 1);
 }
 
-Emitter emitterAt(uint i_15, Emitter only) {
+Emitter emitterAt(uint i_16, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_15);
+        Emitter _e5 = fetchEmitter(i_16);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
@@ -1321,10 +1349,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     float _e35 = frame.environmentTurn;
     float column = ((fract(((turn * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_3 = floor(fromPole);
+    float row_4 = floor(fromPole);
     bool isLower = (direction_11.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_3), row_3));
-    float within_2 = (fromPole - row_3);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_4), row_4));
+    float within_2 = (fromPole - row_4);
     vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
@@ -1546,7 +1574,7 @@ float misWeight(float own, float other) {
 
 vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
-    uint i_16 = 0u;
+    uint i_17 = 0u;
     bool escaped = (hit_1.shape == noShape);
     vec3 direction_18 = p_9.rays.direction;
     bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_18) > 0.0), false);
@@ -1557,9 +1585,9 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only
     if (pick(weighed, (_e33 > 0u), false)) {
         vec3 emission = found_8;
         found_8 = vec3(0.0);
-        i_16 = pick(escaped, 0u, uint(max(_e21, 0)));
+        i_17 = pick(escaped, 0u, uint(max(_e21, 0)));
         while(true) {
-            uint _e46 = i_16;
+            uint _e46 = i_17;
             Emitter _e47 = emitterAt(_e46, only_1);
             FarLight _e48 = farLight(_e47, direction_18);
             float _e52 = shapePdf(_e47, p_9.rays.point, direction_18, hit_1.t, outward);
@@ -1570,11 +1598,11 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only
             vec3 _e63 = found_8;
             float _e65 = misWeight(p_9.pdf, pdf_3);
             found_8 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_16;
-            i_16 = (_e74 + 1u);
+            uint _e74 = i_17;
+            i_17 = (_e74 + 1u);
             const bool _e77 = hasSky;
             const bool _e79 = hasSuns;
-            uint _e84 = i_16;
+            uint _e84 = i_17;
             uint _e87 = frame.emitterCount;
             if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
                 break;
@@ -1616,7 +1644,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
-    uint i_17 = 0u;
+    uint i_18 = 0u;
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
@@ -1624,7 +1652,7 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     if (pick(_e14, (_e17 > 1u), false)) {
         rest = u_4;
         while(true) {
-            uint _e30 = i_17;
+            uint _e30 = i_18;
             Emitter _e31 = fetchEmitter(_e30);
             float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
             float _e33 = total_1;
@@ -1634,16 +1662,16 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
             float _e39 = rest;
             bool take = (_e39 < share_1);
             uint _e41 = chosen;
-            uint _e42 = i_17;
+            uint _e42 = i_18;
             chosen = pick(take, _e42, _e41);
             float _e44 = chosenWeight;
             chosenWeight = pick(take, _e32, _e44);
             float _e46 = rest;
             float _e53 = rest;
             rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_17;
-            i_17 = (_e59 + 1u);
-            uint _e61 = i_17;
+            uint _e59 = i_18;
+            i_18 = (_e59 + 1u);
+            uint _e61 = i_18;
             uint _e64 = frame.emitterCount;
             if ((_e61 >= _e64)) {
                 break;
@@ -1824,10 +1852,10 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 cell_3 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_5.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_11 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_11), mix(_e6.b.w, _e6.d.w, t_11));
+    float t_12 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_12), mix(_e6.b.w, _e6.d.w, t_12));
     bool isLower_1 = ((2.0 * cell_3.y) > size_5.y);
-    float fromPole_1 = pick(isLower_1, ((size_5.y - cell_3.y) + (0.5 - t_11)), (cell_3.y + (t_11 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_5.y - cell_3.y) + (0.5 - t_12)), (cell_3.y + (t_12 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_5.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_5.x) - _e85));
@@ -1837,7 +1865,7 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_20 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_12), sine_5);
     return EnvironmentSample(direction_20, _e119);
 }
 
@@ -2282,9 +2310,9 @@ float nextHash(inout Sampler s_16) {
     return _e21;
 }
 
-bool isFlat(uint i_18) {
+bool isFlat(uint i_19) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_18 >= _e4);
+    return (i_19 >= _e4);
 }
 
 void meetSurface(inout Path p_10, PairHit hit_2) {
