@@ -180,12 +180,12 @@ export class Stages {
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
     this.#content = program ? contentOfSubject(shot) : null;
-    const { camera, bodies } = shot;
+    const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
     const options = { reuse: this.#packed, reach: viewReach(camera, width / height, shot.settings.framing) };
     const packed =
       this.#content === 'path' || isAov(this.#content)
-        ? packPathScene({ scene, bodies }, camera.eye, options)
+        ? packPathScene({ ...shot, scene }, camera.eye, options)
         : packScene(scene, camera.eye, options);
     const before = this.#packed;
     this.#packed = packed;

@@ -1,11 +1,12 @@
 /** What packs meshes, with all that builds trees, comes when the first scene with some does: see scripts/lazy-parts.mjs. */
-import type { Bodies } from '../scene/bodies.ts';
+import type { Moment } from '../scene/motion.ts';
 import type { Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
 import type { PackedGeometry } from './pack-geometry.ts';
+import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
-type Pack = (bodies: Bodies, firstRow: number, eye: Vec3, before: PackedGeometry | null) => PackedGeometry;
+type Pack = (moment: Moment, firstRow: number, eye: Vec3, before: PackedGeometry | null) => PackedGeometry;
 
 let pack: Pack | null = null;
 
@@ -15,10 +16,10 @@ export async function loadGeometryPacker(): Promise<void> {
 export const geometryPackerLoaded = (): boolean => pack !== null;
 
 /** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(bodies: Bodies, firstRow: number, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
-  if (bodies.all.length === 0) return NO_GEOMETRY;
+export function geometryOf(moment: Moment, firstRow: number, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
+  if (!hasMeshes(moment.played)) return NO_GEOMETRY;
   if (pack === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
-  return pack(bodies, firstRow, eye, before);
+  return pack(moment, firstRow, eye, before);
 }
 
 const rows = geometryRows('WideNode');

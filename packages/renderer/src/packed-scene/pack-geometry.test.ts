@@ -172,7 +172,7 @@ describe.each(Object.entries(scenes))('%s', (_, scene) => {
         [0, 0, 10],
         [3, 2, 1],
       ] as Vec3[]) {
-        geometry = packGeometry(motion.at(time).bodies, 5, eye, geometry);
+        geometry = packGeometry(motion.at(time), 5, eye, geometry);
         check(scene, time, eye, geometry);
       }
     }
@@ -181,19 +181,19 @@ describe.each(Object.entries(scenes))('%s', (_, scene) => {
   test('meshes and instances at a time are the same words whatever was shown before', () => {
     const eye: Vec3 = [1, 2, 3];
     const motion = new Motion(scene);
-    let played = packGeometry(motion.at(0).bodies, 0, eye);
-    for (const time of [0.3, 0.6, 2.2, 1.5]) played = packGeometry(motion.at(time).bodies, 0, eye, played);
-    const direct = packGeometry(new Motion(scene).at(1.5).bodies, 0, eye);
+    let played = packGeometry(motion.at(0), 0, eye);
+    for (const time of [0.3, 0.6, 2.2, 1.5]) played = packGeometry(motion.at(time), 0, eye, played);
+    const direct = packGeometry(new Motion(scene).at(1.5), 0, eye);
     const after = (geometry: PackedGeometry) => wordsOf(geometry).subarray(geometry.instances * GEOMETRY_ROW);
     expect(after(played)).toEqual(after(direct));
   });
 
   test('arrays are kept from frame to frame', () => {
     const motion = new Motion(scene);
-    const first = packGeometry(motion.at(0).bodies, 0, [0, 0, 9]);
+    const first = packGeometry(motion.at(0), 0, [0, 0, 9]);
     const { moving, meshes } = first;
     const words = meshes.map(({ nodes, triangles, vertices }) => [nodes, triangles, vertices.words]);
-    const next = packGeometry(motion.at(1).bodies, 0, [0, 0, 9], first);
+    const next = packGeometry(motion.at(1), 0, [0, 0, 9], first);
     expect(next).toBe(first);
     expect(next.moving).toBe(moving);
     const kept = next.meshes.map((mesh, i) => mesh.nodes === words[i]![0] && mesh.triangles === words[i]![1]);
@@ -208,14 +208,14 @@ test('only instances that have moved are written', () => {
   const tracks = clips!.play!.tracks.filter(({ target }) => /node (7|9)\//.test(target));
   const motion = new Motion({ ...scene, clips: { play: { ...clips!.play!, tracks } } });
   const eye: Vec3 = [0, 0, 9];
-  const geometry = packGeometry(motion.at(0).bodies, 0, eye);
+  const geometry = packGeometry(motion.at(0), 0, eye);
   const row = (instance: number) => geometry.instances + instance * geometryRows('Instance');
   const { revision } = geometry;
-  packGeometry(motion.at(0).bodies, 0, eye, geometry);
+  packGeometry(motion.at(0), 0, eye, geometry);
   expect(geometry.revision).toBe(revision);
-  packGeometry(motion.at(0.7).bodies, 0, eye, geometry);
+  packGeometry(motion.at(0.7), 0, eye, geometry);
   expect(geometry.changedInstances).toEqual([row(7), row(10)]);
-  packGeometry(motion.at(0.7).bodies, 0, [0, 0, 8], geometry);
+  packGeometry(motion.at(0.7), 0, [0, 0, 8], geometry);
   expect(geometry.changedInstances).toEqual([row(0), row(40)]);
 });
 
@@ -228,15 +228,15 @@ test('what is scaled to nothing is not there, and comes back', () => {
   const motion = new Motion({ ...scene, clips });
   let geometry: PackedGeometry | null = null;
   const counts = [0, 0.5, 1, 1.5].map((time) => {
-    geometry = packGeometry(motion.at(time).bodies, 0, [0, 0, 9], geometry);
+    geometry = packGeometry(motion.at(time), 0, [0, 0, 9], geometry);
     return geometry.instanceCount;
   });
   expect(counts).toEqual([40, 40, 39, 40]);
   check({ ...scene, clips }, 1.5, [0, 0, 9], geometry!);
 });
 
-test('bodies of another scene, or another place in the table, get a geometry of their own', () => {
-  const [a, b] = [new Motion(scenes.swarm).at(0).bodies, new Motion(scenes.swarm).at(0).bodies];
+test('another scene, or another place in the table, gets a geometry of its own', () => {
+  const [a, b] = [new Motion(scenes.swarm).at(0), new Motion({ ...scenes.swarm }).at(0)];
   const first = packGeometry(a, 0, [0, 0, 9]);
   expect(packGeometry(b, 0, [0, 0, 9], first)).not.toBe(first);
   expect(packGeometry(a, 3, [0, 0, 9], first)).not.toBe(first);

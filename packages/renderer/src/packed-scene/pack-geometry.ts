@@ -6,10 +6,11 @@
 
 import type { Bvh } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import type { Bodies, Body } from '../scene/bodies.ts';
+import { Bodies, type Body } from '../scene/bodies.ts';
 import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import type { Vec3 } from '../scene/scene.ts';
+import type { Moment } from '../scene/motion.ts';
+import type { Scene, Vec3 } from '../scene/scene.ts';
 import { WideEncoder } from './encode-wide-bvh.ts';
 import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
@@ -50,17 +51,17 @@ export class DeepTreeError extends Error {
 
 /**
  * `firstRow`: of the scene table, what the first body is made of; the others follow. `before`: a geometry that is no longer needed; when it
- * is of the same bodies it is brought up to date and given back.
+ * is of the same scene it is brought up to date and given back.
  */
 export function packGeometry(
-  bodies: Bodies,
+  { played, time }: Pick<Moment, 'played' | 'time'>,
   firstRow: number,
   eye: Vec3,
   before: PackedGeometry | null = null,
 ): PackedGeometry {
-  const mine = before instanceof GeometryOfBodies && before.isOf(bodies, firstRow);
-  const geometry = mine ? before : new GeometryOfBodies(bodies, firstRow);
-  geometry.update(eye);
+  const mine = before instanceof GeometryOfScene && before.isOf(played, firstRow);
+  const geometry = mine ? before : new GeometryOfScene(played, firstRow);
+  geometry.update(time, eye);
   return geometry;
 }
 
@@ -91,7 +92,7 @@ class PackedBody implements InstancedMesh {
   }
 }
 
-class GeometryOfBodies implements PackedGeometry {
+class GeometryOfScene implements PackedGeometry {
   readonly movingRows: number;
   readonly moving: Block;
   readonly instances: number;
@@ -100,8 +101,10 @@ class GeometryOfBodies implements PackedGeometry {
   readonly changedInstances: [number, number] = [0, 0];
   treeRows = 0;
   revision = 0;
+  readonly #scene: Scene;
   readonly #bodies: Bodies;
   readonly #firstRow: number;
+  #time = Number.NaN;
   readonly #packed: readonly PackedBody[];
   /** Of each instance. */
   readonly #meshOf: readonly PackedBody[];
@@ -112,7 +115,9 @@ class GeometryOfBodies implements PackedGeometry {
   /** The good tree, while it is the one in use. */
   #tree: Bvh | null = null;
 
-  constructor(bodies: Bodies, firstRow: number) {
+  constructor(scene: Scene, firstRow: number) {
+    const bodies = new Bodies(scene);
+    this.#scene = scene;
     this.#bodies = bodies;
     this.#firstRow = firstRow;
     const shared = new Map<Mesh, PackedMesh>();
@@ -158,8 +163,8 @@ class GeometryOfBodies implements PackedGeometry {
     return rows;
   }
 
-  isOf(bodies: Bodies, firstRow: number): boolean {
-    return this.#bodies === bodies && this.#firstRow === firstRow;
+  isOf(scene: Scene, firstRow: number): boolean {
+    return this.#scene === scene && this.#firstRow === firstRow;
   }
 
   get instanceCount(): number {
@@ -167,7 +172,9 @@ class GeometryOfBodies implements PackedGeometry {
   }
 
   /** Throws a `DeepTreeError`; then the geometry is of no use any more. */
-  update(eye: Vec3): void {
+  update(time: number, eye: Vec3): void {
+    if (time !== this.#time) this.#bodies.goTo(time);
+    this.#time = time;
     for (const packed of this.#packed) packed.update();
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);

@@ -24,12 +24,13 @@ function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
 }
 
 /** `moment`: the scene with its meshes, at the time that is to be seen. */
-export function packPathScene({ scene, bodies }: Moment, eye: Vec3, options: PackOptions = {}): PackedScene {
+export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = {}): PackedScene {
+  const { scene } = moment;
   const { reuse } = options;
   // Where nothing but meshes has moved the table holds what it should.
   const packed = reuse && isPackedFrom(reuse, scene, eye, options) ? reuse : packRows(scene, eye, options);
   const firstBody = packed.shapeEnds[3];
-  return { ...packed, geometry: geometryOf(bodies, firstBody, eye, reuse?.geometry ?? null) };
+  return { ...packed, geometry: geometryOf(moment, firstBody, eye, reuse?.geometry ?? null) };
 }
 
 function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {

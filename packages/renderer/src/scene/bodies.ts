@@ -3,14 +3,15 @@
  * a frame. `posedSceneAt` gives the same as plain data that stays.
  */
 import { AFFINE_LENGTH, copyAffine, IDENTITY, multiplyAffine, type WritableNumbers } from './affine.ts';
+import { type CompiledAnimation, compileAnimation } from './animation.ts';
 import { type Deformed, deform, isDeformable, jointMatrices, makeDeformed } from './deform.ts';
 import { compileTrack, evaluateTrack } from './keyframes.ts';
 import type { Mesh } from './mesh.ts';
-import type { NodeTransforms } from './node-transforms.ts';
-import { playingClip } from './node-transforms.ts';
+import { type NodeTransforms, nodeTransforms, playingClip } from './node-transforms.ts';
 import type { Skin } from './nodes.ts';
 import { meshShapes, placementOf } from './placed.ts';
-import { type PlacementTarget, placementTarget } from './placement-target.ts';
+import { type PlacementTarget, placementTarget, withTracks } from './placement-target.ts';
+import { parsePointer } from './pointer.ts';
 import { clipTime, evaluateSampled, widthOf } from './sampled-track.ts';
 import type { MeshShape, Scene } from './scene.ts';
 import { SMALLEST_SCALE } from './well-formed.ts';
@@ -28,13 +29,6 @@ export interface Body {
   readonly form: Deformed | null;
   /** Grows when `form` is another one. */
   readonly formRevision: number;
-}
-
-/** All meshes of one scene; the same object at every time. */
-export interface Bodies {
-  readonly all: readonly Body[];
-  /** World matrices of all instances, 12 numbers each (`Affine`). */
-  readonly matrices: Float64Array;
 }
 
 /** Translation, turn about X, Y and Z in degrees, scale: the shape's own, where tracks move them. */
@@ -106,16 +100,21 @@ class MovingBody implements Body {
   }
 }
 
-/** The scene's meshes made ready. */
-export class BodiesInMotion implements Bodies {
+/** All meshes of one scene. */
+export class Bodies {
   readonly all: readonly Body[];
+  /** World matrices of all instances, 12 numbers each (`Affine`). */
   readonly matrices: Float64Array;
   readonly #transforms: NodeTransforms;
+  readonly #world: Float64Array;
   readonly #movers: readonly MovingBody[];
   readonly #bent: readonly MovingBody[];
   readonly #channels: readonly ((time: number) => void)[];
+  readonly #weights: CompiledAnimation;
 
-  constructor(scene: Scene, transforms: NodeTransforms) {
+  /** Throws a TypeError when a mesh has not been loaded. They are nowhere yet: see `goTo`. */
+  constructor(scene: Scene) {
+    const transforms = nodeTransforms(scene);
     let instances = 0;
     const all = meshShapes(scene).map(([name, shape]) => {
       const mesh = scene.meshes?.[shape.mesh]?.data;
@@ -127,24 +126,33 @@ export class BodiesInMotion implements Bodies {
     this.all = all;
     this.matrices = new Float64Array(instances * AFFINE_LENGTH);
     this.#transforms = transforms;
+    this.#world = transforms.at(0);
     this.#channels = channelsOf(scene, new Map(all.map((body) => [body.name, body])));
+    this.#weights = compileAnimation(withTracks(scene, isOfWeights));
     const moving = new Set(transforms.moving);
     this.#movers = all.filter(({ node, parts, skin }) => skin === null && (parts !== null || moving.has(node)));
     this.#bent = all.filter(({ form }) => form !== null);
-    const world = transforms.at(0);
-    for (const body of all) body.place(world, this.matrices);
+    for (const body of all) body.place(this.#world, this.matrices);
   }
 
-  /** Goes to a time. `world`: of all nodes. `now`: the scene then, for the weights that its nodes have. */
-  pose(time: number, world: Float64Array, { nodes }: Pick<Scene, 'nodes'>): void {
+  /** Writes where all are, and in which form, at a time: seconds, finite. */
+  goTo(time: number): void {
+    const world = this.#transforms.at(time, this.#world);
     for (const channel of this.#channels) channel(time);
     for (const body of this.#movers) body.place(world, this.matrices);
+    if (this.#bent.length === 0) return;
+    const { nodes } = this.#weights(time);
     for (const body of this.#bent) {
       const { node } = body.shape;
       body.bend(world, this.#transforms, node === undefined ? undefined : nodes?.[node]?.weights);
     }
   }
 }
+
+const isOfWeights = ({ target }: { readonly target: string }): boolean => {
+  const [section, , part] = parsePointer(target) ?? [];
+  return section === 'nodes' && part === 'weights';
+};
 
 function channelsOf(scene: Scene, bodies: ReadonlyMap<string, MovingBody>): ((time: number) => void)[] {
   const channels: ((time: number) => void)[] = [];

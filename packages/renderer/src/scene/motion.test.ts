@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { arm, carousel, dough, swarm } from '../../../../tests/fixtures/motion.ts';
 import { between, type Random, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { testLight } from '../../../../tests/fixtures/scenes.ts';
-import type { Bodies } from './bodies.ts';
+import { Bodies } from './bodies.ts';
 import { Motion } from './motion.ts';
 import { meshMatrices, meshShapes } from './placed.ts';
 import { posedSceneAt } from './posed.ts';
@@ -41,8 +41,10 @@ test.each(Object.entries(scenes))(
   (_, scene) => {
     const random = seededRandom(91);
     const motion = new Motion(scene);
+    const bodies = new Bodies(scene);
     for (const time of times(random)) {
-      const { scene: now, bodies } = motion.at(time);
+      bodies.goTo(time);
+      const { scene: now } = motion.at(time);
       checkBodies(scene, time, bodies);
       const { camera, lights, materials } = posedSceneAt(scene, time);
       expect({ camera: now.camera, lights: now.lights, materials: now.materials }).toEqual({
@@ -81,15 +83,17 @@ describe('tracks of the scene itself', () => {
   };
 
   test('move meshes as posedSceneAt does, through a scale of 0 too', () => {
-    const motion = new Motion(moving);
-    for (const time of [0, 0.4, 1, 1.7, 3.1]) checkBodies(moving, time, motion.at(time).bodies);
+    const bodies = new Bodies(moving);
+    for (const time of [0, 0.4, 1, 1.7, 3.1]) {
+      bodies.goTo(time);
+      checkBodies(moving, time, bodies);
+    }
   });
 
   test('the scene stays the same object while only meshes move, and is another one when more does', () => {
     const motion = new Motion(moving);
-    const { scene, bodies } = motion.at(0);
+    const { scene } = motion.at(0);
     expect(motion.at(1).scene).toBe(scene);
-    expect(motion.at(1).bodies).toBe(bodies);
     const lit: Scene = { ...moving, animation: [...moving.animation, track('/lights/lamp/radius', 1, 2)] };
     const play = new Motion(lit);
     expect([0, 1, 2].map((time) => (play.at(time).scene.lights.lamp as { radius: number }).radius)).toEqual([
@@ -103,8 +107,11 @@ describe('tracks of the scene itself', () => {
 
 test('a form is written when joints or weights have changed, and only then', () => {
   for (const scene of [scenes.arm, scenes.dough]) {
-    const motion = new Motion(scene);
-    const revisions = [0, 0, 1, 1, 2.5, 0].map((time) => motion.at(time).bodies.all[0]!.formRevision);
+    const bodies = new Bodies(scene);
+    const revisions = [0, 0, 1, 1, 2.5, 0].map((time) => {
+      bodies.goTo(time);
+      return bodies.all[0]!.formRevision;
+    });
     expect(revisions).toEqual([1, 1, 2, 2, 3, 4]);
   }
 });
@@ -114,5 +121,5 @@ test('tracks that point at nothing, and meshes that have not been loaded, are re
   expect(() => new Motion({ ...scene, animation: [track('/shapes/nobody/translation', 0, 1)] })).toThrow(
     'moves nothing',
   );
-  expect(() => new Motion({ ...scene, meshes: { thing: { file: 'a.ply' } } })).toThrow('has not been loaded');
+  expect(() => new Bodies({ ...scene, meshes: { thing: { file: 'a.ply' } } })).toThrow('has not been loaded');
 });

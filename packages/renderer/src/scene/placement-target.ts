@@ -28,3 +28,14 @@ export function placementTarget(
     component: component === undefined ? null : Number(component),
   };
 }
+
+/** The scene with no other tracks than these. */
+export function withTracks(scene: Scene, isMeant: (track: { readonly target: string }) => boolean): Scene {
+  const { animation, clips, clip } = scene;
+  const playing = clip === undefined ? undefined : clips?.[clip];
+  return {
+    ...scene,
+    animation: animation.filter(isMeant),
+    ...(playing && { clips: { [clip!]: { ...playing, tracks: playing.tracks.filter(isMeant) } } }),
+  };
+}
