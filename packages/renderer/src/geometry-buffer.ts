@@ -28,7 +28,7 @@ export class GeometryBuffer {
     const same = movingRows === this.#movingRows && meshes.length === this.#meshes.length;
     if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i]!.mesh)) {
       if (this.#buffer?.rows !== rows) {
-        const buffer = this.#device.createData(rows);
+        const buffer = this.#device.createData(rows, 'meshes');
         this.#buffer?.destroy();
         this.#buffer = buffer;
       }

@@ -13,13 +13,15 @@ export interface InstancedMesh {
   readonly box: Float64Array;
   /** Whether that is another box than at the last call. */
   readonly boxChanged: boolean;
+  /** Whether `shared` is other numbers. */
+  readonly rowChanged: boolean;
   /** The other fields of its rows, in the order of `SHARED`. */
   readonly shared: Uint32Array;
 }
 
 const WORDS = structSize('Instance') / 4;
 const ROWS = (['toMeshX', 'toMeshY', 'toMeshZ'] as const).map((field) => fieldOffset('Instance', field) / 4);
-export const SHARED = ['nodes', 'triangles', 'vertices', 'row', 'vertexRows', 'vertexFlags'] as const;
+export const SHARED = ['nodes', 'triangles', 'row', 'cover', 'vertices', 'vertexRows', 'vertexFlags'] as const;
 const SHARED_AT = SHARED.map((field) => fieldOffset('Instance', field) / 4);
 
 export class InstanceRows {
@@ -67,7 +69,7 @@ export class InstanceRows {
         this.#meshes[slot] = mesh;
         for (let k = 0; k < AFFINE_LENGTH; k++) this.#matrices[slot * AFFINE_LENGTH + k] = matrices[at + k]!;
       }
-      if (!same || eyeMoved) {
+      if (!same || eyeMoved || mesh.rowChanged) {
         this.#write(slot, matrices, at, mesh);
         if (slot < this.changedFrom) this.changedFrom = slot;
         this.changedTo = slot + 1;

@@ -11,10 +11,12 @@ import { meshMatrices, meshShapes } from '../scene/placed.ts';
 import { posedSceneAt } from '../scene/posed.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows, structSize } from './layout.ts';
-import { type PackedGeometry, packGeometry } from './pack-geometry.ts';
+import { type BodyRows, type PackedGeometry, packGeometry } from './pack-geometry.ts';
 import { packVertices } from './pack-vertices.ts';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+
+const rowsFrom = (first: number): BodyRows => ({ first, covers: new Array<number>(40).fill(0) });
 
 interface Wanted {
   readonly mesh: Mesh;
@@ -172,7 +174,7 @@ describe.each(Object.entries(scenes))('%s', (_, scene) => {
         [0, 0, 10],
         [3, 2, 1],
       ] as Vec3[]) {
-        geometry = packGeometry(motion.at(time), 5, eye, geometry);
+        geometry = packGeometry(motion.at(time), rowsFrom(5), eye, geometry);
         check(scene, time, eye, geometry);
       }
     }
@@ -181,19 +183,19 @@ describe.each(Object.entries(scenes))('%s', (_, scene) => {
   test('meshes and instances at a time are the same words whatever was shown before', () => {
     const eye: Vec3 = [1, 2, 3];
     const motion = new Motion(scene);
-    let played = packGeometry(motion.at(0), 0, eye);
-    for (const time of [0.3, 0.6, 2.2, 1.5]) played = packGeometry(motion.at(time), 0, eye, played);
-    const direct = packGeometry(new Motion(scene).at(1.5), 0, eye);
+    let played = packGeometry(motion.at(0), rowsFrom(0), eye);
+    for (const time of [0.3, 0.6, 2.2, 1.5]) played = packGeometry(motion.at(time), rowsFrom(0), eye, played);
+    const direct = packGeometry(new Motion(scene).at(1.5), rowsFrom(0), eye);
     const after = (geometry: PackedGeometry) => wordsOf(geometry).subarray(geometry.instances * GEOMETRY_ROW);
     expect(after(played)).toEqual(after(direct));
   });
 
   test('arrays are kept from frame to frame', () => {
     const motion = new Motion(scene);
-    const first = packGeometry(motion.at(0), 0, [0, 0, 9]);
+    const first = packGeometry(motion.at(0), rowsFrom(0), [0, 0, 9]);
     const { moving, meshes } = first;
     const words = meshes.map(({ nodes, triangles, vertices }) => [nodes, triangles, vertices.words]);
-    const next = packGeometry(motion.at(1), 0, [0, 0, 9], first);
+    const next = packGeometry(motion.at(1), rowsFrom(0), [0, 0, 9], first);
     expect(next).toBe(first);
     expect(next.moving).toBe(moving);
     const kept = next.meshes.map((mesh, i) => mesh.nodes === words[i]![0] && mesh.triangles === words[i]![1]);
@@ -208,14 +210,14 @@ test('only instances that have moved are written', () => {
   const tracks = clips!.play!.tracks.filter(({ target }) => /node (7|9)\//.test(target));
   const motion = new Motion({ ...scene, clips: { play: { ...clips!.play!, tracks } } });
   const eye: Vec3 = [0, 0, 9];
-  const geometry = packGeometry(motion.at(0), 0, eye);
+  const geometry = packGeometry(motion.at(0), rowsFrom(0), eye);
   const row = (instance: number) => geometry.instances + instance * geometryRows('Instance');
   const { revision } = geometry;
-  packGeometry(motion.at(0), 0, eye, geometry);
+  packGeometry(motion.at(0), rowsFrom(0), eye, geometry);
   expect(geometry.revision).toBe(revision);
-  packGeometry(motion.at(0.7), 0, eye, geometry);
+  packGeometry(motion.at(0.7), rowsFrom(0), eye, geometry);
   expect(geometry.changedInstances).toEqual([row(7), row(10)]);
-  packGeometry(motion.at(0.7), 0, [0, 0, 8], geometry);
+  packGeometry(motion.at(0.7), rowsFrom(0), [0, 0, 8], geometry);
   expect(geometry.changedInstances).toEqual([row(0), row(40)]);
 });
 
@@ -228,16 +230,26 @@ test('what is scaled to nothing is not there, and comes back', () => {
   const motion = new Motion({ ...scene, clips });
   let geometry: PackedGeometry | null = null;
   const counts = [0, 0.5, 1, 1.5].map((time) => {
-    geometry = packGeometry(motion.at(time), 0, [0, 0, 9], geometry);
+    geometry = packGeometry(motion.at(time), rowsFrom(0), [0, 0, 9], geometry);
     return geometry.instanceCount;
   });
   expect(counts).toEqual([40, 40, 39, 40]);
   check({ ...scene, clips }, 1.5, [0, 0, 9], geometry!);
 });
 
-test('another scene, or another place in the table, gets a geometry of its own', () => {
-  const [a, b] = [new Motion(scenes.swarm).at(0), new Motion({ ...scenes.swarm }).at(0)];
-  const first = packGeometry(a, 0, [0, 0, 9]);
-  expect(packGeometry(b, 0, [0, 0, 9], first)).not.toBe(first);
-  expect(packGeometry(a, 3, [0, 0, 9], first)).not.toBe(first);
+test('another scene gets a geometry of its own; what meshes are made of may change', () => {
+  const { swarm: scene } = scenes;
+  const [a, b] = [new Motion(scene).at(0), new Motion({ ...scene }).at(0)];
+  const first = packGeometry(a, rowsFrom(0), [0, 0, 9]);
+  expect(packGeometry(b, rowsFrom(0), [0, 0, 9], first)).not.toBe(first);
+  const { revision } = first;
+  const covers = rowsFrom(3).covers.map((_, i) => (i === 8 ? 5 : 0));
+  expect(packGeometry(a, { first: 3, covers }, [0, 0, 9], first)).toBe(first);
+  expect(first.revision).toBe(revision + 1);
+  const words = wordsOf(first);
+  const row = (i: number) => first.instances + i * geometryRows('Instance');
+  expect([7, 8].map((i) => [fieldAt(words, row(i), 'row'), fieldAt(words, row(i), 'cover')])).toEqual([
+    [10, 0],
+    [11, 5],
+  ]);
 });

@@ -19,6 +19,9 @@ import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { PosedMesh } from './posed-mesh.ts';
 import { type Block, createBlock } from './write-struct.ts';
 
+// Comes with what packs meshes: geometry-packer.ts.
+export { packTextures } from './pack-textures.ts';
+
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
   readonly movingRows: number;
@@ -49,19 +52,27 @@ export class DeepTreeError extends Error {
   override readonly name = 'DeepTreeError';
 }
 
+/** What the meshes of a scene are made of. */
+export interface BodyRows {
+  /** Of the scene table, for the first of them; the others follow. */
+  readonly first: number;
+  /** `Instance.cover` of each. */
+  readonly covers: readonly number[];
+}
+
 /**
- * `firstRow`: of the scene table, what the first body is made of; the others follow. `before`: a geometry that is no longer needed; when it
+ * `rows`: of the bodies of the scene that plays. `before`: a geometry that is no longer needed; when it
  * is of the same scene it is brought up to date and given back.
  */
 export function packGeometry(
   { played, time }: Pick<Moment, 'played' | 'time'>,
-  firstRow: number,
+  rows: BodyRows,
   eye: Vec3,
   before: PackedGeometry | null = null,
 ): PackedGeometry {
-  const mine = before instanceof GeometryOfScene && before.isOf(played, firstRow);
-  const geometry = mine ? before : new GeometryOfScene(played, firstRow);
-  geometry.update(time, eye);
+  const mine = before instanceof GeometryOfScene && before.scene === played;
+  const geometry = mine ? before : new GeometryOfScene(played);
+  geometry.update(time, rows, eye);
   return geometry;
 }
 
@@ -69,6 +80,7 @@ export function packGeometry(
 class PackedBody implements InstancedMesh {
   readonly box = new Float64Array(6);
   boxChanged = true;
+  rowChanged = true;
   readonly shared = new Uint32Array(SHARED.length);
   #formRevision = -1;
 
@@ -78,6 +90,15 @@ class PackedBody implements InstancedMesh {
   ) {
     const { min, max } = meshBounds(body.mesh);
     this.box.set([...min, ...max]);
+  }
+
+  /** Where its parts lie, and what it is made of. */
+  share(values: Partial<Record<(typeof SHARED)[number], number>>): void {
+    SHARED.forEach((field, k) => {
+      const value = values[field] ?? this.shared[k]!;
+      if (value !== this.shared[k]) this.rowChanged = true;
+      this.shared[k] = value;
+    });
   }
 
   /** Takes the form that the body has now. */
@@ -101,10 +122,9 @@ class GeometryOfScene implements PackedGeometry {
   readonly changedInstances: [number, number] = [0, 0];
   treeRows = 0;
   revision = 0;
-  readonly #scene: Scene;
   readonly #bodies: Bodies;
-  readonly #firstRow: number;
   #time = Number.NaN;
+  #bodyRows: BodyRows | null = null;
   readonly #packed: readonly PackedBody[];
   /** Of each instance. */
   readonly #meshOf: readonly PackedBody[];
@@ -115,11 +135,9 @@ class GeometryOfScene implements PackedGeometry {
   /** The good tree, while it is the one in use. */
   #tree: Bvh | null = null;
 
-  constructor(scene: Scene, firstRow: number) {
+  constructor(readonly scene: Scene) {
     const bodies = new Bodies(scene);
-    this.#scene = scene;
     this.#bodies = bodies;
-    this.#firstRow = firstRow;
     const shared = new Map<Mesh, PackedMesh>();
     const meshOf = ({ form, mesh }: Body): PackedMesh => {
       if (form !== null) return new PosedMesh(mesh);
@@ -147,24 +165,19 @@ class GeometryOfScene implements PackedGeometry {
       starts.set(mesh, rows);
       rows += wordsOf(mesh).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
     }
-    this.#packed.forEach(({ mesh, shared }, index) => {
+    for (const packed of this.#packed) {
+      const { mesh } = packed;
       const nodes = starts.get(mesh)!;
       const triangles = nodes + mesh.nodes.length / GEOMETRY_ROW;
-      const values = {
+      packed.share({
         nodes,
         triangles,
         vertices: triangles + mesh.triangles.length / GEOMETRY_ROW,
-        row: this.#firstRow + index,
         vertexRows: mesh.vertices.rows,
         vertexFlags: mesh.vertices.flags,
-      };
-      shared.set(SHARED.map((field) => values[field]));
-    });
+      });
+    }
     return rows;
-  }
-
-  isOf(scene: Scene, firstRow: number): boolean {
-    return this.#scene === scene && this.#firstRow === firstRow;
   }
 
   get instanceCount(): number {
@@ -172,20 +185,34 @@ class GeometryOfScene implements PackedGeometry {
   }
 
   /** Throws a `DeepTreeError`; then the geometry is of no use any more. */
-  update(time: number, eye: Vec3): void {
+  update(time: number, bodyRows: BodyRows, eye: Vec3): void {
     if (time !== this.#time) this.#bodies.goTo(time);
     this.#time = time;
     for (const packed of this.#packed) packed.update();
+    if (bodyRows !== this.#bodyRows) this.#take(bodyRows);
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
-    if (news === 'nothing' && this.#tree) return;
-    // The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes.
-    const moving = news === 'instances' && this.revision > 0;
-    const fits = moving && this.#encode(this.#builder.buildQuickly(rows.boxes, rows.count));
-    this.#tree = moving && fits ? null : this.#goodTree(news);
+    for (const packed of this.#packed) packed.rowChanged = false;
+    if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
+    if (news !== 'nothing' || !this.#tree) this.#growTree(news);
     this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;
     this.changedInstances[1] = this.instances + Math.max(rows.changedTo, rows.changedFrom) * INSTANCE_ROWS;
     this.revision++;
+  }
+
+  #take(bodyRows: BodyRows): void {
+    this.#bodyRows = bodyRows;
+    this.#packed.forEach((packed, i) => {
+      packed.share({ row: bodyRows.first + i, cover: bodyRows.covers[i]! });
+    });
+  }
+
+  /** The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes. */
+  #growTree(news: string): void {
+    const { boxes, count } = this.#instanceRows;
+    const moving = news === 'instances' && this.revision > 0;
+    const fits = moving && this.#encode(this.#builder.buildQuickly(boxes, count));
+    this.#tree = fits ? null : this.#goodTree(news);
   }
 
   #goodTree(news: string): Bvh {

@@ -3,13 +3,16 @@
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Moment } from '../scene/motion.ts';
-import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
-import { geometryOf } from './geometry-packer.ts';
+import { meshShapes } from '../scene/placed.ts';
+import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
+import { geometryOf, texturesOf } from './geometry-packer.ts';
+import { COVER } from './layout.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
 import { isPackedFrom, type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
+import { isOneSided, mayBeMissing } from './texture-slots.ts';
 
 /** A map is multiplied by the sky's colours: white where there is none, else by its scale. */
 function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
@@ -29,8 +32,7 @@ export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = 
   const { reuse } = options;
   // Where nothing but meshes has moved the table holds what it should.
   const packed = reuse && isPackedFrom(reuse, scene, eye, options) ? reuse : packRows(scene, eye, options);
-  const firstBody = packed.shapeEnds[3];
-  return { ...packed, geometry: geometryOf(moment, firstBody, eye, reuse?.geometry ?? null) };
+  return { ...packed, geometry: geometryOf(moment, packed.bodies!, eye, reuse?.geometry ?? null) };
 }
 
 function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
@@ -44,13 +46,27 @@ function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
     const emitter = emitterOfShape.get(name);
     return emitter === undefined ? null : { emitter, oneSided: emitters[emitter]!.oneSided === 1 };
   };
+  const { shapes } = lamps.scene;
+  const materialOf = (name: string) => lamps.scene.materials[shapes[name]!.material]!;
+  const onMeshes = shapeNames.filter((name) => shapes[name]!.type === 'mesh').map(materialOf);
+  const { textures, rowOf } = texturesOf(scene, onMeshes);
+  const coverOf = ({ mesh }: MeshShape, material: Material) =>
+    (mayBeMissing(material, scene.meshes?.[mesh]?.data) ? rowOf.get(material)! : 0) +
+    (isOneSided(material) ? COVER.isOneSided : 0);
   shapeNames.forEach((name, row) => {
-    const material = lamps.scene.materials[lamps.scene.shapes[name]!.material]!;
-    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name)));
+    const material = materialOf(name);
+    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name), rowOf.get(material)));
   });
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  const source = { ...packed.source, scene, surfaces: true };
-  return { ...packed, source, ...skyOf(scene.sky), emitterCount: emitters.length };
+  const covers = meshShapes(lamps.scene).map(([name, shape]) => coverOf(shape, materialOf(name)));
+  return {
+    ...packed,
+    ...skyOf(scene.sky),
+    source: { ...packed.source, scene, surfaces: true },
+    bodies: { first: packed.shapeEnds[3], covers },
+    textures,
+    emitterCount: emitters.length,
+  };
 }

@@ -7,7 +7,8 @@ import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLig
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
-import type { PackedGeometry } from './pack-geometry.ts';
+import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
+import type { PackedTextures } from './pack-textures.ts';
 import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
@@ -43,6 +44,10 @@ export interface PackedScene {
   readonly environmentTurn: number;
   /** Meshes and where they stand; null in scenes packed for the classic integrator. */
   readonly geometry: PackedGeometry | null;
+  /** What meshes are made of; null likewise. */
+  readonly bodies: BodyRows | null;
+  /** What their materials use; null likewise. */
+  readonly textures: PackedTextures | null;
   /** Whether rays of the camera start on both sides of some plane. */
   readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
@@ -122,6 +127,8 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     environment: null,
     environmentTurn: 0,
     geometry: null,
+    bodies: null,
+    textures: null,
     shapeNames: ordered.map(([name]) => name),
   };
 }
