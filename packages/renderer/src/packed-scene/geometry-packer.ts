@@ -5,12 +5,13 @@
 import type { Moment } from '../scene/motion.ts';
 import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
+import type * as Packing from './pack-geometry.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { TextureRows } from './pack-textures.ts';
 import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
-type Packer = Pick<typeof import('./pack-geometry.ts'), 'packGeometry' | 'packTextures'>;
+type Packer = Pick<typeof Packing, 'packGeometry' | 'packTextures'>;
 
 let packer: Packer | null = null;
 
