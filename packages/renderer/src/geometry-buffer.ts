@@ -18,7 +18,7 @@ export class GeometryBuffer {
   hold({ moving, movingRows, meshes, rows }: PackedGeometry): void {
     const same = movingRows === this.#movingRows && meshes.length === this.#meshes.length;
     if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i])) {
-      const buffer = this.#device.createData(rows);
+      const buffer = this.#device.createData(rows, 'meshes');
       this.#buffer?.destroy();
       this.#buffer = buffer;
       this.#upload(buffer, movingRows, meshes);

@@ -18,6 +18,9 @@ import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
+// Comes with what packs meshes: geometry-packer.ts.
+export { packTextures } from './pack-textures.ts';
+
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
   readonly movingRows: number;
@@ -50,12 +53,15 @@ interface Placed {
   readonly mesh: Mesh;
   /** Of the scene table. */
   readonly row: number;
+  readonly cover: number;
 }
 
 /** A mesh that stands in the world: `row` of the scene table says what it is made of. */
 export interface MeshInRow {
   readonly shape: MeshShape;
   readonly row: number;
+  /** `Instance.cover` */
+  readonly cover: number;
 }
 
 /** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
@@ -74,7 +80,7 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
   }
   const moving = createBlock(movingRows * ROW_BYTES);
   writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
-  placed.forEach(({ placement, mesh, row }, i) => {
+  placed.forEach(({ placement, mesh, row, cover }, i) => {
     const nodes = starts.get(mesh)!;
     const packed = meshes.get(mesh)!;
     const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
@@ -82,8 +88,9 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
       ...rowsInto(placement, eye),
       nodes,
       triangles,
-      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       row,
+      cover,
+      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       vertexRows: packed.vertices.rows,
       vertexFlags: packed.vertices.flags,
     });
@@ -92,13 +99,13 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
 }
 
 /** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row }: MeshInRow): Placed[] {
+function instancesOf(scene: Scene, { shape, row, cover }: MeshInRow): Placed[] {
   const mesh = dataOf(scene, shape);
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
     const placement = matrices.subarray(at, at + AFFINE_LENGTH);
-    if (isSolid(placement)) placed.push({ placement, mesh, row });
+    if (isSolid(placement)) placed.push({ placement, mesh, row, cover });
   }
   return placed;
 }
