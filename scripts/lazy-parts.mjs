@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
+import { shaderText } from './shader-text.mjs';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
 const studio = fileURLToPath(new URL('../apps/studio/src/', import.meta.url));
@@ -13,6 +14,7 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
+ * @property {true} [insideLibrary] `file`: it stays in the module, as users of a library expect it there
  */
 
 /**
@@ -21,6 +23,14 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @type {readonly Part[]}
  */
 const PARTS = [
+  ...['integrator/path/path.ts', 'integrator/aov/aov.ts'].map((importer) => ({
+    name: 'path-shaders',
+    importer: join(source, importer),
+    asked: '../path-shaders.ts',
+    entry: join(source, 'integrator/path-shaders.ts'),
+    /** @type {true} */
+    insideLibrary: true,
+  })),
   {
     name: 'chinese',
     importer: join(studio, 'said-in-chinese.ts'),
@@ -166,7 +176,7 @@ function partImports(as, written) {
       // Not what tree shaking has left out.
       const used = Object.entries(chunk.modules).filter(([, { renderedLength }]) => renderedLength > 0);
       for (const part of used.flatMap(([id]) => partsAskedBy(id))) {
-        if (written.has(part.name)) continue;
+        if (written.has(part.name) || (as === 'file' && part.insideLibrary)) continue;
         written.set(part.name, '');
         written.set(part.name, await buildPart(part, as, written));
       }
@@ -181,9 +191,14 @@ function partsAskedBy(id) {
   return PARTS.filter(({ importer }) => file === importer.replaceAll('\\', '/'));
 }
 
+/** What asks for it. @param {Part} part */
+const callOf = (part) => new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`, 'g');
+
 /** @param {string} code @param {Part} part @param {'text' | 'file'} as */
 function replaced(code, part, as) {
-  const call = new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`, 'g');
+  if (as === 'file' && part.insideLibrary)
+    return `import * as lazyPart from '${part.asked}';\n${code.replace(callOf(part), 'Promise.resolve(lazyPart)')}`;
+  const call = callOf(part);
   if (!call.test(code))
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);
   return code.replace(call, as === 'text' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
@@ -203,7 +218,7 @@ async function buildPart(part, as, written) {
     configFile: false,
     root: dirname(part.entry),
     logLevel: 'error',
-    plugins: [partImports(as, written)],
+    plugins: [shaderText(), partImports(as, written)],
     // A worker in a part is text in it, and a classic one: from a file a browser starts no other.
     worker: {
       format: 'iife',

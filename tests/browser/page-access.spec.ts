@@ -45,7 +45,7 @@ test.describe('in Chinese', () => {
     await expectPicture(page);
     await test.step('what is wrong with a scene file is said in Chinese, and once', async () => {
       const buffer = Buffer.from(JSON.stringify({ version: 1, name: 'x', camera: { eye: [0, 1, 5], target: 7 } }));
-      await page.locator('input[type=file]').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
+      await page.locator('#scene-file').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
       const dialog = page.getByRole('dialog', { name: '无法打开 x.json' });
       await expect(dialog).toContainText('在 /camera/target 处：找到 7，应为由三个数组成的列表');
       for (const problem of await dialog.getByRole('listitem').all())

@@ -9,7 +9,7 @@ import { refuseUndrawn } from './packed-scene/refuse-undrawn.ts';
 import { Painter } from './painter.ts';
 import { readShown } from './read-film.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
-import { posedSceneAt } from './scene/posed.ts';
+import { Motion } from './scene/motion.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
 import { requireScene } from './scene-file/require-scene.ts';
 import { Stages } from './stages.ts';
@@ -151,7 +151,7 @@ export class GpuRenderer implements Renderer {
 
   /** Throws now what would otherwise end the drawing later: meshes for which the device has no room, trees that kernels cannot go down. */
   #tryOut(scene: Scene): void {
-    const { geometry, textures } = packPathScene(posedSceneAt(scene, 0), scene.camera.eye);
+    const { geometry, textures } = packPathScene(new Motion(scene).at(0), scene.camera.eye);
     if (geometry) this.#device.checkData(geometry.rows, 'meshes');
     if (textures) this.#device.checkData(textures.rows, 'textures');
   }

@@ -136,7 +136,7 @@ export class Painter {
   }
 
   get #needsSketch(): boolean {
-    return !this.#complete && hasMeshes(this.#easel.view.sceneNow());
+    return !this.#complete && hasMeshes(this.#easel.view.subject.scene);
   }
 
   /** Compiling begins when a first sketch is shown, as some drivers let nothing else happen meanwhile. */
@@ -156,14 +156,14 @@ export class Painter {
     const { width, height } = canvas;
     const { camera, settings } = view;
     if (isAov(contentOf(settings))) return;
-    const wish = () => ({ scene: view.sceneNow(), camera, framing: settings.framing, width, height });
+    const wish = () => ({ moment: view.momentNow(), camera, framing: settings.framing, width, height });
     if (this.stages.sketch(`${view.revision} ${width} ${height}`, wish)) this.#show();
   }
 
   #shot(): Shot {
     const { view } = this.#easel;
     const { settings, camera } = view;
-    return { scene: view.sceneNow(), camera, settings, raysPerPixel: view.raysPerPixel() };
+    return { ...view.momentNow(), camera, settings, raysPerPixel: view.raysPerPixel() };
   }
 
   /** From the picture to another view its film is laid aside, and gone on with later if the world is still the same. */

@@ -3,7 +3,8 @@ import type { Device, FilmTexture } from './gpu/device.ts';
 import { geometryPacker } from './packed-scene/geometry-packer.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
 import type { Framing } from './renderer-types.ts';
-import type { Camera, Scene } from './scene/scene.ts';
+import type { Moment } from './scene/motion.ts';
+import type { Camera } from './scene/scene.ts';
 import type { SketchView } from './sketch/sketch.ts';
 
 /** Canvas pixels along a side for one of the sketch's, from one sketch to the next. */
@@ -15,7 +16,7 @@ const SLICE_MS = 10;
 
 /** What is to be sketched, on a canvas of this size. */
 export interface SketchWish {
-  readonly scene: Scene;
+  readonly moment: Moment;
   readonly camera: Camera;
   readonly framing: Framing | null;
   readonly width: number;
@@ -67,13 +68,13 @@ export class Sketcher {
   #begin(wish: () => SketchWish) {
     const packer = geometryPacker();
     if (!packer || this.#next >= COARSENESS.length) return null;
-    const { scene, camera, framing, width: columns, height: rows } = wish();
+    const { moment, camera, framing, width: columns, height: rows } = wish();
     const [width, height] = [columns, rows].map((side) => Math.max(Math.round(side / COARSENESS[this.#next]!), 1)) as [number, number]; // biome-ignore format: two sides
     if (width * height > MOST_PIXELS) return null;
-    const packed = this.#packed ?? packPathScene(scene, camera.eye);
+    const packed = this.#packed ?? packPathScene(moment, camera.eye);
     this.#packed = { geometry: packed.geometry!, shapeNames: packed.shapeNames };
     const pixels = new Float32Array(4 * width * height);
-    return { steps: packer.sketchInSteps({ scene, camera, framing, width, height, ...this.#packed }, pixels), pixels, width, height }; // biome-ignore format: one object
+    return { steps: packer.sketchInSteps({ scene: moment.scene, camera, framing, width, height, ...this.#packed }, pixels), pixels, width, height }; // biome-ignore format: one object
   }
 
   #show(): void {

@@ -15,16 +15,28 @@ interface DialogProps {
 /** A modal dialog with a heading, a body that scrolls, and a way out by button, Escape or a click beside it. */
 export function Dialog({ id, title, open, onClose, actions, children }: DialogProps) {
   const element = useRef<HTMLDialogElement>(null);
+  // A browser tells that a dialog is closed some frames later, when it may be open again for something else.
+  const told = useRef(false);
   useEffect(() => {
     if (open && !element.current?.open) element.current?.showModal();
-    if (!open && element.current?.open) element.current.close();
+    if (open || !element.current?.open) return;
+    told.current = true;
+    element.current.close();
   }, [open]);
+  const escaped = (): void => {
+    told.current = true;
+    onClose();
+  };
+  const closed = (): void => {
+    if (!told.current) onClose();
+    told.current = false;
+  };
   const clicked = (event: MouseEvent): void => {
     if (event.target === element.current) onClose();
   };
   return (
     // biome-ignore lint/a11y/useKeyWithClickEvents: the keyboard's way out is Escape, which closes a dialog by itself.
-    <dialog id={id} ref={element} aria-labelledby={`${id}-title`} onClose={onClose} onClick={clicked}>
+    <dialog id={id} ref={element} aria-labelledby={`${id}-title`} onCancel={escaped} onClose={closed} onClick={clicked}>
       <div class="dialog-frame">
         <header>
           <h2 id={`${id}-title`}>{title}</h2>

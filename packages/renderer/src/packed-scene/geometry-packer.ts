@@ -5,13 +5,16 @@
 
 import { isDeformable } from '../scene/deform.ts';
 import { type Mesh, triangleCount } from '../scene/mesh.ts';
+import type { Moment } from '../scene/motion.ts';
 import { meshShapes } from '../scene/placed.ts';
 import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
 import type * as PackGeometry from './pack-geometry.ts';
-import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
+
 import type { TextureRows } from './pack-textures.ts';
+import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
 type Packer = typeof PackGeometry;
@@ -58,10 +61,9 @@ export async function packHere(scene: Scene, onProgress: (done: number) => void 
   });
 }
 
-/** Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  if (shapes.length === 0) return NO_GEOMETRY;
-  return loaded().packGeometry(scene, shapes, eye);
+/** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
+export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
+  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before) : NO_GEOMETRY;
 }
 
 /** `materials`: those of meshes. Throws likewise. */
@@ -81,6 +83,9 @@ const NO_GEOMETRY: PackedGeometry = {
   moving: createBlock(rows * 16),
   instances: 0,
   instanceCount: 0,
+  treeRows: rows,
+  revision: 0,
+  changedInstances: [0, 0],
   meshes: [],
   rows,
 };

@@ -63,6 +63,7 @@ export class GeometryWalk {
   readonly #inside = new Level();
   #current: MeshRows | null = null;
   #currentInstance = 0;
+  #hit: MeshRows | null = null;
 
   constructor(geometry: PackedGeometry) {
     this.#geometry = geometry;
@@ -85,6 +86,15 @@ export class GeometryWalk {
     this.#world.enter(moving.u32, moving.f32);
     this.#descend(this.#world, true);
     return this.mesh !== null;
+  }
+
+  /** Of the triangle that was hit, in the space of its mesh, of any length. */
+  triangleNormal(): [number, number, number] {
+    const f = this.#hit!.triangles;
+    const at = this.place * TRIANGLE;
+    const side = (corner: number) => [0, 1, 2].map((k) => f[at + corner + k]! - f[at + A + k]!) as [number, number, number]; // biome-ignore format: short
+    const [[ux, uy, uz], [vx, vy, vz]] = [side(B), side(C)];
+    return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
   }
 
   /** A normal of the mesh that was hit, in the world, of any length: by the transpose of what leads into the mesh. */
@@ -180,6 +190,7 @@ export class GeometryWalk {
     this.v = v;
     this.place = place;
     this.mesh = this.#current!.mesh;
+    this.#hit = this.#current;
     this.instance = this.#currentInstance;
     this.row = this.#geometry.moving.u32[this.#currentInstance + ROW]!;
   }

@@ -7,6 +7,7 @@ import { packPathScene } from '../packed-scene/pack-path-scene.ts';
 import { closestHit } from '../reference/cast.ts';
 import { prepareScene } from '../reference/prepare.ts';
 import { cameraRay } from '../reference/ray.ts';
+import { stillMoment } from '../scene/motion.ts';
 import type { MeshShape, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import { GeometryWalk } from './geometry-walk.ts';
@@ -41,7 +42,7 @@ function crowd() {
 test('finds the triangles that the reference tracer finds (seed 61)', () => {
   const scene = crowd();
   const eye: Vec3 = [0.1, 0.2, 3];
-  const walk = new GeometryWalk(packPathScene(scene, eye).geometry!);
+  const walk = new GeometryWalk(packPathScene(stillMoment(scene), eye).geometry!);
   const reference = prepareScene(scene);
   const random = seededRandom(61);
   let hits = 0;
@@ -74,7 +75,7 @@ test('a sketch of a white mesh in a white sky is white, and the sky around it is
   const own = { ...scene.materials.white!, baseColor: [1, 1, 1] as const };
   const whole = { ...scene, materials: { ...scene.materials, own } };
   const camera = { eye: [0, 3, 0.1], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 60 } as const;
-  const packed = packPathScene(whole, camera.eye);
+  const packed = packPathScene(stillMoment(whole), camera.eye);
   const [width, height] = [16, 12];
   const pixels = new Float32Array(4 * width * height);
   const rows = [...sketchInSteps({ scene: whole, camera, framing: null, width, height, geometry: packed.geometry!, shapeNames: packed.shapeNames }, pixels)]; // biome-ignore format: one call

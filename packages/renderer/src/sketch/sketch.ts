@@ -8,16 +8,17 @@ import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNo
 import { type PreparedAnalytic, prepareScene } from '../reference/prepare.ts';
 import type { Ray } from '../reference/ray.ts';
 import type { Framing } from '../renderer-types.ts';
+import { isDeformable } from '../scene/deform.ts';
 import { emissionOf, lampsAsShapes } from '../scene/lamps.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Camera, Color, Material, Scene, Shape, Vec3 } from '../scene/scene.ts';
-import { addScaled, cross, dot, negate, normalize, subtract } from '../scene/vec3.ts';
+import { addScaled, dot, negate, normalize, subtract } from '../scene/vec3.ts';
 import { GeometryWalk } from './geometry-walk.ts';
 import { type SketchLight, sketchLight } from './sketch-light.ts';
 import { type SketchTexture, sketchTexture } from './sketch-texture.ts';
 
 export interface SketchView {
-  /** It stands still: as it is at one time, nodes applied. */
+  /** It stands still: as it is at one time, all but meshes put into the world. */
   readonly scene: Scene;
   /** Of the scene, relative to the camera's eye. */
   readonly geometry: PackedGeometry;
@@ -88,13 +89,13 @@ class SketchTracer {
     const { row, mesh: packed, place, u, v } = this.#walk;
     const { material, mesh, texture } = this.#rows[row]!;
     const first = 3 * packed!.order[place]!;
-    const { positions, indices, normals, colors } = mesh!;
+    const { indices, normals, colors } = mesh!;
     const corners = [indices[first]!, indices[first + 1]!, indices[first + 2]!] as const;
     const weights = [1 - u - v, u, v] as const;
     const at = (numbers: Float32Array, stride: number): Vec3 =>
       [0, 1, 2].map((c) => corners.reduce((sum, vertex, k) => sum + weights[k]! * numbers[stride * vertex + c]!, 0)) as unknown as Vec3; // biome-ignore format: one sum
-    const corner = (k: 0 | 1 | 2): Vec3 => [positions[3 * corners[k]]!, positions[3 * corners[k] + 1]!, positions[3 * corners[k] + 2]!]; // biome-ignore format: three
-    const own = normals ? at(normals, 3) : cross(subtract(corner(1), corner(0)), subtract(corner(2), corner(0)));
+    // What bends has other normals than its mesh.
+    const own = normals && !isDeformable(mesh!) ? at(normals, 3) : this.#walk.triangleNormal();
     const tint: Color = colors ? at(colors, 4) : [1, 1, 1];
     const texel = texture?.(corners, weights) ?? [1, 1, 1];
     return this.#shade(

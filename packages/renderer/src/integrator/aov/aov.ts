@@ -17,11 +17,9 @@ import { FILTER_PIECES } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
 import { ALL_SWITCHES } from '../../shading/features.ts';
-import aovWgsl from '../../shading/generated/aov.wgsl?raw';
-import aovDataGlsl from '../../shading/generated/aovData.glsl?raw';
-import aovFeaturesGlsl from '../../shading/generated/aovFeatures.glsl?raw';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
+import type * as Shaders from '../path-shaders.ts';
 
 /** Sums of albedo and samples, and of shading normal and hits; or place and shape, and geometric normal and closeness. */
 export type AovContent = 'features' | 'data';
@@ -29,7 +27,7 @@ export type AovContent = 'features' | 'data';
 /** Layers of the film that each needs. */
 export const AOV_LAYERS = 2;
 
-const FEATURES: PassSource = {
+const featuresOf = ({ aovWgsl, aovFeaturesGlsl }: typeof Shaders): PassSource => ({
   label: 'aov features',
   wgsl: { vertex: fullScreenWgsl, fragment: aovWgsl },
   entries: { vertex: 'fullScreen', fragment: 'aovFeatures' },
@@ -46,13 +44,13 @@ const FEATURES: PassSource = {
   target: 'film',
   switches: ALL_SWITCHES,
   layers: AOV_LAYERS,
-};
-const DATA: PassSource = {
-  ...FEATURES,
+});
+const dataOf = (shaders: typeof Shaders): PassSource => ({
+  ...featuresOf(shaders),
   label: 'aov data',
   entries: { vertex: 'fullScreen', fragment: 'aovData' },
-  glsl: { vertex: fullScreenGlsl, fragment: aovDataGlsl },
-};
+  glsl: { vertex: fullScreenGlsl, fragment: shaders.aovDataGlsl },
+});
 
 export interface AovInputs {
   readonly frame: UniformBuffer;
@@ -64,8 +62,10 @@ export interface AovInputs {
   readonly texels: DataBuffer;
 }
 
-export const createAovPass = (device: Device, content: AovContent): Promise<Pass> =>
-  device.createPass(content === 'features' ? FEATURES : DATA);
+export async function createAovPass(device: Device, content: AovContent): Promise<Pass> {
+  const shaders = await import('../path-shaders.ts');
+  return device.createPass(content === 'features' ? featuresOf(shaders) : dataOf(shaders));
+}
 
 export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: AovInputs, region: Region): void {
   device.draw(

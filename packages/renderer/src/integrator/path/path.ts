@@ -13,8 +13,7 @@ import type {
 import { type Feature, switchesFor } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
-import pathGlsl from '../../shading/generated/path.glsl?raw';
-import pathWgsl from '../../shading/generated/path.wgsl?raw';
+import type * as Shaders from '../path-shaders.ts';
 
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
@@ -30,7 +29,7 @@ export const MOST_GROUPS = 8;
 export const groupsOf = (first: number, count: number): number =>
   Math.floor((first + count - 1) / SAMPLES_OF_GROUP) - Math.floor(first / SAMPLES_OF_GROUP) + 1;
 
-const PATH: PassSource = {
+const sourceOf = ({ pathWgsl, pathGlsl }: typeof Shaders): PassSource => ({
   label: 'path',
   wgsl: { vertex: fullScreenWgsl, fragment: pathWgsl },
   entries: { vertex: 'fullScreen', fragment: 'path' },
@@ -47,7 +46,7 @@ const PATH: PassSource = {
   target: 'film',
   compute: { wgsl: pathWgsl, entry: 'pathCompute' },
   layers: PATH_LAYERS,
-};
+});
 
 export interface PathInputs {
   readonly frame: UniformBuffer;
@@ -60,8 +59,9 @@ export interface PathInputs {
 }
 
 /** A program for films that ask for no more than these features. */
-export function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
-  return device.createPass({ ...PATH, switches: switchesFor(features) });
+export async function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
+  const source = sourceOf(await import('../path-shaders.ts'));
+  return device.createPass({ ...source, switches: switchesFor(features) });
 }
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
