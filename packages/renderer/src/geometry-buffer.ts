@@ -71,6 +71,7 @@ export class GeometryBuffer {
     this.#buffer = null;
     this.#meshes = [];
     this.#movingRows = -1;
+    this.#moving = null;
   }
 
   /** Throws when it holds nothing yet. */

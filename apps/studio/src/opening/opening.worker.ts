@@ -1,4 +1,4 @@
-/** Opens files away from the page, which stays alive. It takes one job; ending it is `terminate()`. */
+/** Opens files away from the page, which stays alive. It takes one job after the other; ending one is `terminate()`. */
 import { buffersOf, type GivenFile, type GltfProgress, openEnvironment, openFiles, prepareScene } from 'mirrorball';
 import type { OpeningJob, OpeningMessage, PathFile, Phase } from './job.ts';
 
