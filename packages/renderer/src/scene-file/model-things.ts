@@ -5,17 +5,14 @@ import type { Scene } from '../scene/scene.ts';
 /** Where the things of models go. */
 export const MODEL_SECTIONS = ['materials', 'meshes', 'nodes', 'skins', 'images', 'textures', 'clips', 'variants', 'cameras', 'shapes', 'lights'] as const; // biome-ignore format: one list
 
-/** Things as models have them. What somebody has changed is another object. */
-const known = new WeakSet<object>();
-
-export const rememberThing = (thing: object): void => void known.add(thing);
-
 /**
  * The scene without the things of its models. Throws a TypeError when one of them is not as the model has it: the file could not say so.
  */
 export function withoutModels(scene: Scene): Scene {
-  const loaded = Object.entries(scene.models ?? {}).filter(([, model]) => model.loaded);
+  const loaded = Object.entries(scene.models ?? {}).filter(([, { things }]) => things);
   if (loaded.length === 0) return scene;
+  // What somebody has changed is another object.
+  const known = new Set(loaded.flatMap(([, { things }]) => things!));
   const rest: Record<string, unknown> = { ...scene };
   for (const section of MODEL_SECTIONS) {
     const things = scene[section];

@@ -64,7 +64,9 @@ type Things = Partial<Pick<Scene, (typeof OPTIONAL)[number] | 'shapes' | 'materi
 export function withThings(scene: Scene, things: Things, checked = isParsedScene(scene)): Scene {
   const sections = Object.entries(things).map(([section, all]) => {
     // Arrays of numbers cannot be frozen.
-    const frozen = Object.entries(all).map(([name, thing]) => [name, Object.freeze({ ...thing })] as const);
+    const frozen = Object.entries(all).map(
+      ([name, thing]) => [name, Object.isFrozen(thing) ? thing : Object.freeze({ ...thing })] as const,
+    );
     return [section, Object.freeze(names(Object.fromEntries(frozen)))] as const;
   });
   const whole: Scene = Object.freeze({ ...scene, ...Object.fromEntries(sections) });

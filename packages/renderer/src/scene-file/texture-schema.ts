@@ -1,10 +1,10 @@
 import * as v from 'valibot';
 import { IMAGE_ENDINGS } from '../scene/textures.ts';
+import { pictureRule } from './picture-rule.ts';
 import { choice, fileName, flag, nameOf, number, object, pair } from './values.ts';
 
 /** Images, textures and their uses: the part of the schema that says what is drawn on surfaces. */
 
-export const pictureRule = 'the name of a file with an image, .png, .jpg, .jpeg or .webp, from the folder of the scene on, with "/" between folders'; // biome-ignore format: one sentence
 const file = fileName(pictureRule, IMAGE_ENDINGS);
 const imageRule = 'an image: the name of its file, or an object with "file"';
 export const image = v.pipe(

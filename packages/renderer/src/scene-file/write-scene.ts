@@ -28,7 +28,7 @@ export function writeScene(scene: Scene, schema?: string): string {
     ...(own.images ? { images: writtenFiles('image', own.images) } : {}),
     ...(own.nodes ? { nodes: mapValues(own.nodes, writtenNode) } : {}),
     ...(own.clips ? { clips: mapValues(own.clips, writtenClip) } : {}),
-    ...(own.models ? { models: mapValues(own.models, ({ loaded: _, ...model }) => model) } : {}),
+    ...(own.models ? { models: mapValues(own.models, ({ things: _, ...model }) => model) } : {}),
     shapes: mapValues(own.shapes, writtenShape),
   };
   return `${format(withoutDefaults(treeOf(sceneSchema), file), '', 0)}\n`;

@@ -16,12 +16,12 @@ export interface ModelSource {
   readonly node?: string;
   /** Which of the file's variants is shown. Left out: its first materials. */
   readonly variant?: string;
-  /** Whether what the file has is among the scene's things. */
-  readonly loaded?: boolean;
+  /** What the file has, each also under its name among the scene's things. Left out: not loaded yet. */
+  readonly things?: readonly object[];
 }
 
 /** Whether it has not been loaded. */
-export const lacksModel = ({ loaded }: ModelSource): boolean => loaded !== true;
+export const lacksModel = ({ things }: ModelSource): boolean => things === undefined;
 
 /** Whether a name is one of the model's things, or of the node that carries them. */
 export const belongsTo = (model: string, name: string): boolean => name === model || name.startsWith(`${model}/`);
