@@ -53,7 +53,9 @@ const mapValues = <From, To>(things: Readonly<Record<string, From>>, change: (th
  * used.
  */
 export function withContent(scene: Scene, given: Scene): Scene {
-  const mapped = given.sky.map === undefined ? scene : attachMap(scene, given.sky);
+  // One colour is a list, which has a `map` of its own.
+  const hasMap = isThing(given.sky) && given.sky.map !== undefined;
+  const mapped = hasMap ? attachMap(scene, given.sky) : scene;
   const drawn = hasContent(given.images)
     ? withThings(mapped, { images: imagesOf(mapped.images!, given.images!) }, true)
     : mapped;

@@ -58,7 +58,11 @@ describe('models in a scene', () => {
     const scene = await good(text());
     expect(requireScene(scene)).toBe(scene);
     expect(Object.keys(scene.shapes)).toEqual(['floor', 'fox/thing', 'twin/thing']);
-    expect(scene.shapes['fox/thing']).toMatchObject({ mesh: 'fox/triangle', material: 'fox/default', node: 'fox/thing' });
+    expect(scene.shapes['fox/thing']).toMatchObject({
+      mesh: 'fox/triangle',
+      material: 'fox/default',
+      node: 'fox/thing',
+    });
     expect(Object.keys(scene.cameras!)).toEqual(['fox/close', 'twin/close']);
     expect(scene.variants!['fox/night']).toEqual({ 'fox/thing': 'fox/dark' });
     expect(scene.clips!['fox/walk']!.tracks[0]!.target).toBe('/nodes/fox~1thing/translation');
