@@ -20,6 +20,7 @@ import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
+import { probeLookups } from './textures/lookups.ts';
 
 /**
  * What specs call inside the browser: `page.evaluate((size) => window.harness.something(size), 64)`.
@@ -47,6 +48,7 @@ export const harness = {
   probeEnvironments,
   probeFarLights,
   probeLamps,
+  probeLookups,
   probeShapes,
   probeWildLamps,
   shadeMean,
