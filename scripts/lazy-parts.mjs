@@ -14,7 +14,6 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
- * @property {true} [insideLibrary] `file`: it stays in the module, as users of a library expect it there
  */
 
 /**
@@ -23,14 +22,6 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @type {readonly Part[]}
  */
 const PARTS = [
-  ...['integrator/path/path.ts', 'integrator/aov/aov.ts'].map((importer) => ({
-    name: 'path-shaders',
-    importer: join(source, importer),
-    asked: '../path-shaders.ts',
-    entry: join(source, 'integrator/path-shaders.ts'),
-    /** @type {true} */
-    insideLibrary: true,
-  })),
   {
     name: 'chinese',
     importer: join(studio, 'said-in-chinese.ts'),
@@ -56,10 +47,28 @@ const PARTS = [
     entry: join(source, 'packed-scene/pack-geometry.ts'),
   },
   {
+    name: 'model-shaders',
+    importer: join(source, 'shading/program-text.ts'),
+    asked: './model-shaders.ts',
+    entry: join(source, 'shading/model-shaders.ts'),
+  },
+  {
     name: 'mesh-files',
     importer: join(source, 'scene-file/load-meshes.ts'),
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
+  {
+    name: 'images',
+    importer: join(source, 'scene-file/load-files.ts'),
+    asked: './load-images.ts',
+    entry: join(source, 'scene-file/load-images.ts'),
+  },
+  {
+    name: 'models',
+    importer: join(source, 'scene-file/load-files.ts'),
+    asked: './load-models.ts',
+    entry: join(source, 'scene-file/load-models.ts'),
   },
   {
     name: 'mesh-files',
@@ -176,7 +185,7 @@ function partImports(as, written) {
       // Not what tree shaking has left out.
       const used = Object.entries(chunk.modules).filter(([, { renderedLength }]) => renderedLength > 0);
       for (const part of used.flatMap(([id]) => partsAskedBy(id))) {
-        if (written.has(part.name) || (as === 'file' && part.insideLibrary)) continue;
+        if (written.has(part.name)) continue;
         written.set(part.name, '');
         written.set(part.name, await buildPart(part, as, written));
       }
@@ -196,8 +205,6 @@ const callOf = (part) => new RegExp(`import\\((['"])${part.asked.replaceAll('.',
 
 /** @param {string} code @param {Part} part @param {'text' | 'file'} as */
 function replaced(code, part, as) {
-  if (as === 'file' && part.insideLibrary)
-    return `import * as lazyPart from '${part.asked}';\n${code.replace(callOf(part), 'Promise.resolve(lazyPart)')}`;
   const call = callOf(part);
   if (!call.test(code))
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);

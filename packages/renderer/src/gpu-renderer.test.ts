@@ -1,4 +1,4 @@
-import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { cubeMesh } from '../../../tests/fixtures/meshes/solids.ts';
 import { testScene } from '../../../tests/fixtures/scenes.ts';
 import { type Device, DeviceError, type FilmTexture, type Pass, type PassSource, type Region } from './gpu/device.ts';
@@ -84,9 +84,6 @@ async function open(device: FakeDevice, options: RendererOptions = {}, size = 64
 }
 /** Lets time pass in small steps, for promises between timers. */
 const pass = (ms: number) => vi.advanceTimersByTimeAsync(ms);
-
-// While time is made up, nothing can be loaded.
-beforeAll(() => import('./integrator/path-shaders.ts'));
 
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });

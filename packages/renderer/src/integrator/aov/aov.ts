@@ -16,10 +16,13 @@ import type {
 import { FILTER_PIECES } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
-import { ALL_SWITCHES } from '../../shading/features.ts';
+import { FEATURES as ALL, SHAPE_FEATURES } from '../../shading/features.ts';
+import aovWgsl from '../../shading/generated/aov.wgsl?raw';
+import aovDataGlsl from '../../shading/generated/aovData.glsl?raw';
+import aovFeaturesGlsl from '../../shading/generated/aovFeatures.glsl?raw';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
-import type * as Shaders from '../path-shaders.ts';
+import { sourceFor } from '../../shading/program-text.ts';
 
 /** Sums of albedo and samples, and of shading normal and hits; or place and shape, and geometric normal and closeness. */
 export type AovContent = 'features' | 'data';
@@ -27,7 +30,7 @@ export type AovContent = 'features' | 'data';
 /** Layers of the film that each needs. */
 export const AOV_LAYERS = 2;
 
-const featuresOf = ({ aovWgsl, aovFeaturesGlsl }: typeof Shaders): PassSource => ({
+const FEATURES: PassSource = {
   label: 'aov features',
   wgsl: { vertex: fullScreenWgsl, fragment: aovWgsl },
   entries: { vertex: 'fullScreen', fragment: 'aovFeatures' },
@@ -42,15 +45,14 @@ const featuresOf = ({ aovWgsl, aovFeaturesGlsl }: typeof Shaders): PassSource =>
     { data: 'texels' },
   ],
   target: 'film',
-  switches: ALL_SWITCHES,
   layers: AOV_LAYERS,
-});
-const dataOf = (shaders: typeof Shaders): PassSource => ({
-  ...featuresOf(shaders),
+};
+const DATA: PassSource = {
+  ...FEATURES,
   label: 'aov data',
   entries: { vertex: 'fullScreen', fragment: 'aovData' },
-  glsl: { vertex: fullScreenGlsl, fragment: shaders.aovDataGlsl },
-});
+  glsl: { vertex: fullScreenGlsl, fragment: aovDataGlsl },
+};
 
 export interface AovInputs {
   readonly frame: UniformBuffer;
@@ -62,9 +64,10 @@ export interface AovInputs {
   readonly texels: DataBuffer;
 }
 
-export async function createAovPass(device: Device, content: AovContent): Promise<Pass> {
-  const shaders = await import('../path-shaders.ts');
-  return device.createPass(content === 'features' ? featuresOf(shaders) : dataOf(shaders));
+/** `models`: whether it draws scenes with models. */
+export async function createAovPass(device: Device, content: AovContent, models: boolean): Promise<Pass> {
+  const source = content === 'features' ? FEATURES : DATA;
+  return device.createPass(await sourceFor(source, content, new Set(models ? ALL : SHAPE_FEATURES)));
 }
 
 export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: AovInputs, region: Region): void {

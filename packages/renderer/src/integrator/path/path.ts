@@ -10,10 +10,12 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
-import { type Feature, switchesFor } from '../../shading/features.ts';
+import type { Feature } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
-import type * as Shaders from '../path-shaders.ts';
+import pathGlsl from '../../shading/generated/path.glsl?raw';
+import pathWgsl from '../../shading/generated/path.wgsl?raw';
+import { sourceFor } from '../../shading/program-text.ts';
 
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
@@ -29,7 +31,7 @@ export const MOST_GROUPS = 8;
 export const groupsOf = (first: number, count: number): number =>
   Math.floor((first + count - 1) / SAMPLES_OF_GROUP) - Math.floor(first / SAMPLES_OF_GROUP) + 1;
 
-const sourceOf = ({ pathWgsl, pathGlsl }: typeof Shaders): PassSource => ({
+const PATH: PassSource = {
   label: 'path',
   wgsl: { vertex: fullScreenWgsl, fragment: pathWgsl },
   entries: { vertex: 'fullScreen', fragment: 'path' },
@@ -46,7 +48,7 @@ const sourceOf = ({ pathWgsl, pathGlsl }: typeof Shaders): PassSource => ({
   target: 'film',
   compute: { wgsl: pathWgsl, entry: 'pathCompute' },
   layers: PATH_LAYERS,
-});
+};
 
 export interface PathInputs {
   readonly frame: UniformBuffer;
@@ -60,8 +62,7 @@ export interface PathInputs {
 
 /** A program for films that ask for no more than these features. */
 export async function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
-  const source = sourceOf(await import('../path-shaders.ts'));
-  return device.createPass({ ...source, switches: switchesFor(features) });
+  return device.createPass(await sourceFor(PATH, 'path', features));
 }
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
