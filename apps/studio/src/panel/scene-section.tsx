@@ -9,8 +9,8 @@ import { openFiles } from '../opening/open.ts';
 import { shown } from '../state.ts';
 import { Section } from './section.tsx';
 
-/** A phone's browser has no folders to choose. */
-const hasFolders = 'webkitdirectory' in HTMLInputElement.prototype && matchMedia('(pointer: fine)').matches;
+/** A phone's browser has no folders to choose, and nothing to drag from. */
+const isDesk = matchMedia('(pointer: fine)').matches;
 
 export function SceneSection() {
   const t = dictionary.value;
@@ -29,9 +29,9 @@ export function SceneSection() {
       />
       <div class="buttons">
         <Picker id="scene-file" label={t.openFile} />
-        {hasFolders && <Picker id="scene-folder" label={t.openFolder} folder />}
+        {isDesk && <Picker id="scene-folder" label={t.openFolder} folder />}
       </div>
-      <p class="idle">{t.openHint}</p>
+      {isDesk && <p class="idle">{t.openHint}</p>}
     </Section>
   );
 }
