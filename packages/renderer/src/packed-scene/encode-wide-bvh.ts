@@ -4,7 +4,8 @@
  * what else was measured.
  *
  * A reference is a node's number, from 1 on since the root is nobody's child; or, with the highest bit, a leaf: 3 bits with the number of
- * primitives, 1 … 7, and 28 bits with the first one's place.
+ * triangles, 1 … 7, and 28 bits with the first one's place. A leaf of the tree over instances has number 0 and names the instance. Where
+ * there is no child, its box is one that no ray enters.
  */
 import { type Bvh, firstChild, firstPlace, halfArea, leafCount, secondChild } from '../bvh/bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
@@ -16,6 +17,8 @@ export const MOST_IN_LEAF = 7;
 export const MOST_PRIMITIVES = 2 ** COUNT_SHIFT;
 /** Boxes grow by this share of the greatest coordinate: more than rounding does to a ray's distance from them. */
 const PADDING = 4e-7;
+/** Beyond all, on the wrong side; times 1e18, as a ray along an axis has it, it is still a number. */
+const FAR = 1e19;
 
 export interface WideBvh {
   readonly words: Uint32Array<ArrayBuffer>;
@@ -28,13 +31,13 @@ const LEAST = fieldOffset('WideNode', 'minX') / 4;
 const GREATEST = fieldOffset('WideNode', 'maxX') / 4;
 const CHILDREN = fieldOffset('WideNode', 'children') / 4;
 
-/** Throws a `RangeError` when a leaf has more than MOST_IN_LEAF primitives. */
-export function encodeWideBvh(bvh: Bvh): WideBvh {
+/** Over triangles or instances. Throws a `RangeError` when a leaf has more than MOST_IN_LEAF primitives. */
+export function encodeWideBvh(bvh: Bvh, over: 'triangles' | 'instances'): WideBvh {
   // Each wide node stands for at least one inner node, and a tree that is one leaf needs a node about it.
   const words = new Uint32Array(Math.max(bvh.nodeCount, 1) * NODE_WORDS);
-  const encoder = new Encoder(bvh, words);
-  const stackNeed = bvh.nodeCount === 0 ? 0 : encoder.encode();
-  return { words: words.slice(0, Math.max(encoder.used, 1) * NODE_WORDS), stackNeed };
+  const encoder = new Encoder(bvh, words, over === 'instances');
+  const stackNeed = encoder.encode();
+  return { words: words.slice(0, encoder.used * NODE_WORDS), stackNeed };
 }
 
 class Encoder {
@@ -43,15 +46,18 @@ class Encoder {
   readonly #words: Uint32Array;
   readonly #floats: Float32Array;
   readonly #padding: number;
+  readonly #ofInstances: boolean;
 
-  constructor(bvh: Bvh, words: Uint32Array<ArrayBuffer>) {
+  constructor(bvh: Bvh, words: Uint32Array<ArrayBuffer>, ofInstances: boolean) {
     this.#bvh = bvh;
+    this.#ofInstances = ofInstances;
     this.#words = words;
     this.#floats = new Float32Array(words.buffer);
     this.#padding = PADDING * bvh.bounds.subarray(0, 6).reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   }
 
   encode(): number {
+    if (this.#bvh.nodeCount === 0) return this.#node([]);
     return this.#node(leafCount(this.#bvh, 0) > 0 ? [0] : this.#childrenOf(0));
   }
 
@@ -80,13 +86,21 @@ class Encoder {
       this.#box(at, k, child);
       const count = leafCount(this.#bvh, child);
       if (count > 0) {
-        this.#words[at + CHILDREN + k] = leafReference(firstPlace(this.#bvh, child), count);
+        this.#words[at + CHILDREN + k] = leafReference(firstPlace(this.#bvh, child), this.#ofInstances ? 0 : count);
         return;
       }
       this.#words[at + CHILDREN + k] = this.used;
       deepest = Math.max(deepest, this.#node(this.#childrenOf(child)));
     });
-    return children.length - 1 + deepest;
+    for (let k = children.length; k < WIDTH; k++) this.#noBox(at, k);
+    return Math.max(children.length - 1, 0) + deepest;
+  }
+
+  #noBox(at: number, k: number): void {
+    for (let axis = 0; axis < 3; axis++) {
+      this.#floats[at + LEAST + axis * WIDTH + k] = FAR;
+      this.#floats[at + GREATEST + axis * WIDTH + k] = -FAR;
+    }
   }
 
   #box(at: number, k: number, node: number): void {

@@ -106,7 +106,7 @@ function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {
 }
 
 function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest: number): void {
-  const { words, stackNeed } = encodeWideBvh(treeOver(placed, eye));
+  const { words, stackNeed } = encodeWideBvh(treeOver(placed, eye), 'instances');
   // One more to find the way back out of an instance.
   const need = stackNeed + 1 + deepest;
   if (need > STACK)

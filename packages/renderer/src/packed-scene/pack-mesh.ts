@@ -33,7 +33,7 @@ export function packMesh(mesh: Mesh): PackedMesh {
 }
 
 function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
-  const { words: nodes, stackNeed } = encodeWideBvh(bvh);
+  const { words: nodes, stackNeed } = encodeWideBvh(bvh, 'triangles');
   return { nodes, triangles: trianglesOf(mesh, bvh.order), order: bvh.order, stackNeed };
 }
 
