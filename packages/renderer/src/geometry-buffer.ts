@@ -2,7 +2,7 @@
 import type { DataBuffer, Device } from './gpu/device.ts';
 import { GEOMETRY_ROW } from './packed-scene/layout.ts';
 import type { PackedGeometry } from './packed-scene/pack-geometry.ts';
-import type { PackedMesh } from './packed-scene/pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-scene/packed-mesh.ts';
 
 export class GeometryBuffer {
   readonly #device: Device;
@@ -18,7 +18,7 @@ export class GeometryBuffer {
   hold({ moving, movingRows, meshes, rows }: PackedGeometry): void {
     const same = movingRows === this.#movingRows && meshes.length === this.#meshes.length;
     if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i])) {
-      const buffer = this.#device.createData(rows);
+      const buffer = this.#device.createData(rows, 'meshes');
       this.#buffer?.destroy();
       this.#buffer = buffer;
       this.#upload(buffer, movingRows, meshes);
@@ -28,8 +28,8 @@ export class GeometryBuffer {
 
   #upload(buffer: DataBuffer, movingRows: number, meshes: readonly PackedMesh[]): void {
     let row = movingRows;
-    for (const { nodes, triangles } of meshes)
-      for (const words of [nodes, triangles]) {
+    for (const mesh of meshes)
+      for (const words of wordsOf(mesh)) {
         buffer.write(row, words);
         row += words.length / GEOMETRY_ROW;
       }

@@ -1,22 +1,25 @@
 /**
  * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
- * instances; then, mesh by mesh, the nodes of its tree and its triangles. The first part is written for every frame that moves, in
+ * instances; then, mesh by mesh, the nodes of its tree, its triangles and its vertices. The first part is written for every frame that moves, in
  * coordinates relative to the eye; the second only when other meshes come in.
  */
 
 import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
+import { AFFINE_LENGTH, IDENTITY, invertAffine, isSolid, type Numbers } from '../scene/affine.ts';
+import { meshBounds, placedBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
 import { meshMatrices } from '../scene/placed.ts';
-import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
 import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import { encodeWideBvh } from './encode-wide-bvh.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { type PackedMesh, packMesh } from './pack-mesh.ts';
+import { packMesh } from './pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
+
+// Comes with what packs meshes: geometry-packer.ts.
+export { packTextures } from './pack-textures.ts';
 
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
@@ -45,16 +48,20 @@ export class DeepTreeError extends Error {
 
 /** One instance. */
 interface Placed {
-  readonly placement: Placement;
+  /** To the world, 12 numbers. */
+  readonly placement: Numbers;
   readonly mesh: Mesh;
   /** Of the scene table. */
   readonly row: number;
+  readonly cover: number;
 }
 
 /** A mesh that stands in the world: `row` of the scene table says what it is made of. */
 export interface MeshInRow {
   readonly shape: MeshShape;
   readonly row: number;
+  /** `Instance.cover` */
+  readonly cover: number;
 }
 
 /** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
@@ -67,34 +74,38 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
   const movingRows = instances + room * INSTANCE_ROWS;
   const starts = new Map<Mesh, number>();
   let rows = movingRows;
-  for (const [mesh, { nodes, triangles }] of meshes) {
+  for (const [mesh, packed] of meshes) {
     starts.set(mesh, rows);
-    rows += (nodes.length + triangles.length) / GEOMETRY_ROW;
+    rows += wordsOf(packed).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
   }
   const moving = createBlock(movingRows * ROW_BYTES);
   writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
-  placed.forEach(({ placement, mesh, row }, i) => {
+  placed.forEach(({ placement, mesh, row, cover }, i) => {
     const nodes = starts.get(mesh)!;
-    const triangles = nodes + meshes.get(mesh)!.nodes.length / GEOMETRY_ROW;
+    const packed = meshes.get(mesh)!;
+    const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
     writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
       ...rowsInto(placement, eye),
       nodes,
       triangles,
-      interpolated: mesh.normals ? 1 : 0,
       row,
+      cover,
+      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
+      vertexRows: packed.vertices.rows,
+      vertexFlags: packed.vertices.flags,
     });
   });
   return { movingRows, moving, instances, instanceCount: placed.length, meshes: [...meshes.values()], rows };
 }
 
 /** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row }: MeshInRow): Placed[] {
+function instancesOf(scene: Scene, { shape, row, cover }: MeshInRow): Placed[] {
   const mesh = dataOf(scene, shape);
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
-    const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
-    if (isSolid(placement)) placed.push({ placement, mesh, row });
+    const placement = matrices.subarray(at, at + AFFINE_LENGTH);
+    if (isSolid(placement)) placed.push({ placement, mesh, row, cover });
   }
   return placed;
 }
@@ -133,8 +144,7 @@ function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
 }
 
 /** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
-function rowsInto(placement: Placement, eye: Vec3) {
-  const { x, y, z, origin } = inverse({ ...placement, origin: subtract(placement.origin, eye) });
-  const row = (axis: 0 | 1 | 2) => [x[axis], y[axis], z[axis], origin[axis]];
-  return { toMeshX: row(0), toMeshY: row(1), toMeshZ: row(2) };
+function rowsInto(placement: Numbers, eye: Vec3) {
+  const back = invertAffine(Array.from(placement, (x, i) => (i % 4 < 3 ? x : x - eye[(i - 3) / 4]!)))!;
+  return { toMeshX: back.slice(0, 4), toMeshY: back.slice(4, 8), toMeshZ: back.slice(8) };
 }

@@ -2,13 +2,15 @@
 
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
-import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
-import { geometryOf } from './geometry-packer.ts';
+import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
+import { geometryOf, texturesOf } from './geometry-packer.ts';
+import { COVER } from './layout.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
 import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
+import { isOneSided, mayBeMissing } from './texture-slots.ts';
 
 /** A map is multiplied by the sky's colours: white where there is none, else by its scale. */
 function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
@@ -33,16 +35,23 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
     const emitter = emitterOfShape.get(name);
     return emitter === undefined ? null : { emitter, oneSided: emitters[emitter]!.oneSided === 1 };
   };
+  const { shapes } = lamps.scene;
+  const materialOf = (name: string) => lamps.scene.materials[shapes[name]!.material]!;
+  const onMeshes = shapeNames.filter((name) => shapes[name]!.type === 'mesh').map(materialOf);
+  const { textures, rowOf } = texturesOf(scene, onMeshes);
+  const coverOf = ({ mesh }: MeshShape, material: Material) =>
+    (mayBeMissing(material, scene.meshes?.[mesh]?.data) ? rowOf.get(material)! : 0) +
+    (isOneSided(material) ? COVER.isOneSided : 0);
   shapeNames.forEach((name, row) => {
-    const material = lamps.scene.materials[lamps.scene.shapes[name]!.material]!;
-    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name)));
+    const material = materialOf(name);
+    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name), rowOf.get(material)));
   });
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
   const meshes = Object.entries(lamps.scene.shapes).flatMap(([name, shape]) =>
-    shape.type === 'mesh' ? [{ shape, row: rows.get(name)! }] : [],
+    shape.type === 'mesh' ? [{ shape, row: rows.get(name)!, cover: coverOf(shape, materialOf(name)) }] : [],
   );
   const geometry = geometryOf(lamps.scene, meshes, eye);
-  return { ...packed, ...skyOf(scene.sky), geometry, emitterCount: emitters.length };
+  return { ...packed, ...skyOf(scene.sky), geometry, textures, emitterCount: emitters.length };
 }

@@ -21,8 +21,8 @@ export interface Lamp {
   readonly oneSided: boolean;
 }
 
-/** `lamp`: null for a shape that does not shine. */
-export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Surface'> {
+/** `lamp`: null for a shape that does not shine. `textures`: row among the texels that says which it uses; 0: none. */
+export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0): StructValues<'Surface'> {
   const flags =
     (m.thin ? THIN : 0) +
     (m.energyCompensation ? COMPENSATED : 0) +
@@ -30,16 +30,16 @@ export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Sur
     (isSmooth(m) ? SMOOTH : 0);
   const emitter = lamp ? EMITTER * (lamp.emitter + 1) : 0;
   return {
-    baseColor: m.baseColor,
-    code: KINDS.indexOf(m.type) + flags + emitter,
+    baseColor: m.unlit ? [0, 0, 0] : m.baseColor,
+    code: KINDS.indexOf(m.unlit ? 'diffuse' : m.type) + flags + emitter,
     emission: emissionOf(m),
-    reflectivity: m.reflectivity,
+    reflectivity: m.unlit ? 0 : m.reflectivity,
     eta: m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta,
     alpha: m.roughness ** 2,
     k: m.conductor.k,
     metallic: m.metallic,
     absorption: absorption(m),
-    spare0: 0,
+    textures,
   };
 }
 
