@@ -14,7 +14,7 @@ const FACES = (['minX', 'minY', 'minZ', 'maxX', 'maxY', 'maxZ'] as const).map(wo
 
 /** The words read back as a kernel reads them. */
 function wideSource(bvh: Bvh): NodeSource {
-  const { words, stackNeed } = encodeWideBvh(bvh);
+  const { words, stackNeed } = encodeWideBvh(bvh, 'triangles');
   const floats = new Float32Array(words.buffer);
   return {
     root: 0,
@@ -25,9 +25,10 @@ function wideSource(bvh: Bvh): NodeSource {
       const at = node * geometryRows('WideNode') * GEOMETRY_ROW;
       for (let k = 0; k < 4; k++) {
         const reference = words[at + word('children') + k]!;
-        if (reference === 0) continue;
-        const isLeaf = reference >>> 31 === 1;
         const bounds = FACES.map((face) => floats[at + face + k]!);
+        // No child: a ray finds out by its box.
+        if (bounds[0]! > bounds[3]! && bounds[1]! > bounds[4]! && bounds[2]! > bounds[5]!) continue;
+        const isLeaf = reference >>> 31 === 1;
         addChild(into, bounds, isLeaf ? (reference >>> 28) & 7 : 0, isLeaf ? reference & 0xfffffff : reference);
       }
     },
@@ -88,5 +89,5 @@ test('a leaf with more than its reference can count is refused', () => {
     indices: new Uint32Array(24).map((_, k) => k % 3),
   };
   const tree = buildBvh(same, { leafSize: MOST_IN_LEAF + 1, maxLeafSize: MOST_IN_LEAF + 1 });
-  expect(() => encodeWideBvh(tree)).toThrow(RangeError);
+  expect(() => encodeWideBvh(tree, 'triangles')).toThrow(RangeError);
 });

@@ -118,8 +118,8 @@ function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {
 
 function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest: number): void {
   const { words, stackNeed } = encodeWideBvh(treeOver(placed, eye), 'instances');
-  // One more to find the way back out of an instance.
-  const need = stackNeed + 1 + deepest;
+  // One more to find the way back out of an instance, and one at the bottom, where the ray ends.
+  const need = 1 + stackNeed + 1 + deepest;
   if (need > STACK)
     throw new DeepTreeError(
       `A ray may have to remember ${need} nodes on its way through the meshes; kernels remember ${STACK}.`,
