@@ -2,13 +2,16 @@
  * What packs meshes, with all that builds trees, and their textures comes when the first scene with some does: see
  * scripts/lazy-parts.mjs.
  */
+import type { Moment } from '../scene/motion.ts';
 import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
-import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type * as Packing from './pack-geometry.ts';
+import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { TextureRows } from './pack-textures.ts';
+import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
-type Packer = Pick<typeof import('./pack-geometry.ts'), 'packGeometry' | 'packTextures'>;
+type Packer = Pick<typeof Packing, 'packGeometry' | 'packTextures'>;
 
 let packer: Packer | null = null;
 
@@ -17,10 +20,9 @@ export async function loadGeometryPacker(): Promise<void> {
 }
 export const geometryPackerLoaded = (): boolean => packer !== null;
 
-/** Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  if (shapes.length === 0) return NO_GEOMETRY;
-  return loaded().packGeometry(scene, shapes, eye);
+/** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
+export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
+  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before) : NO_GEOMETRY;
 }
 
 /** `materials`: those of meshes. Throws likewise. */
@@ -40,6 +42,9 @@ const NO_GEOMETRY: PackedGeometry = {
   moving: createBlock(rows * 16),
   instances: 0,
   instanceCount: 0,
+  treeRows: rows,
+  revision: 0,
+  changedInstances: [0, 0],
   meshes: [],
   rows,
 };

@@ -2,12 +2,14 @@
 
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
+import type { Moment } from '../scene/motion.ts';
+import { meshShapes } from '../scene/placed.ts';
 import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { geometryOf, texturesOf } from './geometry-packer.ts';
 import { COVER } from './layout.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
-import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
+import { isPackedFrom, type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
 import { isOneSided, mayBeMissing } from './texture-slots.ts';
@@ -24,7 +26,16 @@ function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
   return { horizon: factor, zenith: factor, environment: packEnvironment(map), environmentTurn };
 }
 
-export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
+/** `moment`: the scene with its meshes, at the time that is to be seen. */
+export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = {}): PackedScene {
+  const { scene } = moment;
+  const { reuse } = options;
+  // Where nothing but meshes has moved the table holds what it should.
+  const packed = reuse && isPackedFrom(reuse, scene, eye, options) ? reuse : packRows(scene, eye, options);
+  return { ...packed, geometry: geometryOf(moment, packed.bodies!, eye, reuse?.geometry ?? null) };
+}
+
+function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
   refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
   const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS, meshes: true });
@@ -49,9 +60,13 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  const meshes = Object.entries(lamps.scene.shapes).flatMap(([name, shape]) =>
-    shape.type === 'mesh' ? [{ shape, row: rows.get(name)!, cover: coverOf(shape, materialOf(name)) }] : [],
-  );
-  const geometry = geometryOf(lamps.scene, meshes, eye);
-  return { ...packed, ...skyOf(scene.sky), geometry, textures, emitterCount: emitters.length };
+  const covers = meshShapes(lamps.scene).map(([name, shape]) => coverOf(shape, materialOf(name)));
+  return {
+    ...packed,
+    ...skyOf(scene.sky),
+    source: { ...packed.source, scene, surfaces: true },
+    bodies: { first: packed.shapeEnds[3], covers },
+    textures,
+    emitterCount: emitters.length,
+  };
 }
