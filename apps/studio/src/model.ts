@@ -1,6 +1,6 @@
 /** What of an opened model can be chosen: its view, its motion, its materials, and a floor under it. */
 import { computed, signal } from '@preact/signals';
-import { type Scene, withGround, withParts } from 'mirrorball';
+import { type Scene, withCamera, withGround, withParts } from 'mirrorball';
 import { changeScene, replaceScene } from './actions.ts';
 import { renderer, shown } from './state.ts';
 
@@ -19,11 +19,12 @@ function remember(change: { camera?: string | null; variant?: string | null; gro
 }
 
 export function chooseCamera(name: string | null): void {
-  const original = shown.peek()?.original;
-  const camera = name === null ? original?.camera : original?.cameras?.[name];
-  if (!camera) return;
+  const now = shown.peek();
+  const current = renderer.peek();
+  if (!now || !current?.scene) return;
   remember({ camera: name });
-  changeScene({ camera });
+  if (name === null) changeScene({ camera: now.original.camera });
+  else replaceScene(current, { ...now, scene: withCamera(current.scene, name) }, { camera: now.original.camera });
 }
 
 export function chooseClip(name: string | null): void {

@@ -15,6 +15,9 @@ export interface GoodScene {
 }
 export type SceneSource = GoodScene | BadScene;
 
+/** Models that say all of a scene, and that scene files can name. */
+export const isModel = (file: string): boolean => /\.(glb|gltf)$/i.test(file);
+
 /** What the file holds, whatever kind it is of; null when it is no file. */
 async function bytesOf(file: string): Promise<Uint8Array | null> {
   try {

@@ -36,13 +36,13 @@ export async function openModel(bytes: Uint8Array, path: string, options: OpenOp
   return openScene(new TextDecoder().decode(bytes), options);
 }
 
-async function openScene(text: string, { readFile }: OpenOptions): Promise<OpenedModel> {
+async function openScene(text: string, { readFile, decoder }: OpenOptions): Promise<OpenedModel> {
   const parsed = parseScene(text);
   if (!parsed.ok) return parsed;
   const missing = async (): Promise<never> => {
     throw new Error('it has not been given');
   };
-  return withReport(await loadFiles(parsed.scene, readFile ?? missing));
+  return withReport(await loadFiles(parsed.scene, readFile ?? missing, { decoder }));
 }
 
 type Read =
