@@ -143,12 +143,12 @@ export class GeometryWalk {
     return count;
   }
 
+  /** A leaf of the upper tree is one instance, and has the number 0. */
   #leaf(reference: number, isTop: boolean): void {
     const first = reference & PLACE;
+    if (isTop) this.#enterInstance(first);
     const end = first + ((reference >>> COUNT_SHIFT) & 7);
-    for (let place = first; place < end; place++)
-      if (isTop) this.#enterInstance(place);
-      else this.#tryTriangle(place);
+    for (let place = first; place < end; place++) this.#tryTriangle(place);
   }
 
   #enterInstance(index: number): void {
