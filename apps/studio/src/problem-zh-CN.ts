@@ -239,8 +239,9 @@ const spaced = (phrase: string): string => (/^[!-~]/.test(phrase) ? ` ${phrase}`
 
 const drawingForms: readonly Form[] = [
   [
-    /^The meshes of this scene need (.*); this device has room for (.*) \((.*)\)\.$/,
-    (need, room, limit) => `场景的网格需要 ${need}，而此设备最多容纳 ${room}（${limit}）。`,
+    /^The (meshes|textures) of this scene need (.*); this device has room for (.*) \((.*)\)\.$/,
+    (what, need, room, limit) =>
+      `场景的${what === 'meshes' ? '网格' : '贴图'}需要 ${need}，而此设备最多容纳 ${room}（${limit}）。`,
   ],
   [
     /^The material (".*") has (.*), which this version reads and does not draw yet\.$/,
