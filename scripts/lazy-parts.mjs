@@ -14,6 +14,7 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
+ * @property {boolean} [inside] in a page of one file it is text at the end of that file, and not a file beside it
  */
 
 /**
@@ -27,6 +28,7 @@ const PARTS = [
     importer: join(studio, 'said-in-chinese.ts'),
     asked: './chinese-tables.ts',
     entry: join(studio, 'chinese-tables.ts'),
+    inside: true,
   },
   {
     name: 'opening',
@@ -39,6 +41,7 @@ const PARTS = [
     importer: join(source, 'cpu-renderer.ts'),
     asked: './reference/reference-renderer.ts',
     entry: join(source, 'reference/reference-renderer.ts'),
+    inside: true,
   },
   {
     name: 'meshes',
@@ -108,6 +111,8 @@ const PARTS = [
   },
 ];
 
+const INSIDE = PARTS.filter(({ inside }) => inside).map(({ name }) => name);
+
 /** What answers workers that ask for parts, which there are in a page of one file only. */
 const ANSWERING = join(studio, 'opening/answer-parts.ts').replaceAll('\\', '/');
 
@@ -117,12 +122,13 @@ const LOADER = 'virtual:load-part';
 /**
  * For Vite. A dynamic import of one of the parts becomes
  *
- * - `text`: text at the end of the one HTML file, compressed, which the browser neither parses nor unpacks before it is asked for, and
- *   for which the page's own script does not wait;
- * - `file`: an import of a file beside the module, mirrorball-gltf.js and so on.
+ * - `page`: of what every visitor may need, text at the end of the one HTML file, compressed, which the browser neither parses nor unpacks
+ *   before it is asked for, and for which the page's own script does not wait; of what only models need, a classic script beside the
+ *   page, which a browser loads from a folder on the disk too, as it does no module;
+ * - `library`: an import of a file beside the module, mirrorball-gltf.js and so on.
  *
  * Parts that nothing of the page asks for are left out. Workers ask the page for parts: see `answerParts` in the loader below.
- * @param {'text' | 'file'} as
+ * @param {'page' | 'library'} as
  * @returns {import('vite').Plugin}
  */
 export function lazyParts(as) {
@@ -133,10 +139,12 @@ export function lazyParts(as) {
     generateBundle: {
       order: 'post',
       handler(_, bundle) {
-        if (as === 'file')
-          for (const [name, code] of written) this.emitFile({ type: 'asset', fileName: fileOf(name), source: code });
+        for (const [name, code] of written)
+          if (as === 'library') this.emitFile({ type: 'asset', fileName: fileOf(name), source: code });
+          else if (!INSIDE.includes(name))
+            this.emitFile({ type: 'asset', fileName: fileOf(name), source: scriptOf(name, code) });
         for (const file of Object.values(bundle))
-          if (as === 'text' && file.type === 'asset' && file.fileName.endsWith('.html'))
+          if (as === 'page' && file.type === 'asset' && file.fileName.endsWith('.html'))
             file.source = withParts(String(file.source), written);
       },
     },
@@ -145,9 +153,12 @@ export function lazyParts(as) {
 
 const fileOf = (/** @type {string} */ name) => `mirrorball-${name}.js`;
 
+/** Leaves the code as text: the loader makes modules of it, in the page and in its workers. @param {string} name @param {string} code */
+const scriptOf = (name, code) => `(self.mirrorballParts ??= {})[${JSON.stringify(name)}] = ${JSON.stringify(code)};\n`;
+
 /**
  * What the page and its parts have in common: imports of parts are replaced, and those that are asked for are built.
- * @param {'text' | 'file'} as
+ * @param {'page' | 'library'} as
  * @param {Map<string, string>} written
  * @returns {import('vite').Plugin}
  */
@@ -168,7 +179,7 @@ function partImports(as, written) {
       order: 'pre',
       handler(id) {
         if (id === `\0${LOADER}`) return LOADER_CODE;
-        if (as === 'text' && id === ANSWERING) return `export { answerParts } from '${LOADER}';`;
+        if (as === 'page' && id === ANSWERING) return `export { answerParts } from '${LOADER}';`;
         return id.endsWith('.wasm?url&inline') ? byteText(id) : null;
       },
     },
@@ -178,7 +189,7 @@ function partImports(as, written) {
         const parts = partsAskedBy(id);
         if (parts.length === 0) return null;
         const text = parts.reduce((before, part) => replaced(before, part, as), code);
-        return { code: as === 'text' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
+        return { code: as === 'page' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
       },
     },
     async renderChunk(_, chunk) {
@@ -203,12 +214,12 @@ function partsAskedBy(id) {
 /** What asks for it. @param {Part} part */
 const callOf = (part) => new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`, 'g');
 
-/** @param {string} code @param {Part} part @param {'text' | 'file'} as */
+/** @param {string} code @param {Part} part @param {'page' | 'library'} as */
 function replaced(code, part, as) {
   const call = callOf(part);
   if (!call.test(code))
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);
-  return code.replace(call, as === 'text' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
+  return code.replace(call, as === 'page' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
 }
 
 /** A letter for each byte: compression finds what repeats in it, which base64 hides. A third smaller. */
@@ -217,7 +228,7 @@ function byteText(/** @type {string} */ id) {
   return `export default ${JSON.stringify(bytes.toString('latin1'))};`;
 }
 
-/** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written */
+/** @param {Part} part @param {'page' | 'library'} as @param {Map<string, string>} written */
 async function buildPart(part, as, written) {
   // Not above: build-studio.mjs takes a name from here before the packages are installed.
   const { build } = await import('vite');
@@ -258,8 +269,9 @@ export const PARTS_START = '<!-- What comes when it is needed -->';
  * @param {ReadonlyMap<string, string>} parts
  */
 function withParts(html, parts) {
-  if (parts.size === 0) return html;
-  const texts = [...parts].map(([name, code]) => {
+  const inside = [...parts].filter(([name]) => INSIDE.includes(name));
+  if (inside.length === 0) return html;
+  const texts = inside.map(([name, code]) => {
     const packed = deflateSync(Buffer.from(code), { level: 9 }).toString('base64');
     return `<script type="text/plain" id="part-${name}">${packed}</script>`;
   });
@@ -284,12 +296,24 @@ function cutOut(html) {
 
 /** Runs in the page, in parts, as they may need parts, and in workers, which see no page and ask it by a message. */
 const LOADER_CODE = `
+const INSIDE = ${JSON.stringify(INSIDE)};
 const text = (name) => document.getElementById('part-' + name);
 const parsed = () => new Promise((resolve) => {
   if (document.readyState !== 'loading') resolve();
   else addEventListener('DOMContentLoaded', resolve, { once: true });
 });
+const beside = (name) => new Promise((resolve, reject) => {
+  const code = () => self.mirrorballParts?.[name];
+  const missing = 'mirrorball-' + name + '.js is missing: it belongs into the folder of this page, which opens models with it.';
+  const end = () => (code() === undefined ? reject(new Error(missing)) : resolve(new Blob([code()])));
+  if (code() !== undefined) return end();
+  const script = document.createElement('script');
+  script.src = 'mirrorball-' + name + '.js';
+  script.onload = script.onerror = end;
+  document.head.append(script);
+});
 async function unpacked(name) {
+  if (!INSIDE.includes(name)) return beside(name);
   if (!text(name)) await parsed();
   const element = text(name);
   if (!element) throw new Error('This page has been cut off: its part "' + name + '" is missing.');
@@ -328,7 +352,11 @@ async function load(name) {
 }
 const loads = new Map();
 export function loadPart(name) {
-  if (!loads.has(name)) loads.set(name, load(name));
+  if (!loads.has(name)) {
+    loads.set(name, load(name));
+    // What was missing may be there the next time.
+    loads.get(name).catch(() => loads.delete(name));
+  }
   return loads.get(name);
 }
 `;

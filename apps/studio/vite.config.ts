@@ -8,7 +8,7 @@ import { shaderText } from '../../scripts/shader-text.mjs';
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
-  plugins: [shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
+  plugins: [shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('page')],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { outDir: 'dist', emptyOutDir: true, target: 'es2022', modulePreload: false, reportCompressedSize: true },
 });
