@@ -36,7 +36,10 @@ async function buildPage(name: string, script: string): Promise<string> {
 }
 
 test('in a page what anybody may need is text behind the script, which does not wait for it', async () => {
-  const page = await buildPage('page', `import { CpuRenderer } from ${JSON.stringify(cpu)};\nconsole.log(CpuRenderer);`);
+  const page = await buildPage(
+    'page',
+    `import { CpuRenderer } from ${JSON.stringify(cpu)};\nconsole.log(CpuRenderer);`,
+  );
   const start = page.slice(0, page.indexOf(PARTS_START));
   expect(start).toMatch(/<p id="first"><\/p>\s*<script type="module" async/);
   const parts = [...page.matchAll(/<script type="text\/plain" id="part-(\w+)">([^<]*)<\/script>/g)];
@@ -45,7 +48,10 @@ test('in a page what anybody may need is text behind the script, which does not 
 });
 
 test('what models need lies in classic scripts beside the page', async () => {
-  const page = await buildPage('reader', `import { importGltf } from ${JSON.stringify(gltf)};\nconsole.log(importGltf);`);
+  const page = await buildPage(
+    'reader',
+    `import { importGltf } from ${JSON.stringify(gltf)};\nconsole.log(importGltf);`,
+  );
   expect(page.length).toBeLessThan(60_000);
   expect(page).not.toContain('property-graph');
   const names = ['draco', 'gltf', 'ktx2', 'meshopt', 'tangents'];
