@@ -7,8 +7,8 @@ export const studioFolder = join(root, 'apps/studio/dist');
 const page = join(studioFolder, 'index.html');
 
 /**
- * The page may weigh so much, minified and gzipped; 1 KB = 1000 bytes, the stricter reading. What only models need lies in files beside
- * it (lazy-parts.mjs).
+ * The page may weigh so much, minified and gzipped; 1 KB = 1000 bytes, the stricter reading. What few need lies in files beside it
+ * (lazy-parts.mjs).
  */
 const LIMIT = 150_000;
 

@@ -1,7 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { deflateSync } from 'node:zlib';
 import { shaderText } from './shader-text.mjs';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
@@ -14,7 +13,6 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
- * @property {boolean} [inside] in a page of one file it is text at the end of that file, and not a file beside it
  */
 
 /**
@@ -28,7 +26,6 @@ const PARTS = [
     importer: join(studio, 'said-in-chinese.ts'),
     asked: './chinese-tables.ts',
     entry: join(studio, 'chinese-tables.ts'),
-    inside: true,
   },
   {
     name: 'opening',
@@ -41,7 +38,6 @@ const PARTS = [
     importer: join(source, 'cpu-renderer.ts'),
     asked: './reference/reference-renderer.ts',
     entry: join(source, 'reference/reference-renderer.ts'),
-    inside: true,
   },
   {
     name: 'meshes',
@@ -111,8 +107,6 @@ const PARTS = [
   },
 ];
 
-const INSIDE = PARTS.filter(({ inside }) => inside).map(({ name }) => name);
-
 /** What answers workers that ask for parts, which there are in a page of one file only. */
 const ANSWERING = join(studio, 'opening/answer-parts.ts').replaceAll('\\', '/');
 
@@ -122,9 +116,7 @@ const LOADER = 'virtual:load-part';
 /**
  * For Vite. A dynamic import of one of the parts becomes
  *
- * - `page`: of what every visitor may need, text at the end of the one HTML file, compressed, which the browser neither parses nor unpacks
- *   before it is asked for, and for which the page's own script does not wait; of what only models need, a classic script beside the
- *   page, which a browser loads from a folder on the disk too, as it does no module;
+ * - `page`: a classic script beside the page, which a browser loads from a folder on the disk too, as it does no module;
  * - `library`: an import of a file beside the module, mirrorball-gltf.js and so on.
  *
  * Parts that nothing of the page asks for are left out. Workers ask the page for parts: see `answerParts` in the loader below.
@@ -138,14 +130,9 @@ export function lazyParts(as) {
     ...partImports(as, written),
     generateBundle: {
       order: 'post',
-      handler(_, bundle) {
+      handler() {
         for (const [name, code] of written)
-          if (as === 'library') this.emitFile({ type: 'asset', fileName: fileOf(name), source: code });
-          else if (!INSIDE.includes(name))
-            this.emitFile({ type: 'asset', fileName: fileOf(name), source: scriptOf(name, code) });
-        for (const file of Object.values(bundle))
-          if (as === 'page' && file.type === 'asset' && file.fileName.endsWith('.html'))
-            file.source = withParts(String(file.source), written);
+          this.emitFile({ type: 'asset', fileName: fileOf(name), source: as === 'page' ? scriptOf(name, code) : code });
       },
     },
   };
@@ -261,50 +248,11 @@ async function buildPart(part, as, written) {
   return chunk.code;
 }
 
-/** What stands before the first part: build-studio.mjs measures up to here what every visitor waits for. */
-export const PARTS_START = '<!-- What comes when it is needed -->';
-
-/**
- * @param {string} html
- * @param {ReadonlyMap<string, string>} parts
- */
-function withParts(html, parts) {
-  const inside = [...parts].filter(([name]) => INSIDE.includes(name));
-  if (inside.length === 0) return html;
-  const texts = inside.map(([name, code]) => {
-    const packed = deflateSync(Buffer.from(code), { level: 9 }).toString('base64');
-    return `<script type="text/plain" id="part-${name}">${packed}</script>`;
-  });
-  const { script, rest } = cutOut(html);
-  const end = rest.lastIndexOf('</body>');
-  return `${rest.slice(0, end)}${script}\n${PARTS_START}\n${texts.join('\n')}\n${rest.slice(end)}`;
-}
-
-/**
- * The page's own script, and the page without it. A module script waits for the end of the page unless it is async; then it has to stand
- * behind what it looks for.
- * @param {string} html
- */
-function cutOut(html) {
-  const start = html.indexOf('<script type="module"');
-  const end = html.indexOf('</script>', start) + '</script>'.length;
-  if (start < 0 || html.indexOf('<script type="module"', end) >= 0)
-    throw new Error('The page should have one module script.');
-  const script = html.slice(start, end).replace('<script type="module"', '<script type="module" async');
-  return { script, rest: html.slice(0, start) + html.slice(end) };
-}
-
 /** Runs in the page, in parts, as they may need parts, and in workers, which see no page and ask it by a message. */
 const LOADER_CODE = `
-const INSIDE = ${JSON.stringify(INSIDE)};
-const text = (name) => document.getElementById('part-' + name);
-const parsed = () => new Promise((resolve) => {
-  if (document.readyState !== 'loading') resolve();
-  else addEventListener('DOMContentLoaded', resolve, { once: true });
-});
 const beside = (name) => new Promise((resolve, reject) => {
   const code = () => self.mirrorballParts?.[name];
-  const missing = 'mirrorball-' + name + '.js is missing: it belongs into the folder of this page, which opens models with it.';
+  const missing = 'mirrorball-' + name + '.js is missing: it belongs into the folder of this page.';
   const end = () => (code() === undefined ? reject(new Error(missing)) : resolve(new Blob([code()])));
   if (code() !== undefined) return end();
   const script = document.createElement('script');
@@ -312,16 +260,6 @@ const beside = (name) => new Promise((resolve, reject) => {
   script.onload = script.onerror = end;
   document.head.append(script);
 });
-async function unpacked(name) {
-  if (!INSIDE.includes(name)) return beside(name);
-  if (!text(name)) await parsed();
-  const element = text(name);
-  if (!element) throw new Error('This page has been cut off: its part "' + name + '" is missing.');
-  // The end tag may still be under way.
-  if (!element.nextSibling) await parsed();
-  const bytes = Uint8Array.from(atob(element.textContent), (letter) => letter.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).blob();
-}
 const asked = (name) => new Promise((resolve, reject) => {
   const { port1, port2 } = new MessageChannel();
   port1.onmessage = ({ data }) => {
@@ -335,14 +273,14 @@ export function answerParts(worker) {
   worker.addEventListener('message', async ({ data, ports }) => {
     if (!data || typeof data.part !== 'string') return;
     try {
-      ports[0].postMessage({ code: await unpacked(data.part) });
+      ports[0].postMessage({ code: await beside(data.part) });
     } catch (error) {
       ports[0].postMessage({ problem: error.message });
     }
   });
 }
 async function load(name) {
-  const code = await (typeof document === 'undefined' ? asked(name) : unpacked(name));
+  const code = await (typeof document === 'undefined' ? asked(name) : beside(name));
   const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
   try {
     return await import(/* @vite-ignore */ url);
