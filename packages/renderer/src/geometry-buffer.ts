@@ -2,12 +2,11 @@
 import type { DataBuffer, Device } from './gpu/device.ts';
 import { GEOMETRY_ROW } from './packed-scene/layout.ts';
 import type { PackedGeometry } from './packed-scene/pack-geometry.ts';
-import type { PackedMesh } from './packed-scene/pack-mesh.ts';
 
 export class GeometryBuffer {
   readonly #device: Device;
   #buffer: DataBuffer | null = null;
-  #meshes: readonly PackedMesh[] = [];
+  #parts: readonly Uint32Array<ArrayBuffer>[] = [];
   #movingRows = -1;
 
   constructor(device: Device) {
@@ -15,26 +14,29 @@ export class GeometryBuffer {
   }
 
   /** Throws a `DeviceError`, and keeps what it holds, when the device has no room. */
-  hold({ moving, movingRows, meshes, rows }: PackedGeometry): void {
-    const same = movingRows === this.#movingRows && meshes.length === this.#meshes.length;
-    if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i])) {
+  hold({ moving, movingRows, meshes, tables, rows }: PackedGeometry): void {
+    const parts = [
+      ...meshes.flatMap(({ nodes, triangles }) => [nodes, triangles]),
+      ...tables.map(({ words }) => words),
+    ];
+    const same = movingRows === this.#movingRows && parts.length === this.#parts.length;
+    if (!same || parts.some((part, i) => part !== this.#parts[i])) {
       const buffer = this.#device.createData(rows);
       this.#buffer?.destroy();
       this.#buffer = buffer;
-      this.#upload(buffer, movingRows, meshes);
+      this.#upload(buffer, movingRows, parts);
     }
     this.#buffer!.write(0, moving.u32);
   }
 
-  #upload(buffer: DataBuffer, movingRows: number, meshes: readonly PackedMesh[]): void {
+  #upload(buffer: DataBuffer, movingRows: number, parts: readonly Uint32Array<ArrayBuffer>[]): void {
     let row = movingRows;
-    for (const { nodes, triangles } of meshes)
-      for (const words of [nodes, triangles]) {
-        buffer.write(row, words);
-        row += words.length / GEOMETRY_ROW;
-      }
+    for (const words of parts) {
+      buffer.write(row, words);
+      row += words.length / GEOMETRY_ROW;
+    }
     this.#movingRows = movingRows;
-    this.#meshes = meshes;
+    this.#parts = parts;
   }
 
   /** Throws when it holds nothing yet. */

@@ -13,8 +13,11 @@ import { meshMatrices } from '../scene/placed.ts';
 import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
 import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
+import type { EmitterValues } from './emitter-values.ts';
 import { encodeWideBvh } from './encode-wide-bvh.ts';
+import type { MeshGlow } from './lamp-clusters.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
+import { type LampTable, lampTable, meshEmitters } from './pack-lamps.ts';
 import { type PackedMesh, packMesh } from './pack-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
@@ -28,9 +31,16 @@ export interface PackedGeometry {
   readonly instanceCount: number;
   /** In the order in which their rows follow one another. */
   readonly meshes: readonly PackedMesh[];
+  /** After them: row of the first table of lamps, and the tables. */
+  readonly lampTables: number;
+  readonly tables: readonly LampTable[];
+  /** The emitters that a shape is, in the world, by its row of the scene table. */
+  readonly lamps: ReadonlyMap<number, readonly EmitterValues[]>;
   /** All rows. */
   readonly rows: number;
 }
+
+export { treeOfEmitters } from './pack-light-tree.ts';
 
 /** Rows of the longest stack in traverse.wesl. */
 const STACK = 64;
@@ -49,12 +59,14 @@ interface Placed {
   readonly mesh: Mesh;
   /** Of the scene table. */
   readonly row: number;
+  readonly glow: MeshGlow | null;
 }
 
-/** A mesh that stands in the world: `row` of the scene table says what it is made of. */
+/** A mesh that stands in the world: `row` of the scene table says what it is made of; `glow`: how its light is sampled. */
 export interface MeshInRow {
   readonly shape: MeshShape;
   readonly row: number;
+  readonly glow: MeshGlow | null;
 }
 
 /** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
@@ -84,17 +96,45 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
       row,
     });
   });
-  return { movingRows, moving, instances, instanceCount: placed.length, meshes: [...meshes.values()], rows };
+  const glowing = lampsOf(placed, meshes);
+  return {
+    movingRows,
+    moving,
+    instances,
+    instanceCount: placed.length,
+    meshes: [...meshes.values()],
+    lampTables: rows,
+    ...glowing,
+    rows: rows + glowing.tables.reduce((sum, { words }) => sum + words.length / GEOMETRY_ROW, 0),
+  };
+}
+
+function lampsOf(placed: readonly Placed[], meshes: ReadonlyMap<Mesh, PackedMesh>) {
+  const lamps = new Map<number, EmitterValues[]>();
+  const starts = new Map<LampTable, number>();
+  let rows = 0;
+  placed.forEach(({ placement, mesh, row, glow }, instance) => {
+    if (!glow) return;
+    const table = lampTable(mesh, meshes.get(mesh)!, placement, glow.bits);
+    if (!starts.has(table)) {
+      starts.set(table, rows);
+      rows += table.words.length / GEOMETRY_ROW;
+    }
+    const emitters = lamps.get(row) ?? [];
+    emitters.push(...meshEmitters(glow, table, placement, { instance, first: starts.get(table)!, row }));
+    lamps.set(row, emitters);
+  });
+  return { lamps, tables: [...starts.keys()] };
 }
 
 /** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row }: MeshInRow): Placed[] {
+function instancesOf(scene: Scene, { shape, row, glow }: MeshInRow): Placed[] {
   const mesh = dataOf(scene, shape);
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
     const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
-    if (isSolid(placement)) placed.push({ placement, mesh, row });
+    if (isSolid(placement)) placed.push({ placement, mesh, row, glow });
   }
   return placed;
 }

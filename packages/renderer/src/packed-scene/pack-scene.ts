@@ -22,8 +22,12 @@ export interface PackedScene {
   readonly lightCount: number;
   /** Index past the last light that camera and mirrors see. */
   readonly seenLightEnd: number;
-  /** Rows that hold an emitter of the path integrator. */
+  /** Rows that hold an emitter of the path integrator; the first ones of them are infinitely far. */
   readonly emitterCount: number;
+  readonly farEmitters: number;
+  /** Row of the root of the tree over the others, and its levels; 0: there is no tree. */
+  readonly lightTree: number;
+  readonly lightTreeDepth: number;
   /** Sky colours. */
   readonly horizon: Color;
   readonly zenith: Color;
@@ -61,17 +65,18 @@ export interface PackOptions {
   readonly reach?: ViewReach;
   /** Whether meshes get rows too, after all other shapes; without it a scene that has some is refused. */
   readonly meshes?: boolean;
-  /** Room that is needed for more than shapes and lights. */
+  /** Rows that are needed beside shapes and lights, and those after them all. */
   readonly leastRows?: number;
+  readonly moreRows?: number;
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   if (!options.meshes) refuseMeshes(scene);
-  const { reuse, reach = AT_EYE, leastRows = 1 } = options;
+  const { reuse, reach = AT_EYE, leastRows = 1, moreRows = 0 } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
-  const rows = Math.max(named.length, lights.length, leastRows);
+  const rows = Math.max(named.length, lights.length, leastRows) + moreRows;
   const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeRow(table, name, row, values);
@@ -106,6 +111,9 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
     emitterCount: 0,
+    farEmitters: 0,
+    lightTree: rows - moreRows,
+    lightTreeDepth: 0,
     horizon: scene.sky.horizon,
     zenith: scene.sky.zenith,
     environment: null,

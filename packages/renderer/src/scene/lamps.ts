@@ -24,6 +24,13 @@ export const radianceOf = (light: SphereLight | QuadLight): Color =>
 export const emissionOf = ({ emission, emissionStrength = 1 }: Material): Color =>
   timesColor(emissionStrength, emission);
 
+/**
+ * Whether a glowing shape shines to its front only, where u × v of a quad points or the vertices of a triangle go counter-clockwise. What
+ * is not there when seen from behind has no light for those who are there.
+ */
+export const oneSidedLamp = (shape: Shape, { doubleSided = true }: Material): boolean =>
+  !doubleSided && (shape.type === 'mesh' || shape.type === 'quad');
+
 type LampLight = SphereLight | QuadLight;
 const isLamp = (light: Light): light is LampLight =>
   (light.type === 'sphere' || light.type === 'quad') && light.visible;

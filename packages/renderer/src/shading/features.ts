@@ -14,6 +14,8 @@ export const FEATURES = [
   'hasSky',
   'hasEnvironment',
   'hasManyLights',
+  'hasMeshLamps',
+  'hasLightTree',
   'hasMirrorLayers',
   'hasMetallicRoughness',
   'hasConductors',

@@ -12,10 +12,14 @@ vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
 vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
 uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
 
+struct Odds {
+    float total;
+    float tree;
+};
 struct EmitterChoice {
     uint index;
     float probability;
-    float total;
+    Odds odds;
 };
 struct Frame {
     vec3 right;
@@ -49,6 +53,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 struct Emitter {
     vec3 position;
@@ -63,6 +71,30 @@ struct Emitter {
     float oneSided;
     float power;
     float reach;
+    float leaf;
+    float table;
+    float triangles;
+    float instance;
+};
+struct TreeChoice {
+    uint emitter;
+    float probability;
+    float share;
+    bool taken;
+};
+struct LightNode {
+    vec4 x;
+    vec4 y;
+    vec4 z;
+    vec4 reach;
+    vec4 axisX;
+    vec4 axisY;
+    vec4 axisZ;
+    vec4 cosWidth;
+    vec4 cosEdge;
+    vec4 bothSides;
+    vec4 power;
+    vec4 emitters;
 };
 struct LightSample {
     vec3 direction;
@@ -113,6 +145,34 @@ struct Slabs {
     float near;
     float far;
 };
+struct ChosenTriangle {
+    uint place;
+    float density;
+    vec2 u;
+};
+struct LampTriangle {
+    float own;
+    uint place;
+    uint other;
+    float density;
+};
+struct Instance {
+    vec4 toMeshX;
+    vec4 toMeshY;
+    vec4 toMeshZ;
+    uint nodes;
+    uint triangles;
+    uint interpolated;
+    uint row;
+};
+struct Triangle {
+    vec3 a;
+    uint normalA;
+    vec3 b;
+    uint normalB;
+    vec3 c;
+    uint normalC;
+};
 struct EnvironmentLight {
     vec3 radiance;
     float pdf;
@@ -157,11 +217,15 @@ const uint directionAndPdf = 0u;
 const uint radianceAndDistance = 1u;
 const uint pdfOfSample = 2u;
 const uint pdfOfDirection = 3u;
-const uint choice_1 = 4u;
+const uint choice_2 = 4u;
+const uint instanceRows = 4u;
+const uint triangleRows = 3u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;
 
 uniform highp sampler2D questions;
+
+const bool hasLightTree = false;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -170,6 +234,8 @@ const bool hasManyLights = true;
 const bool hasQuadLights = false;
 
 const bool hasSuns = false;
+
+const bool hasMeshLamps = false;
 
 const bool hasPointLights = false;
 
@@ -180,6 +246,8 @@ uniform highp sampler2D sceneTable;
 const bool hasSphereLights = true;
 
 const bool hasBoxLights = false;
+
+uniform highp usampler2D geometry;
 
 const bool hasEnvironment = false;
 
@@ -201,12 +269,12 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     vec3 middle = (e_1.position + pick(isQuad, (0.5 * (e_1.u + e_1.v)), vec3(0.0)));
     vec3 toLight_1 = pick(isFar, -(e_1.u), (middle - point));
     float distance2_ = dot(toLight_1, toLight_1);
-    float distance_5 = sqrt(distance2_);
-    float grown = max((distance_5 + e_1.reach), 1e-15);
+    float distance_6 = sqrt(distance2_);
+    float grown = max((distance_6 + e_1.reach), 1e-15);
     float above = clamp(((dot(normal_1, toLight_1) + e_1.reach) / grown), 0.0, 1.0);
-    float cosine = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
+    float cosine_1 = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
     float square = pick(isQuad, (distance2_ + (e_1.area / 3.1415927)), max(distance2_, (e_1.area / 12.566371)));
-    estimate = ((e_1.power * cosine) / pick(isFar, 1.0, max(square, 1e-15)));
+    estimate = ((e_1.power * cosine_1) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
         float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
@@ -215,19 +283,29 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
-    const bool _e94 = hasPointLights;
+    const bool _e94 = hasMeshLamps;
     if (_e94) {
-        float _e95 = estimate;
-        float _e100 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_5, 1e-15))));
-        estimate = (_e95 * pick((e_1.kind == 4.0), _e100, 1.0));
+        float alike = length(e_1.v);
+        float across = -(dot(e_1.v, toLight_1));
+        float side_1 = pick((e_1.oneSided == 1.0), max(across, 0.0), abs(across));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_1 + (alike * e_1.reach)) / grown));
+        float sizeOfMesh = (distance2_ + ((e_1.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e125 = estimate;
+        estimate = pick((e_1.kind == 7.0), (((e_1.power * cosine_1) * shown) / max(sizeOfMesh, 1e-15)), _e125);
     }
-    const bool _e108 = hasSky;
-    if (_e108) {
-        float _e109 = estimate;
-        estimate = pick((e_1.kind == 6.0), e_1.power, _e109);
+    const bool _e137 = hasPointLights;
+    if (_e137) {
+        float _e138 = estimate;
+        float _e143 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e138 * pick((e_1.kind == 4.0), _e143, 1.0));
     }
-    float _e115 = estimate;
-    return _e115;
+    const bool _e151 = hasSky;
+    if (_e151) {
+        float _e152 = estimate;
+        estimate = pick((e_1.kind == 6.0), e_1.power, _e152);
+    }
+    float _e158 = estimate;
+    return _e158;
 }
 
 Emitter fetchEmitter(uint i) {
@@ -236,117 +314,251 @@ Emitter fetchEmitter(uint i) {
     vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(16u, i)), 0);
     vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(17u, i)), 0);
     vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(18u, i)), 0);
-    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i)), 0);
+    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w, t5_.x, t5_.y, t5_.z, t5_.w);
 }
 
-EmitterChoice chooseEmitter(vec3 point_1, vec3 normal_2, float u) {
-    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
-    float total = 0.0;
+LightNode fetchLightNode(uint i_1) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
+    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
+    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_1)), 0);
+    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_1)), 0);
+    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_1)), 0);
+    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_1)), 0);
+    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_1)), 0);
+    return LightNode(t0_1.xyzw, t1_1.xyzw, t2_1.xyzw, t3_1.xyzw, t4_1.xyzw, t5_1.xyzw, t6_.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
+}
+
+vec4 sineOf(vec4 cosine) {
+    return sqrt(max((vec4(1.0) - (cosine * cosine)), vec4(0.0)));
+}
+
+vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
+    return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
+}
+
+vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
+    vec4 x_5 = (n.x - vec4(point_1.x));
+    vec4 y_3 = (n.y - vec4(point_1.y));
+    vec4 z = (n.z - vec4(point_1.z));
+    vec4 distance2_1 = (((x_5 * x_5) + (y_3 * y_3)) + (z * z));
+    vec4 inverse_ = inversesqrt(max(distance2_1, vec4(1e-30)));
+    bvec4 inside = lessThanEqual(distance2_1, (n.reach * n.reach));
+    vec4 sinB_1 = min((n.reach * inverse_), vec4(1.0));
+    vec4 _e33 = sineOf(sinB_1);
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside);
+    vec4 along = (-((((n.axisX * x_5) + (n.axisY * y_3)) + (n.axisZ * z))) * inverse_);
+    vec4 cosW = clamp(mix(along, abs(along), greaterThan(n.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
+    vec4 _e58 = sineOf(cosW);
+    vec4 _e60 = sineOf(n.cosWidth);
+    vec4 _e62 = cosineLess(cosW, _e58, n.cosWidth, _e60);
+    vec4 _e63 = sineOf(_e62);
+    vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
+    vec4 cosOut = mix(_e64, vec4(1.0), inside);
+    vec4 cosN = clamp(((((normal_2.x * x_5) + (normal_2.y * y_3)) + (normal_2.z * z)) * inverse_), vec4(-1.0), vec4(1.0));
+    bvec4 bothSides = bvec4pickpickpickpick(bvec4((dot(normal_2, normal_2) == 0.0)).x, true, inside.x, bvec4((dot(normal_2, normal_2) == 0.0)).y, true, inside.y, bvec4((dot(normal_2, normal_2) == 0.0)).z, true, inside.z, bvec4((dot(normal_2, normal_2) == 0.0)).w, true, inside.w);
+    vec4 _e87 = sineOf(cosN);
+    vec4 _e88 = cosineLess(cosN, _e87, cosB_1, sinB_1);
+    vec4 cosIn = mix(max(_e88, vec4(0.0)), vec4(1.0), bothSides);
+    vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_1, (n.reach * n.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
+}
+
+float shareOfTree(float total, float far) {
+    float share_1 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_1));
+}
+
+TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) {
+    uint level = 0u;
+    uint node = 0u;
+    float rest = 0.0;
+    TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
+    uint _e7 = frame.lightTreeDepth;
+    level = _e7;
+    rest = u;
+    while(true) {
+        uint _e19 = level;
+        level = (_e19 - 1u);
+        uint _e23 = frame.lightTree;
+        uint _e24 = node;
+        LightNode _e26 = fetchLightNode((_e23 + _e24));
+        vec4 _e27 = estimatesOfChildren(_e26, point_2, normal_3);
+        float two = (_e27.x + _e27.y);
+        float three = (two + _e27.z);
+        float total_2 = (three + _e27.w);
+        uint _e35 = node;
+        if ((_e35 == 0u)) {
+            float _e39 = shareOfTree(total_2, far_1);
+            choice.share = _e39;
+            float _e41 = rest;
+            float _e43 = choice.share;
+            choice.taken = (_e41 < _e43);
+            float _e45 = rest;
+            float _e47 = choice.share;
+            rest = min((_e45 / max(_e47, 1e-37)), 0.99999994);
+        }
+        float _e53 = rest;
+        float at_1 = (_e53 * total_2);
+        uint byChance = ((uint((at_1 >= _e27.x)) + uint((at_1 >= two))) + uint((at_1 >= three)));
+        uint _e68 = level;
+        uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
+        bool low = (child < 2u);
+        bool odd = ((child & 1u) == 1u);
+        float own = pick(low, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before = pick(low, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float _e95 = choice.probability;
+        choice.probability = (_e95 * (own / max(total_2, 1e-37)));
+        choice.emitter = uint(pick(low, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        rest = clamp(((at_1 - before) / max(own, 1e-37)), 0.0, 0.99999994);
+        uint _e121 = node;
+        node = (((4u * _e121) + 1u) + child);
+        uint _e126 = level;
+        if ((_e126 == 0u)) {
+            break;
+        }
+    }
+    TreeChoice _e129 = choice;
+    return _e129;
+}
+
+EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
+    EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
+    float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
-    float rest = 0.0;
-    uint i_1 = 0u;
-    uint _e6 = frame.emitterCount;
-    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
-    const bool _e14 = hasManyLights;
-    uint _e17 = frame.emitterCount;
-    if (pick(_e14, (_e17 > 1u), false)) {
-        rest = u;
+    float rest_1 = 0.0;
+    uint i_2 = 0u;
+    const bool _e4 = hasLightTree;
+    uint _e7 = frame.lightTreeDepth;
+    bool hasTree = pick(_e4, (_e7 > 0u), false);
+    uint _e13 = frame.emitterCount;
+    uint _e16 = frame.farEmitters;
+    uint listed = pick(hasTree, _e16, _e13);
+    uint _e21 = frame.emitterCount;
+    choice_1 = EmitterChoice(0u, float(min(_e21, 1u)), Odds(1.0, 0.0));
+    const bool _e31 = hasManyLights;
+    uint _e34 = frame.emitterCount;
+    if (pick(_e31, (_e34 > 1u), false)) {
+        rest_1 = u_1;
         while(true) {
-            uint _e30 = i_1;
-            Emitter _e31 = fetchEmitter(_e30);
-            float _e32 = estimatedIrradiance(_e31, point_1, normal_2);
-            float _e33 = total;
-            total = (_e33 + _e32);
-            float _e35 = total;
-            float share_1 = (_e32 / max(_e35, 1e-37));
-            float _e39 = rest;
-            bool take = (_e39 < share_1);
-            uint _e41 = chosen;
-            uint _e42 = i_1;
-            chosen = pick(take, _e42, _e41);
-            float _e44 = chosenWeight;
-            chosenWeight = pick(take, _e32, _e44);
-            float _e46 = rest;
-            float _e53 = rest;
-            rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_1;
-            i_1 = (_e59 + 1u);
-            uint _e61 = i_1;
-            uint _e64 = frame.emitterCount;
-            if ((_e61 >= _e64)) {
+            uint _e47 = i_2;
+            Emitter _e48 = fetchEmitter(_e47);
+            float _e49 = estimatedIrradiance(_e48, point_3, normal_4);
+            uint _e50 = i_2;
+            float weight = pick((_e50 < listed), _e49, 0.0);
+            float _e54 = total_1;
+            total_1 = (_e54 + weight);
+            float _e56 = total_1;
+            float share_2 = (weight / max(_e56, 1e-37));
+            float _e60 = rest_1;
+            bool take = (_e60 < share_2);
+            uint _e62 = chosen;
+            uint _e63 = i_2;
+            chosen = pick(take, _e63, _e62);
+            float _e65 = chosenWeight;
+            chosenWeight = pick(take, weight, _e65);
+            float _e67 = rest_1;
+            float _e74 = rest_1;
+            rest_1 = pick(take, (_e74 / max(share_2, 1e-37)), ((_e67 - share_2) / max((1.0 - share_2), 1e-7)));
+            uint _e80 = i_2;
+            i_2 = (_e80 + 1u);
+            uint _e82 = i_2;
+            if ((_e82 >= listed)) {
                 break;
             }
         }
-        uint _e66 = chosen;
-        float _e67 = chosenWeight;
-        float _e68 = total;
-        float _e72 = total;
-        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
+        uint _e84 = chosen;
+        float _e85 = chosenWeight;
+        float _e86 = total_1;
+        float _e90 = total_1;
+        choice_1 = EmitterChoice(_e84, (_e85 / max(_e86, 1e-37)), Odds(_e90, 0.0));
+        if (hasTree) {
+            float _e94 = rest_1;
+            float _e96 = total_1;
+            TreeChoice _e97 = descend(point_3, normal_4, _e94, -1, _e96);
+            choice_1.odds.tree = _e97.share;
+            uint _e102 = chosen;
+            choice_1.index = pick(_e97.taken, _e97.emitter, _e102);
+            float _e108 = choice_1.probability;
+            choice_1.probability = pick(_e97.taken, (_e97.probability * _e97.share), (_e108 * (1.0 - _e97.share)));
+        }
     }
-    EmitterChoice _e74 = choice;
-    return _e74;
+    EmitterChoice _e118 = choice_1;
+    return _e118;
 }
 
-float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
+float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
     uint _e15 = frame.emitterCount;
     if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_2, point_2, normal_3);
-        probability = (_e19 / max(total_1, 1e-37));
+        float _e19 = estimatedIrradiance(e_2, point_4, normal_5);
+        probability = (_e19 / max(odds.total, 1e-37));
+        const bool _e25 = hasLightTree;
+        uint _e28 = frame.lightTreeDepth;
+        if (pick(_e25, (_e28 > 0u), false)) {
+            TreeChoice _e38 = descend(point_4, normal_5, 0.0, int(max(e_2.leaf, 0.0)), odds.total);
+            float _e39 = probability;
+            probability = pick((e_2.leaf >= 0.0), (_e38.probability * _e38.share), (_e39 * (1.0 - odds.tree)));
+        }
     }
-    float _e23 = probability;
-    return _e23;
+    float _e51 = probability;
+    return _e51;
 }
 
-SphereView viewSphere(Emitter e_3, vec3 point_3) {
-    vec3 toCenter = (e_3.position - point_3);
+SphereView viewSphere(Emitter e_3, vec3 point_5) {
+    vec3 toCenter = (e_3.position - point_5);
     float d_1 = length(toCenter);
     float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
-    bool inside = (d_1 <= e_3.radius);
+    bool inside_1 = (d_1 <= e_3.radius);
     float sine_1 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
-    float cosine_1 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter, d_1, power, inside, pick(inside, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_1))));
+    float cosine_2 = (sqrt(power) / max(d_1, 1e-30));
+    return SphereView(toCenter, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_2))));
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
     float s_3 = pick((axis.z >= 0.0), 1.0, -1.0);
     float a_1 = (-1.0 / (s_3 + axis.z));
     float b_2 = ((axis.x * axis.y) * a_1);
-    vec3 x_5 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_1)), (s_3 * b_2), (-(s_3) * axis.x));
-    vec3 y_3 = vec3(b_2, (s_3 + ((axis.y * axis.y) * a_1)), -(axis.y));
-    return (((v.x * x_5) + (v.y * y_3)) + (v.z * axis));
+    vec3 x_6 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_1)), (s_3 * b_2), (-(s_3) * axis.x));
+    vec3 y_4 = vec3(b_2, (s_3 + ((axis.y * axis.y) * a_1)), -(axis.y));
+    return (((v.x * x_6) + (v.y * y_4)) + (v.z * axis));
 }
 
-ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_1) {
-    float oneMinusCosine = (u_1.x * width);
-    float cosine_2 = (1.0 - oneMinusCosine);
+ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
+    float oneMinusCosine = (u_2.x * width);
+    float cosine_3 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_2 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_1.y);
+    float phi = (6.2831855 * u_2.y);
     vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_2));
-    return ConeDirection(_e23, cosine_2, sine2_);
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_3));
+    return ConeDirection(_e23, cosine_3, sine2_);
 }
 
 float conePdf(float width_1) {
     return (1.0 / (6.2831855 * max(width_1, 1e-31)));
 }
 
-LightSample sampleSphere(Emitter e_4, vec3 point_4, vec2 u_2) {
-    SphereView _e3 = viewSphere(e_4, point_4);
+LightSample sampleSphere(Emitter e_4, vec3 point_6, vec2 u_3) {
+    SphereView _e3 = viewSphere(e_4, point_6);
     vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_2);
-    float along = (_e3.distance_ * _e19.cosine);
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_3);
+    float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_4.radius * e_4.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along > 0.0), false);
-    float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    float larger = (abs(along_1) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
+    float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_4.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_4.radiance, _e49, false);
 }
 
 float arctangent(float x) {
@@ -355,9 +567,9 @@ float arctangent(float x) {
     bool middle_1 = pick((a_2 > 0.41421357), !(steep), false);
     float r = pick(steep, (-1.0 / max(a_2, 1.0)), pick(middle_1, ((a_2 - 1.0) / (a_2 + 1.0)), a_2));
     float base = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
-    float z = (r * r);
-    float series = ((((((0.080537446 * z) - 0.13877685) * z) + 0.19977711) * z) - 0.3333295);
-    return (sign(x) * (base + (((series * z) * r) + r)));
+    float z_1 = (r * r);
+    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
+    return (sign(x) * (base + (((series * z_1) * r) + r)));
 }
 
 float stretch(float x_1, vec2 y, float h) {
@@ -367,47 +579,47 @@ float stretch(float x_1, vec2 y, float h) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_5, vec3 point_5) {
-    vec3 corner = (e_5.position - point_5);
+QuadView viewQuad(Emitter e_5, vec3 point_7) {
+    vec3 corner = (e_5.position - point_7);
     vec2 lengths = vec2(length(e_5.u), length(e_5.v));
     vec3 axisX = (e_5.u / vec3(lengths.x));
     vec3 axisY = (e_5.v / vec3(lengths.y));
-    vec3 normal_7 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_7);
+    vec3 normal_10 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_10);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
     bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high = (low + lengths);
-    vec2 y_4 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_4, height_2);
-    float _e46 = stretch(high.x, y_4, height_2);
+    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high = (low_1 + lengths);
+    vec2 y_5 = vec2(low_1.y, high.y);
+    float _e44 = stretch(low_1.x, y_5, height_2);
+    float _e46 = stretch(high.x, y_5, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_7 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    vec3 axisZ = (normal_10 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low_1, high, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 vec2 cosineAndSine(float x_2) {
     float h_1 = (0.5 * x_2);
-    float z_1 = (h_1 * h_1);
-    float sine_3 = (((((((-0.00019515296 * z_1) + 0.008332161) * z_1) - 0.16666655) * z_1) * h_1) + h_1);
+    float z_2 = (h_1 * h_1);
+    float sine_3 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_1) + h_1);
     return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
 }
 
-vec3 sphericalRectangle(QuadView q, vec2 u_3) {
+vec3 sphericalRectangle(QuadView q, vec2 u_4) {
     float h_2 = q.height;
-    vec2 y_5 = vec2(q.low.y, q.high.y);
-    vec2 s_4 = (y_5 / sqrt(((y_5 * y_5) + vec2((h_2 * h_2)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_3.x * q.solidAngle))));
-    vec2 across = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
-    float w = (((2.0 * _e21.x) * _e21.y) / max(length(across), 1e-15));
-    float x_6 = clamp(((h_2 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
-    float d2_ = ((x_6 * x_6) + (h_2 * h_2));
-    vec2 ends = (y_5 * inversesqrt((vec2(d2_) + (y_5 * y_5))));
-    float v_3 = mix(ends.x, ends.y, u_3.y);
-    float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_5.x, y_5.y);
-    return (((x_6 * q.axisX) + (atY * q.axisY)) + (h_2 * q.axisZ));
+    vec2 y_6 = vec2(q.low.y, q.high.y);
+    vec2 s_4 = (y_6 / sqrt(((y_6 * y_6) + vec2((h_2 * h_2)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_4.x * q.solidAngle))));
+    vec2 across_1 = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
+    float w = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
+    float x_7 = clamp(((h_2 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
+    float d2_ = ((x_7 * x_7) + (h_2 * h_2));
+    vec2 ends = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
+    float v_3 = mix(ends.x, ends.y, u_4.y);
+    float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_6.x, y_6.y);
+    return (((x_7 * q.axisX) + (atY * q.axisY)) + (h_2 * q.axisZ));
 }
 
 float areaPdf(float area, float height, float distance_) {
@@ -421,20 +633,20 @@ float pdfOfView(QuadView q_1, float area_1, float distance_1) {
     return pick(q_1.lit, pdf_2, 0.0);
 }
 
-LightSample sampleQuad(Emitter e_6, vec3 point_6, vec2 u_4) {
-    QuadView _e3 = viewQuad(e_6, point_6);
-    vec3 onArea = ((_e3.corner + (u_4.x * e_6.u)) + (u_4.y * e_6.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_4);
+LightSample sampleQuad(Emitter e_6, vec3 point_8, vec2 u_5) {
+    QuadView _e3 = viewQuad(e_6, point_8);
+    vec3 onArea = ((_e3.corner + (u_5.x * e_6.u)) + (u_5.y * e_6.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_5);
     vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_2), _e3.height);
-    float _e23 = pdfOfView(_e3, e_6.area, distance_7);
-    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_6.radiance, _e23, false);
+    float distance_8 = max(length(toLight_2), _e3.height);
+    float _e23 = pdfOfView(_e3, e_6.area, distance_8);
+    return LightSample((toLight_2 / vec3(distance_8)), distance_8, e_6.radiance, _e23, false);
 }
 
-Extent fetchExtent(uint i_2) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
-    return Extent(t0_1.xyzw, t1_1.xyzw);
+Extent fetchExtent(uint i_3) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_2.xyzw, t1_2.xyzw);
 }
 
 vec3 rotate(vec4 q_2, vec3 v_1) {
@@ -442,25 +654,25 @@ vec3 rotate(vec4 q_2, vec3 v_1) {
     return ((v_1 + (q_2.w * t_2)) + cross(q_2.xyz, t_2));
 }
 
-BoxView viewBox(Emitter e_7, vec3 point_7) {
+BoxView viewBox(Emitter e_7, vec3 point_9) {
     Extent _e4 = fetchExtent(uint(e_7.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_7 - e_7.position));
+    vec3 _e8 = rotate(rotation, (point_9 - e_7.position));
     bvec3 seen = greaterThan(abs(_e8), e_7.u);
     vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen);
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_5) {
+vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_6) {
     float both = (b.faces.x + b.faces.y);
-    float at_1 = (u_5.x * b.area);
-    bool onX = (at_1 < b.faces.x);
-    bool onY = pick(!(onX), (at_1 < both), false);
+    float at_2 = (u_6.x * b.area);
+    bool onX = (at_2 < b.faces.x);
+    bool onY = pick(!(onX), (at_2 < both), false);
     float face = pick(onX, b.faces.x, pick(onY, b.faces.y, b.faces.z));
-    float within = clamp(((at_1 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float within = clamp(((at_2 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
-    vec3 p = vec3(pick((dot(axis_3, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
-    vec3 toLight_3 = ((pick(onX, p.xyz, pick(onY, p.zxy, p.yzx)) * e_8.u) - b.point);
+    vec3 p_1 = vec3(pick((dot(axis_3, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_6.y) - 1.0));
+    vec3 toLight_3 = ((pick(onX, p_1.xyz, pick(onY, p_1.zxy, p_1.yzx)) * e_8.u) - b.point);
     return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
 }
 
@@ -483,53 +695,29 @@ vec3 rotateBack(vec4 q_3, vec3 v_2) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_9, vec3 point_8, vec2 u_6) {
-    BoxView _e3 = viewBox(e_9, point_8);
-    vec4 _e4 = pointOnFaces(e_9, _e3, u_6);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_6);
+LightSample sampleBox(Emitter e_9, vec3 point_10, vec2 u_7) {
+    BoxView _e3 = viewBox(e_9, point_10);
+    vec4 _e4 = pointOnFaces(e_9, _e3, u_7);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_9.u);
-    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_16 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
-    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
+    float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_17 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_16);
-    return LightSample(_e37, distance_8, e_9.radiance, pdf_3, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
+    return LightSample(_e37, distance_9, e_9.radiance, pdf_3, false);
 }
 
-LightSample samplePoint(Emitter e_10, vec3 point_9) {
-    vec3 toLight_4 = (e_10.position - point_9);
-    float distance_9 = length(toLight_4);
-    float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_10.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+uvec4 geometryRow(uint i_4) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_4 & 2047u), (i_4 >> 11u))), 0);
+    return _e8;
 }
 
-LightSample sampleSpot(Emitter e_11, vec3 point_10) {
-    LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_11, point_10);
-    s = _e2;
-    vec3 _e5 = s.direction;
-    float _e6 = spotFalloff(e_11, _e5);
-    vec3 _e8 = s.radiance;
-    s.radiance = (_e8 * _e6);
-    float _e12 = s.pdf;
-    s.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s;
-    return _e17;
-}
-
-LightSample sampleDirectional(Emitter e_12, vec2 u_7) {
-    bool delta = (e_12.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_12.u), (e_12.area / 6.2831855), u_7);
-    return LightSample(_e10.direction, 1e30, e_12.radiance, pick(delta, 1.0, (1.0 / max(e_12.area, 1e-31))), delta);
-}
-
-Parts splitProduct(vec2 u_8, uvec2 n) {
-    uvec2 digits = uvec2((u_8 * 16777216.0));
-    uvec2 low_1 = ((digits & uvec2(4095u)) * n);
-    uvec2 high_1 = (((digits >> uvec2(12u)) * n) + (low_1 >> uvec2(12u)));
-    return Parts((high_1 >> uvec2(12u)), vec2((((high_1 & uvec2(4095u)) << uvec2(12u)) | (low_1 & uvec2(4095u)))));
+LampTriangle fetchLampTriangle(uint row) {
+    uvec4 _e3 = geometryRow((row + 0u));
+    return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
 uint mixBits(uint x_3) {
@@ -543,25 +731,122 @@ uint mixBits(uint x_3) {
     return (_e14 ^ (_e15 >> 15u));
 }
 
-ChosenCell chooseCell(vec2 u_9) {
+ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
+    uint _e4 = frame.lampTables;
+    uint first = (_e4 + uint(e_10.table));
+    uint column = min(uint((u_8.x * e_10.triangles)), (uint(e_10.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first + column));
+    uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
+    uint hash = (_e26 >> 8u);
+    float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
+    float x_8 = clamp((((u_8.x * e_10.triangles) - float(column)) + fine), 0.0, 0.99999994);
+    bool own_1 = (x_8 < _e18.own);
+    float rest_2 = pick(own_1, (x_8 / max(_e18.own, 1e-37)), ((x_8 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_2 = pick(own_1, _e18.place, _e18.other);
+    LampTriangle _e67 = fetchLampTriangle((((first + column) + place_2) - _e18.place));
+    float density = _e67.density;
+    return ChosenTriangle(place_2, density, vec2(min(rest_2, 1.0), u_8.y));
+}
+
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+}
+
+Triangle fetchTriangle(uint row_2) {
+    uvec4 _e3 = geometryRow((row_2 + 0u));
+    uvec4 _e6 = geometryRow((row_2 + 1u));
+    uvec4 _e9 = geometryRow((row_2 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+vec2 weightsOnTriangle(vec2 u_9) {
+    float low_2 = (0.5 * min(u_9.x, u_9.y));
+    float high_1 = (max(u_9.x, u_9.y) - low_2);
+    return pick((u_9.x < u_9.y), vec2(low_2, high_1), vec2(high_1, low_2));
+}
+
+vec3 outOfMesh(Instance i_5, vec3 p) {
+    vec3 q_5 = (p - vec3(i_5.toMeshX.w, i_5.toMeshY.w, i_5.toMeshZ.w));
+    vec3 x_9 = cross(i_5.toMeshY.xyz, i_5.toMeshZ.xyz);
+    vec3 y_7 = cross(i_5.toMeshZ.xyz, i_5.toMeshX.xyz);
+    vec3 z_3 = cross(i_5.toMeshX.xyz, i_5.toMeshY.xyz);
+    return ((((q_5.x * x_9) + (q_5.y * y_7)) + (q_5.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_9)));
+}
+
+LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
+    ChosenTriangle _e3 = chooseTriangle(e_11, u_10);
+    uint _e6 = frame.instances;
+    Instance _e12 = fetchInstance((_e6 + (uint(e_11.instance) * instanceRows)));
+    Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
+    vec2 _e20 = weightsOnTriangle(_e3.u);
+    vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
+    vec3 toLight_4 = (_e34 - point_11);
+    vec3 across_2 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
+    float height_3 = (dot(across_2, toLight_4) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
+    float distance_10 = length(toLight_4);
+    float _e62 = areaPdf((e_11.area / _e3.density), abs(height_3), distance_10);
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_11.oneSided == 0.0), (height_3 > 0.0), false));
+    float reached = max((distance_10 - (1e-5 * (length(point_11) + distance_10))), 0.0);
+    return LightSample((toLight_4 / vec3(max(distance_10, 1e-30))), reached, e_11.radiance, pick(lit_1, _e62, 0.0), false);
+}
+
+LightSample samplePoint(Emitter e_12, vec3 point_12) {
+    vec3 toLight_5 = (e_12.position - point_12);
+    float distance_11 = length(toLight_5);
+    float safe = max(distance_11, 1e-15);
+    return LightSample((toLight_5 / vec3(safe)), distance_11, (e_12.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_13, vec3 point_13) {
+    LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_13, point_13);
+    s = _e2;
+    vec3 _e5 = s.direction;
+    float _e6 = spotFalloff(e_13, _e5);
+    vec3 _e8 = s.radiance;
+    s.radiance = (_e8 * _e6);
+    float _e12 = s.pdf;
+    s.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_14, vec2 u_11) {
+    bool delta = (e_14.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_14.u), (e_14.area / 6.2831855), u_11);
+    return LightSample(_e10.direction, 1e30, e_14.radiance, pick(delta, 1.0, (1.0 / max(e_14.area, 1e-31))), delta);
+}
+
+Parts splitProduct(vec2 u_12, uvec2 n_1) {
+    uvec2 digits = uvec2((u_12 * 16777216.0));
+    uvec2 low_3 = ((digits & uvec2(4095u)) * n_1);
+    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_3 >> uvec2(12u)));
+    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_3 & uvec2(4095u)))));
+}
+
+ChosenCell chooseCell(vec2 u_13) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size = uvec2(_e3);
-    Parts _e9 = splitProduct(u_9, (size + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_9.x) ^ (floatBitsToUint(u_9.y) * 2654435761u)));
-    uint hash = (_e17 >> 8u);
+    Parts _e9 = splitProduct(u_13, (size + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
+    uint hash_1 = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
-    float fine = ((float(hash) * 5.9604645e-8) * _e26);
-    float x_7 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
+    float x_10 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
     uint rows = ((size.y + 2u) / 2u);
     bool second = (_e9.whole.y >= rows);
     vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size.y) - pick(second, rows, 0u)))), 0);
     vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own = (x_7 < entry.x);
+    bool own_2 = (x_10 < entry.x);
     uint other = uint(entry.y);
     uint otherRow = (other / size.x);
-    uvec2 cell_1 = pick(own, _e9.whole, uvec2((other - (otherRow * size.x)), otherRow));
-    float rest_1 = pick(own, (x_7 / max(entry.x, 1e-37)), ((x_7 - entry.x) / max((1.0 - entry.x), 1e-7)));
-    return ChosenCell(cell_1, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+    uvec2 cell_1 = pick(own_2, _e9.whole, uvec2((other - (otherRow * size.x)), otherRow));
+    float rest_3 = pick(own_2, (x_10 / max(entry.x, 1e-37)), ((x_10 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_1, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
 Corners environmentCorners(uvec2 cell) {
@@ -580,9 +865,9 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above_1 * _e52), (above_1 * _e57), (below * _e62), (below * _e67));
 }
 
-float linearSample(float u_10, float a, float b_1) {
+float linearSample(float u_14, float a, float b_1) {
     vec2 ends_1 = (vec2(a, b_1) / vec2(max((a + b_1), 1e-37)));
-    return min((u_10 / max((ends_1.x + sqrt(mix((ends_1.x * ends_1.x), (ends_1.y * ends_1.y), u_10))), 1e-9)), 1.0);
+    return min((u_14 / max((ends_1.x + sqrt(mix((ends_1.x * ends_1.x), (ends_1.y * ends_1.y), u_14))), 1e-9)), 1.0);
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -590,9 +875,9 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_11) {
+EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 size_2 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_11);
+    ChosenCell _e4 = chooseCell(u_15);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_2 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_2.y));
@@ -609,9 +894,9 @@ EnvironmentSample sampleEnvironment(vec2 u_11) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_17 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    vec3 direction_18 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_3), sine_4);
-    return EnvironmentSample(direction_17, _e119);
+    return EnvironmentSample(direction_18, _e119);
 }
 
 vec3 sky(vec3 direction_1) {
@@ -620,13 +905,13 @@ vec3 sky(vec3 direction_1) {
     return mix(_e3, _e6, max(direction_1.y, 0.0));
 }
 
-LightSample sampleSky(vec2 u_12) {
+LightSample sampleSky(vec2 u_16) {
     EnvironmentSample s_1 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
     s_1 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_12);
+        EnvironmentSample _e13 = sampleEnvironment(u_16);
         s_1 = _e13;
     }
     vec3 _e15 = s_1.direction;
@@ -637,80 +922,85 @@ LightSample sampleSky(vec2 u_12) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_13, vec3 point_11, vec2 u_13) {
+LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_17) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_13.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_13, point_11, u_13);
+    if (pick(_e15, (e_15.kind == 0.0), false)) {
+        LightSample _e20 = sampleSphere(e_15, point_14, u_17);
         s_2 = _e20;
     }
     const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_13.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_13, point_11, u_13);
+    if (pick(_e22, (e_15.kind == 1.0), false)) {
+        LightSample _e27 = sampleQuad(e_15, point_14, u_17);
         s_2 = _e27;
     }
     const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_13.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_13, point_11, u_13);
+    if (pick(_e29, (e_15.kind == 2.0), false)) {
+        LightSample _e34 = sampleBox(e_15, point_14, u_17);
         s_2 = _e34;
     }
-    const bool _e36 = hasPointLights;
-    if (pick(_e36, (e_13.kind == 3.0), false)) {
-        LightSample _e41 = samplePoint(e_13, point_11);
+    const bool _e36 = hasMeshLamps;
+    if (pick(_e36, (e_15.kind == 7.0), false)) {
+        LightSample _e41 = sampleMesh(e_15, point_14, u_17);
         s_2 = _e41;
     }
     const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_13.kind == 4.0), false)) {
-        LightSample _e48 = sampleSpot(e_13, point_11);
+    if (pick(_e43, (e_15.kind == 3.0), false)) {
+        LightSample _e48 = samplePoint(e_15, point_14);
         s_2 = _e48;
     }
-    const bool _e50 = hasSuns;
-    if (pick(_e50, (e_13.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_13, u_13);
+    const bool _e50 = hasPointLights;
+    if (pick(_e50, (e_15.kind == 4.0), false)) {
+        LightSample _e55 = sampleSpot(e_15, point_14);
         s_2 = _e55;
     }
-    const bool _e57 = hasSky;
-    if (pick(_e57, (e_13.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_13);
+    const bool _e57 = hasSuns;
+    if (pick(_e57, (e_15.kind == 5.0), false)) {
+        LightSample _e62 = sampleDirectional(e_15, u_17);
         s_2 = _e62;
     }
-    float _e65 = s_2.pdf;
-    float _e67 = s_2.distance_;
-    s_2.pdf = pick((_e67 <= (1e-5 * length(point_11))), 0.0, _e65);
-    LightSample _e74 = s_2;
-    return _e74;
+    const bool _e64 = hasSky;
+    if (pick(_e64, (e_15.kind == 6.0), false)) {
+        LightSample _e69 = sampleSky(u_17);
+        s_2 = _e69;
+    }
+    float _e72 = s_2.pdf;
+    float _e74 = s_2.distance_;
+    s_2.pdf = pick((_e74 <= (1e-5 * length(point_14))), 0.0, _e72);
+    LightSample _e81 = s_2;
+    return _e81;
 }
 
-Start onSurface(vec3 point_12, uint shape, bool seenFromInside) {
-    return Start(point_12, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_12)));
+Start onSurface(vec3 point_15, uint shape, bool seenFromInside) {
+    return Start(point_15, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_15)));
 }
 
-bool isSphere(uint i_3) {
+bool isSphere(uint i_6) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_3 < _e4);
+    return (i_6 < _e4);
 }
 
 float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius, float tMin, bool startsInside) {
     vec3 toCenter_1 = (center - origin_2);
-    float along_1 = dot(toCenter_1, direction_2);
-    vec3 across_1 = (toCenter_1 - (along_1 * direction_2));
-    float discriminant = ((radius * radius) - dot(across_1, across_1));
+    float along_2 = dot(toCenter_1, direction_2);
+    vec3 across_3 = (toCenter_1 - (along_2 * direction_2));
+    float discriminant = ((radius * radius) - dot(across_3, across_3));
     float half_ = sqrt(max(discriminant, 0.0));
-    float near = (along_1 - half_);
-    float far_1 = (along_1 + half_);
-    float t_4 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
+    float near = (along_2 - half_);
+    float far_3 = (along_2 + half_);
+    float t_4 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
 }
 
-float hitSphere(uint i_4, Bounds bounds, Ray ray) {
-    float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_4 == ray.start.inside));
-    return pick((i_4 == ray.start.leaves), 1e30, _e13);
+float hitSphere(uint i_7, Bounds bounds, Ray ray) {
+    float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_7 == ray.start.inside));
+    return pick((i_7 == ray.start.leaves), 1e30, _e13);
 }
 
-bool isBox(uint i_5) {
+bool isBox(uint i_8) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_5 >= _e4), (i_5 < _e9), false);
+    return pick((i_8 >= _e4), (i_8 < _e9), false);
 }
 
 bool isTurned(vec4 q_4) {
@@ -723,10 +1013,10 @@ float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
 }
 
-float hitBox(uint i_6, Bounds bounds_1, Ray ray_1) {
+float hitBox(uint i_9, Bounds bounds_1, Ray ray_1) {
     vec3 origin_4 = vec3(0.0);
     vec3 direction_4 = vec3(0.0);
-    Extent _e3 = fetchExtent(i_6);
+    Extent _e3 = fetchExtent(i_9);
     origin_4 = (ray_1.start.point - bounds_1.center);
     direction_4 = ray_1.direction;
     bool _e12 = isTurned(_e3.a);
@@ -740,79 +1030,79 @@ float hitBox(uint i_6, Bounds bounds_1, Ray ray_1) {
     }
     vec3 _e19 = origin_4;
     vec3 _e20 = direction_4;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_6 == ray_1.start.inside));
-    return pick((i_6 == ray_1.start.leaves), 1e30, _e28);
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_9 == ray_1.start.inside));
+    return pick((i_9 == ray_1.start.leaves), 1e30, _e28);
 }
 
-bool isQuad0_(uint i_7) {
+bool isQuad0_(uint i_10) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_7 < _e4);
+    return (i_10 < _e4);
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_8 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_5, normal_8);
+    vec3 normal_11 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_5, normal_11);
     vec3 toCenter_2 = (center_1 - origin_5);
-    float t_6 = (dot(toCenter_2, normal_8) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_1 = ((t_6 * direction_5) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
+    float t_6 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_2 = ((t_6 * direction_5) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within_1, false), t_6, 1e30);
 }
 
-float hitQuad(uint i_8, Bounds bounds_2, Ray ray_2) {
-    Extent _e3 = fetchExtent(i_8);
+float hitQuad(uint i_11, Bounds bounds_2, Ray ray_2) {
+    Extent _e3 = fetchExtent(i_11);
     float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
-    return pick((i_8 == ray_2.start.leaves), 1e30, _e14);
+    return pick((i_11 == ray_2.start.leaves), 1e30, _e14);
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_4, float offset, float tMin_3) {
-    float speed_1 = dot(direction_6, normal_4);
-    float t_7 = ((offset - dot(origin_6, normal_4)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_6, float offset, float tMin_3) {
+    float speed_1 = dot(direction_6, normal_6);
+    float t_7 = ((offset - dot(origin_6, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
     return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
 }
 
-float hitPlane(uint i_9, Bounds bounds_3, Ray ray_3) {
+float hitPlane(uint i_12, Bounds bounds_3, Ray ray_3) {
     float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
-    return pick((i_9 == ray_3.start.leaves), 1e30, _e10);
+    return pick((i_12 == ray_3.start.leaves), 1e30, _e10);
 }
 
-float hitShape(uint i_10, Bounds bounds_4, Ray ray_4) {
-    bool _e3 = isSphere(i_10);
+float hitShape(uint i_13, Bounds bounds_4, Ray ray_4) {
+    bool _e3 = isSphere(i_13);
     if (_e3) {
-        float _e4 = hitSphere(i_10, bounds_4, ray_4);
+        float _e4 = hitSphere(i_13, bounds_4, ray_4);
         return _e4;
     }
-    bool _e5 = isBox(i_10);
+    bool _e5 = isBox(i_13);
     if (_e5) {
-        float _e6 = hitBox(i_10, bounds_4, ray_4);
+        float _e6 = hitBox(i_13, bounds_4, ray_4);
         return _e6;
     }
-    bool _e7 = isQuad0_(i_10);
+    bool _e7 = isQuad0_(i_13);
     if (_e7) {
-        float _e8 = hitQuad(i_10, bounds_4, ray_4);
+        float _e8 = hitQuad(i_13, bounds_4, ray_4);
         return _e8;
     }
-    float _e9 = hitPlane(i_10, bounds_4, ray_4);
+    float _e9 = hitPlane(i_13, bounds_4, ray_4);
     return _e9;
 }
 
-Bounds fetchBounds(uint i_11) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(0u, i_11)), 0);
-    return Bounds(t0_2.xyz, t0_2.w);
+Bounds fetchBounds(uint i_14) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(0u, i_14)), 0);
+    return Bounds(t0_3.xyz, t0_3.w);
 }
 
-bool isPlane(uint i_12) {
+bool isPlane(uint i_15) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
+    return pick((i_15 >= _e4), (i_15 < _e9), false);
 }
 
-bool isFlat(uint i_13) {
+bool isFlat(uint i_16) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_13 >= _e4);
+    return (i_16 >= _e4);
 }
 
 vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
@@ -820,54 +1110,54 @@ vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, b
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_8 = pick(entering, _e5.near, _e5.far);
-    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
+    vec3 side_2 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
     bool onX_1 = (crossed.x == t_8);
     bool onY_1 = pick(!(onX_1), (crossed.y == t_8), false);
-    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
+    return (side_2 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
-vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
-    Bounds _e3 = fetchBounds(i_14);
+vec3 outwardNormal(uint i_17, Ray ray_5, float t_1) {
+    Bounds _e3 = fetchBounds(i_17);
     vec3 origin_8 = (ray_5.start.point - _e3.center);
-    bool _e8 = isSphere(i_14);
+    bool _e8 = isSphere(i_17);
     if (_e8) {
         return normalize((origin_8 + (t_1 * ray_5.direction)));
     }
-    bool _e13 = isPlane(i_14);
+    bool _e13 = isPlane(i_17);
     if (_e13) {
         return _e3.center;
     }
-    Extent _e15 = fetchExtent(i_14);
-    bool _e16 = isFlat(i_14);
+    Extent _e15 = fetchExtent(i_17);
+    bool _e16 = isFlat(i_17);
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside_1 = (i_14 == ray_5.start.inside);
+    bool inside_2 = (i_17 == ray_5.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_8);
     vec3 _e30 = rotate(_e15.a, ray_5.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_1);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_2);
     vec3 _e37 = rotateBack(_e15.a, _e35);
     return _e37;
 }
 
-bool isOnDisc(Emitter e_14, vec3 direction_8) {
-    vec3 chord = (direction_8 + e_14.u);
-    return ((3.1415927 * dot(chord, chord)) < e_14.area);
+bool isOnDisc(Emitter e_16, vec3 direction_8) {
+    vec3 chord = (direction_8 + e_16.u);
+    return ((3.1415927 * dot(chord, chord)) < e_16.area);
 }
 
-float directionalPdf(Emitter e_15, vec3 direction_9) {
-    bool _e7 = isOnDisc(e_15, direction_9);
-    return pick(_e7, (1.0 / max(e_15.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_17, vec3 direction_9) {
+    bool _e7 = isOnDisc(e_17, direction_9);
+    return pick(_e7, (1.0 / max(e_17.area, 1e-31)), 0.0);
 }
 
 vec2 quadrantAngles(vec2 x_4, vec2 y_2) {
-    vec2 low_2 = min(x_4, y_2);
-    vec2 high_2 = max(x_4, y_2);
-    bvec2 middle_3 = greaterThan(low_2, (0.41421357 * high_2));
-    vec2 r_2 = (mix(low_2, (low_2 - high_2), middle_3) / max(mix(high_2, (low_2 + high_2), middle_3), vec2(1e-30)));
-    vec2 z_2 = (r_2 * r_2);
-    vec2 series_1 = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
-    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_2) * r_2) + r_2));
+    vec2 low_4 = min(x_4, y_2);
+    vec2 high_3 = max(x_4, y_2);
+    bvec2 middle_3 = greaterThan(low_4, (0.41421357 * high_3));
+    vec2 r_2 = (mix(low_4, (low_4 - high_3), middle_3) / max(mix(high_3, (low_4 + high_3), middle_3), vec2(1e-30)));
+    vec2 z_4 = (r_2 * r_2);
+    vec2 series_1 = ((((((0.080537446 * z_4) - vec2(0.13877685)) * z_4) + vec2(0.19977711)) * z_4) - vec2(0.3333295));
+    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_4) * r_2) + r_2));
     return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_4));
 }
 
@@ -877,15 +1167,15 @@ EnvironmentLight lookUpEnvironment(vec3 direction_10) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_5));
     float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
+    float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row = floor(fromPole_1);
+    float row_3 = floor(fromPole_1);
     bool isLower_1 = (direction_10.y < 0.0);
-    vec2 cell_3 = vec2(floor(column), pick(isLower_1, (size_3.y - row), row));
-    float within_2 = (fromPole_1 - row);
-    vec2 at_2 = vec2((column - cell_3.x), pick(isLower_1, (1.0 - within_2), within_2));
+    vec2 cell_3 = vec2(floor(column_1), pick(isLower_1, (size_3.y - row_3), row_3));
+    float within_2 = (fromPole_1 - row_3);
+    vec2 at_3 = vec2((column_1 - cell_3.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_3));
-    EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_5);
+    EnvironmentLight _e67 = lightWithin(_e66, at_3, sine_5);
     return _e67;
 }
 
@@ -902,63 +1192,76 @@ EnvironmentLight skyLight(vec3 direction_11) {
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_16, vec3 direction_12) {
-    FarLight far = FarLight(vec3(0.0), 0.0);
+FarLight farLight(Emitter e_18, vec3 direction_12) {
+    FarLight far_2 = FarLight(vec3(0.0), 0.0);
     const bool _e8 = hasSuns;
     if (_e8) {
-        bool _e12 = isOnDisc(e_16, direction_12);
-        bool seen_1 = pick((e_16.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_16, direction_12);
-        far = FarLight(pick(seen_1, e_16.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
+        bool _e12 = isOnDisc(e_18, direction_12);
+        bool seen_1 = pick((e_18.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_18, direction_12);
+        far_2 = FarLight(pick(seen_1, e_18.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_16.kind == 6.0), false)) {
+    if (pick(_e23, (e_18.kind == 6.0), false)) {
         EnvironmentLight _e28 = skyLight(direction_12);
-        far = FarLight(_e28.radiance, _e28.pdf);
+        far_2 = FarLight(_e28.radiance, _e28.pdf);
     }
-    FarLight _e32 = far;
+    FarLight _e32 = far_2;
     return _e32;
 }
 
-float spherePdf(Emitter e_17, vec3 point_13, vec3 direction_13) {
-    SphereView _e3 = viewSphere(e_17, point_13);
-    bool reached = pick(_e3.inside, true, (dot(direction_13, _e3.toCenter) > 0.0));
+float spherePdf(Emitter e_19, vec3 point_16, vec3 direction_13) {
+    SphereView _e3 = viewSphere(e_19, point_16);
+    bool reached_1 = pick(_e3.inside, true, (dot(direction_13, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
-    return pick(reached, _e11, 0.0);
+    return pick(reached_1, _e11, 0.0);
 }
 
-float quadPdf(Emitter e_18, vec3 point_14, float distance_2) {
-    QuadView _e3 = viewQuad(e_18, point_14);
-    float _e5 = pdfOfView(_e3, e_18.area, distance_2);
+float quadPdf(Emitter e_20, vec3 point_17, float distance_2) {
+    QuadView _e3 = viewQuad(e_20, point_17);
+    float _e5 = pdfOfView(_e3, e_20.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_19, vec3 point_15, vec3 direction_14, float distance_3, vec3 normal_5) {
-    BoxView _e5 = viewBox(e_19, point_15);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_14, normal_5))), distance_3);
+float boxPdf(Emitter e_21, vec3 point_18, vec3 direction_14, float distance_3, vec3 normal_7) {
+    BoxView _e5 = viewBox(e_21, point_18);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_14, normal_7))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_20, vec3 point_16, vec3 direction_15, float distance_4, vec3 normal_6) {
+float meshPdf(Emitter e_22, vec3 direction_15, float distance_4, vec3 normal_8, uint place) {
+    uint _e7 = frame.lampTables;
+    uint row_4 = ((_e7 + uint(e_22.table)) + (place & ((1u << uint(e_22.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_4);
+    float _e26 = areaPdf((e_22.area / _e20.density), (distance_4 * abs(dot(direction_15, normal_8))), distance_4);
+    return _e26;
+}
+
+float shapePdf(Emitter e_23, vec3 point_19, vec3 direction_16, float distance_5, vec3 normal_9, uint place_1) {
     float pdf = 0.0;
-    const bool _e8 = hasSphereLights;
-    if (pick(_e8, (e_20.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_20, point_16, direction_15);
-        pdf = _e13;
+    const bool _e9 = hasSphereLights;
+    if (pick(_e9, (e_23.kind == 0.0), false)) {
+        float _e14 = spherePdf(e_23, point_19, direction_16);
+        pdf = _e14;
     }
-    const bool _e15 = hasQuadLights;
-    if (pick(_e15, (e_20.kind == 1.0), false)) {
-        float _e20 = quadPdf(e_20, point_16, distance_4);
-        pdf = _e20;
+    const bool _e16 = hasQuadLights;
+    if (pick(_e16, (e_23.kind == 1.0), false)) {
+        float _e21 = quadPdf(e_23, point_19, distance_5);
+        pdf = _e21;
     }
-    const bool _e22 = hasBoxLights;
-    if (pick(_e22, (e_20.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_20, point_16, direction_15, distance_4, normal_6);
-        pdf = _e27;
+    const bool _e23 = hasBoxLights;
+    if (pick(_e23, (e_23.kind == 2.0), false)) {
+        float _e28 = boxPdf(e_23, point_19, direction_16, distance_5, normal_9);
+        pdf = _e28;
     }
-    float _e28 = pdf;
-    return _e28;
+    const bool _e30 = hasMeshLamps;
+    if (pick(_e30, (e_23.kind == 7.0), false)) {
+        float _e35 = meshPdf(e_23, direction_16, distance_5, normal_9, place_1);
+        pdf = _e35;
+    }
+    float _e36 = pdf;
+    return _e36;
 }
 
 void main() {
@@ -971,12 +1274,12 @@ void main() {
     vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
     uint question = uint(b_3.w);
     uint index = uint(a_3.w);
-    if ((question == choice_1)) {
+    if ((question == choice_2)) {
         EmitterChoice _e40 = chooseEmitter(a_3.xyz, c.xyz, b_3.x);
         Emitter _e42 = fetchEmitter(_e40.index);
-        float _e46 = probabilityOf(_e42, a_3.xyz, c.xyz, _e40.total);
+        float _e46 = probabilityOf(_e42, a_3.xyz, c.xyz, _e40.odds);
         Emitter _e50 = fetchEmitter(index);
-        float _e54 = probabilityOf(_e50, a_3.xyz, c.xyz, _e40.total);
+        float _e54 = probabilityOf(_e50, a_3.xyz, c.xyz, _e40.odds);
         _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
@@ -990,11 +1293,11 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_18 = pick((question == pdfOfSample), _e59.direction, c.xyz);
+    vec3 direction_19 = pick((question == pdfOfSample), _e59.direction, c.xyz);
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
         Start _e88 = onSurface(a_3.xyz, noShape, false);
-        Ray ray_6 = Ray(_e88, direction_18);
+        Ray ray_6 = Ray(_e88, direction_19);
         Bounds _e90 = fetchBounds(shape_1);
         float _e91 = hitShape(shape_1, _e90, ray_6);
         t = _e91;
@@ -1007,12 +1310,12 @@ void main() {
             return;
         }
     }
-    FarLight _e105 = farLight(_e56, direction_18);
+    FarLight _e105 = farLight(_e56, direction_19);
     float _e107 = t;
     vec3 _e108 = normal;
-    float _e109 = shapePdf(_e56, a_3.xyz, direction_18, _e107, _e108);
-    float _e112 = t;
-    _fs2p_location0 = vec4((_e109 + _e105.pdf), _e112, length(_e105.radiance), float(_e59.delta));
+    float _e110 = shapePdf(_e56, a_3.xyz, direction_19, _e107, _e108, 0u);
+    float _e113 = t;
+    _fs2p_location0 = vec4((_e110 + _e105.pdf), _e113, length(_e105.radiance), float(_e59.delta));
     return;
 }
 

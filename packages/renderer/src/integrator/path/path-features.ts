@@ -2,7 +2,8 @@
  * What a scene asks of the path kernel: the switches of shading/features.wesl. A program may have more than a scene needs; it then
  * draws the same picture more slowly.
  */
-import { EMITTER_KIND, emittersOf } from '../../packed-scene/pack-emitters.ts';
+import { EMITTER_KIND } from '../../packed-scene/emitter-values.ts';
+import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-scene/pack-emitters.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
 import type { Camera, Material, Scene, Shape, ShapeType } from '../../scene/scene.ts';
@@ -19,10 +20,9 @@ export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlyS
   const lamps = lampsAsShapes(scene);
   const shapes = Object.values(lamps.scene.shapes);
   const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
-  const { emitters } = emittersOf(lamps, camera.eye, () => 0);
   const needs: Record<Feature, boolean> = {
     ...shapeFeatures(shapes),
-    ...lightFeatures(emitters.map(({ kind }) => kind as number)),
+    ...lightFeatures(planEmitters(scene)),
     ...materialFeatures(materials),
     hasEnvironment: scene.sky.map !== undefined,
     hasLens: (camera.aperture ?? 0) > 0,
@@ -44,8 +44,8 @@ function shapeFeatures(shapes: readonly Shape[]) {
   };
 }
 
-function lightFeatures(kinds: readonly number[]) {
-  const has = (...wanted: number[]) => kinds.some((kind) => wanted.includes(kind));
+function lightFeatures({ kinds, far, near }: EmitterPlan) {
+  const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));
   return {
     hasSphereLights: has(EMITTER_KIND.sphere),
     hasQuadLights: has(EMITTER_KIND.quad),
@@ -53,7 +53,9 @@ function lightFeatures(kinds: readonly number[]) {
     hasPointLights: has(EMITTER_KIND.point, EMITTER_KIND.spot),
     hasSuns: has(EMITTER_KIND.directional),
     hasSky: has(EMITTER_KIND.sky),
-    hasManyLights: kinds.length > 1,
+    hasManyLights: far + near > 1,
+    hasMeshLamps: has(EMITTER_KIND.mesh),
+    hasLightTree: near > LISTED_EMITTERS,
   };
 }
 
