@@ -2,6 +2,7 @@
 import type { DataBuffer, Device } from './gpu/device.ts';
 import { GEOMETRY_ROW } from './packed-scene/layout.ts';
 import type { PackedGeometry } from './packed-scene/pack-geometry.ts';
+import { wordsOf } from './packed-scene/packed-mesh.ts';
 
 export class GeometryBuffer {
   readonly #device: Device;
@@ -15,10 +16,7 @@ export class GeometryBuffer {
 
   /** Throws a `DeviceError`, and keeps what it holds, when the device has no room. */
   hold({ moving, movingRows, meshes, tables, rows }: PackedGeometry): void {
-    const parts = [
-      ...meshes.flatMap(({ nodes, triangles }) => [nodes, triangles]),
-      ...tables.map(({ words }) => words),
-    ];
+    const parts = [...meshes.flatMap(wordsOf), ...tables.map(({ words }) => words)];
     const same = movingRows === this.#movingRows && parts.length === this.#parts.length;
     if (!same || parts.some((part, i) => part !== this.#parts[i])) {
       const buffer = this.#device.createData(rows);

@@ -132,11 +132,24 @@ export const STRUCTS = {
   },
   Triangle: {
     a: field('vec3f', 'first vertex, in the space of its mesh'),
-    normalA: field('u32', 'its shading normal, octahedral, 16 bits each'),
+    vertexA: field('u32', 'its number among the vertices of the mesh'),
     b: field('vec3f', 'second vertex'),
-    normalB: field('u32', 'its shading normal'),
+    vertexB: field('u32', 'its number'),
     c: field('vec3f', 'third vertex'),
-    normalC: field('u32', 'its shading normal'),
+    vertexC: field('u32', 'its number'),
+  },
+  Vertex: {
+    normal: field('u32', 'shading normal, octahedral, 16 bits each'),
+    tangent: field(
+      'u32',
+      'likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)',
+    ),
+    uv: field('vec2f', 'texture coordinates of set 0'),
+  },
+  VertexMore: {
+    redGreen: field('u32', 'linear colour, 16 bits each'),
+    blueAlpha: field('u32', 'and opacity'),
+    uv: field('vec2f', 'texture coordinates of set 1'),
   },
   Instance: {
     toMeshX: field('vec4f', 'from eye-relative places to the space of its mesh: x is dot(xyz, p) + w'),
@@ -144,8 +157,12 @@ export const STRUCTS = {
     toMeshZ: field('vec4f', 'z'),
     nodes: field('u32', 'row of the root of its tree'),
     triangles: field('u32', 'row of its first triangle'),
-    interpolated: field('u32', '1: shading normals are interpolated; 0: triangles are flat'),
+    vertices: field('u32', 'row of its first vertex'),
     row: field('u32', 'of the scene table: what it is made of'),
+    vertexRows: field('u32', 'of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only'),
+    vertexFlags: field('u32', 'what is in them: VERTEX_FLAGS'),
+    spare0: field('u32', 'unused'),
+    spare1: field('u32', 'unused'),
   },
   LampTriangle: {
     own: field('f32', 'alias table: probability to take this triangle and not the other one'),
@@ -260,8 +277,11 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
 export const GEOMETRY_ROW = 4;
 /** Rows of a struct there. */
 export const geometryRows = (name: GeometryStruct): number => structSize(name) / 16;
-const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance', 'LampTriangle'] as const;
+const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance', 'Vertex', 'VertexMore', 'LampTriangle'] as const;
 export type GeometryStruct = (typeof GEOMETRY_STRUCTS)[number];
+
+/** Bits of `Instance.vertexFlags`. A vertex without normals or tangents has zeros there, one without colours white. */
+export const VERTEX_FLAGS = { hasNormals: 1, hasTangents: 2 } as const;
 
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
@@ -335,8 +355,10 @@ export function fetchGeometryWgsl(): string {
     `const childrenRow = ${row('children')}u;`,
     `const triangleRows = ${geometryRows('Triangle')}u;`,
     `const instanceRows = ${geometryRows('Instance')}u;`,
+    `const vertexRows = ${geometryRows('Vertex')}u;`,
+    ...Object.entries(VERTEX_FLAGS).map(([name, bit]) => `const ${name} = ${bit}u;`),
   ];
-  const fetched = ['Triangle', 'Instance', 'LampTriangle'] as const;
+  const fetched = ['Triangle', 'Instance', 'Vertex', 'VertexMore', 'LampTriangle'] as const;
   return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${fetched.map(fetchRowsFunction).join('\n')}`;
 }
 

@@ -1,16 +1,15 @@
 /**
  * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
- * instances; then, mesh by mesh, the nodes of its tree and its triangles. The first part is written for every frame that moves, in
+ * instances; then, mesh by mesh, the nodes of its tree, its triangles and its vertices. The first part is written for every frame that moves, in
  * coordinates relative to the eye; the second only when other meshes come in.
  */
 
 import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
+import { AFFINE_LENGTH, IDENTITY, invertAffine, isSolid, type Numbers } from '../scene/affine.ts';
+import { meshBounds, placedBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
 import { meshMatrices } from '../scene/placed.ts';
-import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
 import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
 import { subtract } from '../scene/vec3.ts';
 import type { EmitterValues } from './emitter-values.ts';
@@ -18,7 +17,8 @@ import { encodeWideBvh } from './encode-wide-bvh.ts';
 import type { MeshGlow } from './lamp-clusters.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
 import { type LampTable, lampTable, meshEmitters } from './pack-lamps.ts';
-import { type PackedMesh, packMesh } from './pack-mesh.ts';
+import { packMesh } from './pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
 export interface PackedGeometry {
@@ -55,7 +55,8 @@ export class DeepTreeError extends Error {
 
 /** One instance. */
 interface Placed {
-  readonly placement: Placement;
+  /** To the world, 12 numbers. */
+  readonly placement: Numbers;
   readonly mesh: Mesh;
   /** Of the scene table. */
   readonly row: number;
@@ -79,21 +80,24 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
   const movingRows = instances + room * INSTANCE_ROWS;
   const starts = new Map<Mesh, number>();
   let rows = movingRows;
-  for (const [mesh, { nodes, triangles }] of meshes) {
+  for (const [mesh, packed] of meshes) {
     starts.set(mesh, rows);
-    rows += (nodes.length + triangles.length) / GEOMETRY_ROW;
+    rows += wordsOf(packed).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
   }
   const moving = createBlock(movingRows * ROW_BYTES);
   writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
   placed.forEach(({ placement, mesh, row }, i) => {
     const nodes = starts.get(mesh)!;
-    const triangles = nodes + meshes.get(mesh)!.nodes.length / GEOMETRY_ROW;
+    const packed = meshes.get(mesh)!;
+    const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
     writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
       ...rowsInto(placement, eye),
       nodes,
       triangles,
-      interpolated: mesh.normals ? 1 : 0,
+      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       row,
+      vertexRows: packed.vertices.rows,
+      vertexFlags: packed.vertices.flags,
     });
   });
   const glowing = lampsOf(placed, meshes);
@@ -121,7 +125,7 @@ function lampsOf(placed: readonly Placed[], meshes: ReadonlyMap<Mesh, PackedMesh
       rows += table.words.length / GEOMETRY_ROW;
     }
     const emitters = lamps.get(row) ?? [];
-    emitters.push(...meshEmitters(glow, table, placement, { instance, first: starts.get(table)!, row }));
+    emitters.push(...meshEmitters(glow, table, placement, { instance, table: starts.get(table)!, row }));
     lamps.set(row, emitters);
   });
   return { lamps, tables: [...starts.keys()] };
@@ -133,7 +137,7 @@ function instancesOf(scene: Scene, { shape, row, glow }: MeshInRow): Placed[] {
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
-    const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
+    const placement = matrices.subarray(at, at + AFFINE_LENGTH);
     if (isSolid(placement)) placed.push({ placement, mesh, row, glow });
   }
   return placed;
@@ -173,8 +177,7 @@ function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
 }
 
 /** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
-function rowsInto(placement: Placement, eye: Vec3) {
-  const { x, y, z, origin } = inverse({ ...placement, origin: subtract(placement.origin, eye) });
-  const row = (axis: 0 | 1 | 2) => [x[axis], y[axis], z[axis], origin[axis]];
-  return { toMeshX: row(0), toMeshY: row(1), toMeshZ: row(2) };
+function rowsInto(placement: Numbers, eye: Vec3) {
+  const back = invertAffine(Array.from(placement, (x, i) => (i % 4 < 3 ? x : x - eye[(i - 3) / 4]!)))!;
+  return { toMeshX: back.slice(0, 4), toMeshY: back.slice(4, 8), toMeshZ: back.slice(8) };
 }

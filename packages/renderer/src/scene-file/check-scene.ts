@@ -1,5 +1,5 @@
+import { isSolid } from '../scene/affine.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import { fromMatrix, isSolid } from '../scene/placement.ts';
 import type { Camera, Light, Material, Matrix4, Scene, Shape, Vec3 } from '../scene/scene.ts';
 import { SHAPE_TYPES } from '../scene/shape-types.ts';
 import { cameraFault, isDirection, spansPlane } from '../scene/well-formed.ts';
@@ -89,7 +89,7 @@ function checkMatrix(name: string, matrix: Matrix4, problems: ProblemList): void
   if (last.some((x, column) => x !== LAST_ROW[column])) {
     const message = `The last row of the matrix of ${quote(name)} is ${last.join(' ')}, where it must be 0 0 0 1; the matrix is given row by row.`;
     problems.add(path, `the last row ${last.join(' ')}`, 'the last row 0 0 0 1', message);
-  } else if (!isSolid(fromMatrix(matrix))) {
+  } else if (!isSolid(matrix)) {
     const message = `The matrix of ${quote(name)} makes the mesh flat: its first three columns are zero or lie in one plane.`;
     problems.add(path, 'columns that lie in one plane', 'three columns that do not lie in one plane', message);
   }

@@ -20,8 +20,8 @@ export const meshShapes = (scene: Pick<Scene, 'shapes'>): [string, MeshShape][] 
     (entry): entry is [string, MeshShape] => entry[1].type === 'mesh',
   );
 
-/** The shape's own placement, scale, turn, translation and before them `matrix`, as 12 numbers. */
-export function ownPlacement({ translation, rotation, scale: s, matrix }: MeshShape): Float64Array {
+/** From the mesh's own space to the world (or, where the shape names a node, to the node's): scale, turn and translation, and before them `matrix`, as 12 numbers. */
+export function placementOf({ translation, rotation, scale: s, matrix }: MeshShape): Float64Array {
   const [x, y, z] = [rotate([s[0], 0, 0], rotation), rotate([0, s[1], 0], rotation), rotate([0, 0, s[2]], rotation)];
   const rows = ([0, 1, 2] as const).flatMap((r) => [x[r], y[r], z[r], translation[r]]);
   const out = Float64Array.from(rows);
@@ -36,7 +36,7 @@ export function ownPlacement({ translation, rotation, scale: s, matrix }: MeshSh
 export function meshMatrices(shape: MeshShape, world: Numbers): Float64Array {
   const { instances, skin } = shape;
   if (skin !== undefined) return Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
-  const own = ownPlacement(shape);
+  const own = placementOf(shape);
   const out = new Float64Array(instances ? instances.length : AFFINE_LENGTH);
   for (let at = 0; at < out.length; at += AFFINE_LENGTH) {
     if (instances) {

@@ -128,7 +128,7 @@ export interface Quad extends ShapeBase {
 }
 /**
  * Triangles of `Scene.meshes`, placed. A point of the mesh is first moved by `matrix`, then scaled, turned as a box is, and translated;
- * placement.ts has all of it as one matrix.
+ * `placementOf` (placed.ts) has all of it as one matrix.
  */
 export interface MeshShape extends ShapeBase {
   readonly type: 'mesh';

@@ -162,16 +162,20 @@ struct Instance {
     vec4 toMeshZ;
     uint nodes;
     uint triangles;
-    uint interpolated;
+    uint vertices;
     uint row;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+    uint spare1_;
 };
 struct Triangle {
     vec3 a;
-    uint normalA;
+    uint vertexA;
     vec3 b;
-    uint normalB;
+    uint vertexB;
     vec3 c;
-    uint normalC;
+    uint vertexC;
 };
 struct EnvironmentLight {
     vec3 radiance;
@@ -218,7 +222,7 @@ const uint radianceAndDistance = 1u;
 const uint pdfOfSample = 2u;
 const uint pdfOfDirection = 3u;
 const uint choice_2 = 4u;
-const uint instanceRows = 4u;
+const uint instanceRows = 5u;
 const uint triangleRows = 3u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;
@@ -753,7 +757,8 @@ Instance fetchInstance(uint row_1) {
     uvec4 _e6 = geometryRow((row_1 + 1u));
     uvec4 _e9 = geometryRow((row_1 + 2u));
     uvec4 _e12 = geometryRow((row_1 + 3u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
 Triangle fetchTriangle(uint row_2) {

@@ -258,7 +258,7 @@ struct Emitter {
   position: vec3f,
   // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
   u: vec3f,
   // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,
@@ -1031,10 +1031,11 @@ fn fetchInstance(row: u32) -> Instance {
   let r1 = geometryRow(row + 1u);
   let r2 = geometryRow(row + 2u);
   let r3 = geometryRow(row + 3u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
+  let r4 = geometryRow(row + 4u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w, r4.x, r4.y, r4.z, r4.w);
 }
 
-const instanceRows = 4u;
+const instanceRows = 5u;
 
 fn fetchTriangle(row: u32) -> Triangle {
   let r0 = geometryRow(row + 0u);
@@ -1112,26 +1113,34 @@ struct Instance {
   nodes: u32,
   // row of its first triangle
   triangles: u32,
-  // 1: shading normals are interpolated; 0: triangles are flat
-  interpolated: u32,
+  // row of its first vertex
+  vertices: u32,
   // of the scene table: what it is made of
   row: u32,
+  // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
+  vertexRows: u32,
+  // what is in them: VERTEX_FLAGS
+  vertexFlags: u32,
+  // unused
+  spare0: u32,
+  // unused
+  spare1: u32,
 }
 
 
 struct Triangle {
   // first vertex, in the space of its mesh
   a: vec3f,
-  // its shading normal, octahedral, 16 bits each
-  normalA: u32,
+  // its number among the vertices of the mesh
+  vertexA: u32,
   // second vertex
   b: vec3f,
-  // its shading normal
-  normalB: u32,
+  // its number
+  vertexB: u32,
   // third vertex
   c: vec3f,
-  // its shading normal
-  normalC: u32,
+  // its number
+  vertexC: u32,
 }
 
 

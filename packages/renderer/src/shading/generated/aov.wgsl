@@ -778,10 +778,11 @@ fn fetchInstance(row: u32) -> Instance {
   let r1 = geometryRow(row + 1u);
   let r2 = geometryRow(row + 2u);
   let r3 = geometryRow(row + 3u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
+  let r4 = geometryRow(row + 4u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w, r4.x, r4.y, r4.z, r4.w);
 }
 
-const instanceRows = 4u;
+const instanceRows = 5u;
 
 fn geometryRow(i: u32) -> vec4u {
   return geometry[i];
@@ -798,10 +799,18 @@ struct Instance {
   nodes: u32,
   // row of its first triangle
   triangles: u32,
-  // 1: shading normals are interpolated; 0: triangles are flat
-  interpolated: u32,
+  // row of its first vertex
+  vertices: u32,
   // of the scene table: what it is made of
   row: u32,
+  // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
+  vertexRows: u32,
+  // what is in them: VERTEX_FLAGS
+  vertexFlags: u32,
+  // unused
+  spare0: u32,
+  // unused
+  spare1: u32,
 }
 
 
@@ -940,16 +949,16 @@ struct TriangleHit {
 struct Triangle {
   // first vertex, in the space of its mesh
   a: vec3f,
-  // its shading normal, octahedral, 16 bits each
-  normalA: u32,
+  // its number among the vertices of the mesh
+  vertexA: u32,
   // second vertex
   b: vec3f,
-  // its shading normal
-  normalB: u32,
+  // its number
+  vertexB: u32,
   // third vertex
   c: vec3f,
-  // its shading normal
-  normalC: u32,
+  // its number
+  vertexC: u32,
 }
 
 
@@ -1053,13 +1062,32 @@ fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
   let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
   let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
-  let blended = (1.0 - weights.x - weights.y) * fromOctahedral(triangle.normalA) + weights.x * fromOctahedral(triangle.normalB) + weights.y * fromOctahedral(triangle.normalC);
-  let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blended;
-  let size = dot(smoothed, smoothed);
-  let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
-  // Normals that cancel out, between two that look opposite ways, are none.
-  let useful = (i.interpolated != 0u) & (size > 0.0);
-  return MeshNormals(geometric, select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful));
+  var shading = geometric;
+  if ((i.vertexFlags & hasNormals) != 0u) {
+    let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blendedNormal(i, triangle, weights);
+    let size = dot(smoothed, smoothed);
+    let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
+    // Normals that cancel out, between two that look opposite ways, are none.
+    shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), size > 0.0);
+  }
+  return MeshNormals(geometric, shading);
+}
+
+const hasNormals = 1u;
+
+// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
+struct MeshNormals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+// In the space of the mesh, where its three vertices have normals; of any length.
+fn blendedNormal(i: Instance, t: Triangle, weights: vec2f) -> vec3f {
+  let a = fromOctahedral(fetchVertex(i.vertices + t.vertexA * i.vertexRows).normal);
+  let b = fromOctahedral(fetchVertex(i.vertices + t.vertexB * i.vertexRows).normal);
+  let c = fromOctahedral(fetchVertex(i.vertices + t.vertexC * i.vertexRows).normal);
+  return (1.0 - weights.x - weights.y) * a + weights.x * b + weights.y * c;
 }
 
 // Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
@@ -1071,10 +1099,18 @@ fn fromOctahedral(code: u32) -> vec3f {
   return normalize(vec3f(select(p, folded, z < 0.0), z));
 }
 
-// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
-struct MeshNormals {
-  geometric: vec3f,
-  shading: vec3f,
+fn fetchVertex(row: u32) -> Vertex {
+  let r0 = geometryRow(row + 0u);
+  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+struct Vertex {
+  // shading normal, octahedral, 16 bits each
+  normal: u32,
+  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
+  tangent: u32,
+  // texture coordinates of set 0
+  uv: vec2f,
 }
 
 

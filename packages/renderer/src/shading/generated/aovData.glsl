@@ -143,16 +143,20 @@ struct Instance {
     vec4 toMeshZ;
     uint nodes;
     uint triangles;
-    uint interpolated;
+    uint vertices;
     uint row;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+    uint spare1_;
 };
 struct Triangle {
     vec3 a;
-    uint normalA;
+    uint vertexA;
     vec3 b;
-    uint normalB;
+    uint vertexB;
     vec3 c;
-    uint normalC;
+    uint vertexC;
 };
 struct TriangleHit {
     float t;
@@ -178,6 +182,11 @@ struct MeshNormals {
     vec3 geometric;
     vec3 shading;
 };
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
 struct Material {
     vec3 baseColor;
     float reflectivity;
@@ -196,9 +205,10 @@ const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
 const uint leaving = 4294967295u;
 const uint placeMask = 268435455u;
-const uint instanceRows = 4u;
+const uint instanceRows = 5u;
 const uint triangleRows = 3u;
 const uint countShift = 28u;
+const uint hasNormals = 1u;
 const uint dielectric = 3u;
 const uint conductor = 2u;
 
@@ -296,9 +306,9 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_9 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_9), 15.0);
-    float t_3 = (x_9 - piece);
+    float t_4 = (x_9 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_3 = (c.x + (t_3 * (c.y + (t_3 * (c.z + (t_3 * c.w))))));
+    float offset_3 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -478,8 +488,8 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far = (along + half_1);
-    float t_4 = pick((near > tMin), near, far);
-    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
+    float t_5 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p, uint i_1, vec2 t) {
@@ -506,8 +516,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_5 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
+    vec3 t_6 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -538,8 +548,8 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_6 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_6 > tMin_1), false), t_6, 1e30));
+    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_2, uint i_4) {
@@ -559,10 +569,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_2 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_7 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_9 = ((t_7 * direction_4) - toCenter_1);
+    float t_8 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_9 = ((t_8 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_9, reciprocalU)), abs(dot(p_9, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_7 > tMin_2), (t_7 < 1e30), false), within, false), t_7, 1e30);
+    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_3, uint i_5) {
@@ -576,11 +586,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_3, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_8 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_8 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_8, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
@@ -620,7 +630,8 @@ Instance fetchInstance(uint row_1) {
     uvec4 _e6 = geometryRow((row_1 + 1u));
     uvec4 _e9 = geometryRow((row_1 + 2u));
     uvec4 _e12 = geometryRow((row_1 + 3u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
 SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
@@ -658,8 +669,8 @@ TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
     float sum = ((_e35 + _e36) + _e37);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
     float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
-    float t_9 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_9, -1.0), (vec2(_e36, _e37) * inverse_2));
+    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2));
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -975,10 +986,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_10 = pick(entering, _e5.near, _e5.far);
+    float t_11 = pick(entering, _e5.near, _e5.far);
     vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_10);
-    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    bool onX = (crossed.x == t_11);
+    bool onY = pick(!(onX), (crossed.y == t_11), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1039,21 +1050,38 @@ vec3 fromOctahedral(uint code) {
     return normalize(vec3(pick((z < 0.0), folded, p_12), z));
 }
 
-MeshNormals meshNormals(uint instance_2, uint place, vec2 weights) {
+Vertex fetchVertex(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec3 blendedNormal(Instance i_14, Triangle t_3, vec2 weights) {
+    Vertex _e8 = fetchVertex((i_14.vertices + (t_3.vertexA * i_14.vertexRows)));
+    vec3 _e10 = fromOctahedral(_e8.normal);
+    Vertex _e16 = fetchVertex((i_14.vertices + (t_3.vertexB * i_14.vertexRows)));
+    vec3 _e18 = fromOctahedral(_e16.normal);
+    Vertex _e24 = fetchVertex((i_14.vertices + (t_3.vertexC * i_14.vertexRows)));
+    vec3 _e26 = fromOctahedral(_e24.normal);
+    return (((((1.0 - weights.x) - weights.y) * _e10) + (weights.x * _e18)) + (weights.y * _e26));
+}
+
+MeshNormals meshNormals(uint instance_2, uint place, vec2 weights_1) {
+    vec3 shading = vec3(0.0);
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_2 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
     vec3 normal_3 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
     vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_3));
-    vec3 _e37 = fromOctahedral(_e14.normalA);
-    vec3 _e41 = fromOctahedral(_e14.normalB);
-    vec3 _e46 = fromOctahedral(_e14.normalC);
-    vec3 blended = (((((1.0 - weights.x) - weights.y) * _e37) + (weights.x * _e41)) + (weights.y * _e46));
-    vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * blended);
-    float size_1 = dot(smoothed, smoothed);
-    float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
-    bool useful = pick((_e9.interpolated != 0u), (size_1 > 0.0), false);
-    return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
+    shading = geometric;
+    if (((_e9.vertexFlags & hasNormals) != 0u)) {
+        vec3 _e44 = blendedNormal(_e9, _e14, weights_1);
+        vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * _e44);
+        float size_1 = dot(smoothed, smoothed);
+        float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+        shading = pick((size_1 > 0.0), (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric);
+    }
+    vec3 _e61 = shading;
+    return MeshNormals(geometric, _e61);
 }
 
 Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
@@ -1119,9 +1147,9 @@ vec3 albedoOf(Surface s_3, bool fromBack) {
     return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));
 }
 
-Material fetchMaterial(uint i_14) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_14)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_14)), 0);
+Material fetchMaterial(uint i_15) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_15)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_15)), 0);
     return Material(t0_4.xyz, t0_4.w, t1_3.x, t1_3.y, t1_3.z, t1_3.w);
 }
 

@@ -154,16 +154,20 @@ struct Instance {
     vec4 toMeshZ;
     uint nodes;
     uint triangles;
-    uint interpolated;
+    uint vertices;
     uint row;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+    uint spare1_;
 };
 struct Triangle {
     vec3 a;
-    uint normalA;
+    uint vertexA;
     vec3 b;
-    uint normalB;
+    uint vertexB;
     vec3 c;
-    uint normalC;
+    uint vertexC;
 };
 struct TriangleHit {
     float t;
@@ -188,6 +192,11 @@ struct Normals {
 struct MeshNormals {
     vec3 geometric;
     vec3 shading;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
 };
 struct Basis {
     vec3 tangent;
@@ -341,10 +350,11 @@ const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
 const uint leaving = 4294967295u;
 const uint placeMask = 268435455u;
-const uint instanceRows = 4u;
+const uint instanceRows = 5u;
 const uint triangleRows = 3u;
 const uint countShift = 28u;
 const uint dielectric = 3u;
+const uint hasNormals = 1u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
 const uint metallicRoughness = 1u;
@@ -477,9 +487,9 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_14), 15.0);
-    float t_4 = (x_14 - piece);
+    float t_5 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_3 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
+    float offset_3 = (c.x + (t_5 * (c.y + (t_5 * (c.z + (t_5 * c.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -693,8 +703,8 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far_3 = (along + half_1);
-    float t_5 = pick((near > tMin), near, far_3);
-    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
+    float t_6 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_6 > tMin), false), t_6, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -721,8 +731,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_6 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
+    vec3 t_7 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_7)) + cross(q.xyz, t_7));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -753,8 +763,8 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
+    float t_8 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_8 > tMin_1), false), t_8, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
@@ -774,10 +784,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_10 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_10);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_8 = (dot(toCenter_1, normal_10) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_15 = ((t_8 * direction_4) - toCenter_1);
+    float t_9 = (dot(toCenter_1, normal_10) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_15 = ((t_9 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_15, reciprocalU)), abs(dot(p_15, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
+    return pick(pick(pick((t_9 > tMin_2), (t_9 < 1e30), false), within, false), t_9, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -791,11 +801,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_10 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_10 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_10, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -835,7 +845,8 @@ Instance fetchInstance(uint row_1) {
     uvec4 _e6 = geometryRow((row_1 + 1u));
     uvec4 _e9 = geometryRow((row_1 + 2u));
     uvec4 _e12 = geometryRow((row_1 + 3u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
 SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
@@ -873,8 +884,8 @@ TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
     float sum = ((_e35 + _e36) + _e37);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
     float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
-    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2));
+    float t_11 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_11, -1.0), (vec2(_e36, _e37) * inverse_2));
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -1182,10 +1193,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
+    float t_12 = pick(entering, _e5.near, _e5.far);
     vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
+    bool onX = (crossed.x == t_12);
+    bool onY = pick(!(onX), (crossed.y == t_12), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1246,21 +1257,38 @@ vec3 fromOctahedral(uint code_2) {
     return normalize(vec3(pick((z_1 < 0.0), folded, p_18), z_1));
 }
 
-MeshNormals meshNormals(uint instance_2, uint place, vec2 weights) {
+Vertex fetchVertex(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec3 blendedNormal(Instance i_14, Triangle t_3, vec2 weights) {
+    Vertex _e8 = fetchVertex((i_14.vertices + (t_3.vertexA * i_14.vertexRows)));
+    vec3 _e10 = fromOctahedral(_e8.normal);
+    Vertex _e16 = fetchVertex((i_14.vertices + (t_3.vertexB * i_14.vertexRows)));
+    vec3 _e18 = fromOctahedral(_e16.normal);
+    Vertex _e24 = fetchVertex((i_14.vertices + (t_3.vertexC * i_14.vertexRows)));
+    vec3 _e26 = fromOctahedral(_e24.normal);
+    return (((((1.0 - weights.x) - weights.y) * _e10) + (weights.x * _e18)) + (weights.y * _e26));
+}
+
+MeshNormals meshNormals(uint instance_2, uint place, vec2 weights_1) {
+    vec3 shading = vec3(0.0);
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_2 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
     vec3 normal_11 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
     vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_11));
-    vec3 _e37 = fromOctahedral(_e14.normalA);
-    vec3 _e41 = fromOctahedral(_e14.normalB);
-    vec3 _e46 = fromOctahedral(_e14.normalC);
-    vec3 blended = (((((1.0 - weights.x) - weights.y) * _e37) + (weights.x * _e41)) + (weights.y * _e46));
-    vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * blended);
-    float size_1 = dot(smoothed, smoothed);
-    float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
-    bool useful = pick((_e9.interpolated != 0u), (size_1 > 0.0), false);
-    return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
+    shading = geometric;
+    if (((_e9.vertexFlags & hasNormals) != 0u)) {
+        vec3 _e44 = blendedNormal(_e9, _e14, weights_1);
+        vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * _e44);
+        float size_1 = dot(smoothed, smoothed);
+        float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+        shading = pick((size_1 > 0.0), (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric);
+    }
+    vec3 _e61 = shading;
+    return MeshNormals(geometric, _e61);
 }
 
 Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
@@ -1293,13 +1321,13 @@ bool isThin(uint code_3) {
     return pick(_e2, ((code_3 & 7u) == 7u), false);
 }
 
-Emitter fetchEmitter(uint i_14) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_14)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_14)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_14)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_14)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_14)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i_14)), 0);
+Emitter fetchEmitter(uint i_15) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_15)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_15)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_15)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_15)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_15)), 0);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i_15)), 0);
     return Emitter(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
 }
 
@@ -1307,16 +1335,16 @@ int emitterOf(float code_4) {
     return ((int(code_4) >> 6u) - 1);
 }
 
-uint emitterOfTriangle(Emitter e, LeftTriangle t_3) {
-    return (((t_3.instance - uint(e.instance)) * uint(e.cosInner)) + (t_3.triangle >> uint(e.radius)));
+uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
+    return (((t_4.instance - uint(e.instance)) * uint(e.cosInner)) + (t_4.triangle >> uint(e.radius)));
 }
 
-Emitter emitterAt(uint i_15, Emitter only) {
+Emitter emitterAt(uint i_16, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_15);
+        Emitter _e5 = fetchEmitter(i_16);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
@@ -1373,10 +1401,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     float _e35 = frame.environmentTurn;
     float column = ((fract(((turn * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_4 = floor(fromPole);
+    float row_5 = floor(fromPole);
     bool isLower = (direction_11.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_4), row_4));
-    float within_2 = (fromPole - row_4);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_5), row_5));
+    float within_2 = (fromPole - row_5);
     vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
@@ -1513,15 +1541,15 @@ float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_16, float distance_3, vec
     return pick(_e5.inside, _e12, _e10);
 }
 
-LampTriangle fetchLampTriangle(uint row_3) {
-    uvec4 _e3 = geometryRow((row_3 + 0u));
+LampTriangle fetchLampTriangle(uint row_4) {
+    uvec4 _e3 = geometryRow((row_4 + 0u));
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
 float meshPdf(Emitter e_10, vec3 direction_17, float distance_4, vec3 normal_3, uint place_1) {
     uint _e7 = frame.lampTables;
-    uint row_5 = ((_e7 + uint(e_10.table)) + (place_1 & ((1u << uint(e_10.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_5);
+    uint row_6 = ((_e7 + uint(e_10.table)) + (place_1 & ((1u << uint(e_10.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_6);
     float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_17, normal_3))), distance_4);
     return _e26;
 }
@@ -1605,19 +1633,19 @@ float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_5) {
     return _e158;
 }
 
-LightNode fetchLightNode(uint i_16) {
-    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
-    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
-    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
-    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
-    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
-    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
-    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_16)), 0);
-    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_16)), 0);
-    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_16)), 0);
-    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_16)), 0);
-    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_16)), 0);
+LightNode fetchLightNode(uint i_17) {
+    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(0u, i_17)), 0);
+    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(1u, i_17)), 0);
+    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(2u, i_17)), 0);
+    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_17)), 0);
+    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_17)), 0);
+    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_17)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_17)), 0);
+    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_17)), 0);
+    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_17)), 0);
+    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_17)), 0);
+    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_17)), 0);
+    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_17)), 0);
     return LightNode(t0_5.xyzw, t1_4.xyzw, t2_2.xyzw, t3_2.xyzw, t4_2.xyzw, t5_1.xyzw, t6_.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
 }
 
@@ -1742,7 +1770,7 @@ float misWeight(float own, float other) {
 
 vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
-    uint i_17 = 0u;
+    uint i_18 = 0u;
     bool escaped = (hit_1.shape == noShape);
     vec3 direction_19 = p_9.rays.direction;
     bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward, direction_19) > 0.0), false);
@@ -1753,17 +1781,17 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only
     if (pick(weighed, (_e33 > 0u), false)) {
         vec3 emission = found_8;
         found_8 = vec3(0.0);
-        i_17 = pick(escaped, 0u, uint(max(_e21, 0)));
+        i_18 = pick(escaped, 0u, uint(max(_e21, 0)));
         const bool _e47 = hasMeshLamps;
         if (pick(_e47, (hit_1.triangle.instance != noInstance), false)) {
-            uint _e53 = i_17;
-            uint _e54 = i_17;
+            uint _e53 = i_18;
+            uint _e54 = i_18;
             Emitter _e55 = emitterAt(_e54, only_1);
             uint _e57 = emitterOfTriangle(_e55, hit_1.triangle);
-            i_17 = (_e53 + _e57);
+            i_18 = (_e53 + _e57);
         }
         while(true) {
-            uint _e59 = i_17;
+            uint _e59 = i_18;
             Emitter _e60 = emitterAt(_e59, only_1);
             FarLight _e61 = farLight(_e60, direction_19);
             float _e67 = shapePdf(_e60, p_9.rays.point, direction_19, hit_1.t, outward, hit_1.triangle.triangle);
@@ -1774,11 +1802,11 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward, Emitter only
             vec3 _e78 = found_8;
             float _e80 = misWeight(p_9.pdf, pdf_3);
             found_8 = (_e78 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e80)));
-            uint _e89 = i_17;
-            i_17 = (_e89 + 1u);
+            uint _e89 = i_18;
+            i_18 = (_e89 + 1u);
             const bool _e92 = hasSky;
             const bool _e94 = hasSuns;
-            uint _e99 = i_17;
+            uint _e99 = i_18;
             uint _e102 = frame.farEmitters;
             if (pick(pick(!(pick(_e92, true, _e94)), true, !(escaped)), true, (_e99 >= _e102))) {
                 break;
@@ -1820,7 +1848,7 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest_1 = 0.0;
-    uint i_18 = 0u;
+    uint i_19 = 0u;
     const bool _e4 = hasLightTree;
     uint _e7 = frame.lightTreeDepth;
     bool hasTree = pick(_e4, (_e7 > 0u), false);
@@ -1834,10 +1862,10 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
     if (pick(_e31, (_e34 > 1u), false)) {
         rest_1 = u_5;
         while(true) {
-            uint _e47 = i_18;
+            uint _e47 = i_19;
             Emitter _e48 = fetchEmitter(_e47);
             float _e49 = estimatedIrradiance(_e48, point_11, normal_9);
-            uint _e50 = i_18;
+            uint _e50 = i_19;
             float weight_1 = pick((_e50 < listed), _e49, 0.0);
             float _e54 = total_1;
             total_1 = (_e54 + weight_1);
@@ -1846,16 +1874,16 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
             float _e60 = rest_1;
             bool take = (_e60 < share_2);
             uint _e62 = chosen;
-            uint _e63 = i_18;
+            uint _e63 = i_19;
             chosen = pick(take, _e63, _e62);
             float _e65 = chosenWeight;
             chosenWeight = pick(take, weight_1, _e65);
             float _e67 = rest_1;
             float _e74 = rest_1;
             rest_1 = pick(take, (_e74 / max(share_2, 1e-37)), ((_e67 - share_2) / max((1.0 - share_2), 1e-7)));
-            uint _e80 = i_18;
-            i_18 = (_e80 + 1u);
-            uint _e82 = i_18;
+            uint _e80 = i_19;
+            i_19 = (_e80 + 1u);
+            uint _e82 = i_19;
             if ((_e82 >= listed)) {
                 break;
             }
@@ -2001,12 +2029,12 @@ vec2 weightsOnTriangle(vec2 u_13) {
     return pick((u_13.x < u_13.y), vec2(low_3, high_2), vec2(high_2, low_3));
 }
 
-vec3 outOfMesh(Instance i_19, vec3 p_10) {
-    vec3 q_7 = (p_10 - vec3(i_19.toMeshX.w, i_19.toMeshY.w, i_19.toMeshZ.w));
-    vec3 x_20 = cross(i_19.toMeshY.xyz, i_19.toMeshZ.xyz);
-    vec3 y_14 = cross(i_19.toMeshZ.xyz, i_19.toMeshX.xyz);
-    vec3 z_6 = cross(i_19.toMeshX.xyz, i_19.toMeshY.xyz);
-    return ((((q_7.x * x_20) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_19.toMeshX.xyz, x_20)));
+vec3 outOfMesh(Instance i_20, vec3 p_10) {
+    vec3 q_7 = (p_10 - vec3(i_20.toMeshX.w, i_20.toMeshY.w, i_20.toMeshZ.w));
+    vec3 x_20 = cross(i_20.toMeshY.xyz, i_20.toMeshZ.xyz);
+    vec3 y_14 = cross(i_20.toMeshZ.xyz, i_20.toMeshX.xyz);
+    vec3 z_6 = cross(i_20.toMeshX.xyz, i_20.toMeshY.xyz);
+    return ((((q_7.x * x_20) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_20.toMeshX.xyz, x_20)));
 }
 
 LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
@@ -2093,10 +2121,10 @@ EnvironmentSample sampleEnvironment(vec2 u_19) {
     vec2 cell_3 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_5.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_12 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_12), mix(_e6.b.w, _e6.d.w, t_12));
+    float t_13 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_13), mix(_e6.b.w, _e6.d.w, t_13));
     bool isLower_1 = ((2.0 * cell_3.y) > size_5.y);
-    float fromPole_1 = pick(isLower_1, ((size_5.y - cell_3.y) + (0.5 - t_12)), (cell_3.y + (t_12 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_5.y - cell_3.y) + (0.5 - t_13)), (cell_3.y + (t_13 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_5.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_5.x) - _e85));
@@ -2106,7 +2134,7 @@ EnvironmentSample sampleEnvironment(vec2 u_19) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_12), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_5);
     return EnvironmentSample(direction_21, _e119);
 }
 
@@ -2556,9 +2584,9 @@ float nextHash(inout Sampler s_16) {
     return _e21;
 }
 
-bool isFlat(uint i_20) {
+bool isFlat(uint i_21) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_20 >= _e4);
+    return (i_21 >= _e4);
 }
 
 void meetSurface(inout Path p_11, PairHit hit_2) {

@@ -672,13 +672,15 @@ fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
   let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
   let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
-  let blended = (1.0 - weights.x - weights.y) * fromOctahedral(triangle.normalA) + weights.x * fromOctahedral(triangle.normalB) + weights.y * fromOctahedral(triangle.normalC);
-  let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blended;
-  let size = dot(smoothed, smoothed);
-  let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
-  // Normals that cancel out, between two that look opposite ways, are none.
-  let useful = (i.interpolated != 0u) & (size > 0.0);
-  return MeshNormals(geometric, select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful));
+  var shading = geometric;
+  if ((i.vertexFlags & hasNormals) != 0u) {
+    let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blendedNormal(i, triangle, weights);
+    let size = dot(smoothed, smoothed);
+    let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
+    // Normals that cancel out, between two that look opposite ways, are none.
+    shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), size > 0.0);
+  }
+  return MeshNormals(geometric, shading);
 }
 
 fn fetchInstance(row: u32) -> Instance {
@@ -686,10 +688,11 @@ fn fetchInstance(row: u32) -> Instance {
   let r1 = geometryRow(row + 1u);
   let r2 = geometryRow(row + 2u);
   let r3 = geometryRow(row + 3u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
+  let r4 = geometryRow(row + 4u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w, r4.x, r4.y, r4.z, r4.w);
 }
 
-const instanceRows = 4u;
+const instanceRows = 5u;
 
 fn fetchTriangle(row: u32) -> Triangle {
   let r0 = geometryRow(row + 0u);
@@ -700,6 +703,23 @@ fn fetchTriangle(row: u32) -> Triangle {
 
 const triangleRows = 3u;
 
+const hasNormals = 1u;
+
+// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
+struct MeshNormals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+// In the space of the mesh, where its three vertices have normals; of any length.
+fn blendedNormal(i: Instance, t: Triangle, weights: vec2f) -> vec3f {
+  let a = fromOctahedral(fetchVertex(i.vertices + t.vertexA * i.vertexRows).normal);
+  let b = fromOctahedral(fetchVertex(i.vertices + t.vertexB * i.vertexRows).normal);
+  let c = fromOctahedral(fetchVertex(i.vertices + t.vertexC * i.vertexRows).normal);
+  return (1.0 - weights.x - weights.y) * a + weights.x * b + weights.y * c;
+}
+
 // Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
 // EGSR 2010). packed-scene/octahedral.ts writes them.
 fn fromOctahedral(code: u32) -> vec3f {
@@ -709,15 +729,9 @@ fn fromOctahedral(code: u32) -> vec3f {
   return normalize(vec3f(select(p, folded, z < 0.0), z));
 }
 
-// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
-struct MeshNormals {
-  geometric: vec3f,
-  shading: vec3f,
-}
-
-
-fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
+fn fetchVertex(row: u32) -> Vertex {
+  let r0 = geometryRow(row + 0u);
+  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
 }
 
 struct Instance {
@@ -731,31 +745,53 @@ struct Instance {
   nodes: u32,
   // row of its first triangle
   triangles: u32,
-  // 1: shading normals are interpolated; 0: triangles are flat
-  interpolated: u32,
+  // row of its first vertex
+  vertices: u32,
   // of the scene table: what it is made of
   row: u32,
+  // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
+  vertexRows: u32,
+  // what is in them: VERTEX_FLAGS
+  vertexFlags: u32,
+  // unused
+  spare0: u32,
+  // unused
+  spare1: u32,
+}
+
+
+struct Triangle {
+  // first vertex, in the space of its mesh
+  a: vec3f,
+  // its number among the vertices of the mesh
+  vertexA: u32,
+  // second vertex
+  b: vec3f,
+  // its number
+  vertexB: u32,
+  // third vertex
+  c: vec3f,
+  // its number
+  vertexC: u32,
+}
+
+
+fn geometryRow(i: u32) -> vec4u {
+  return geometry[i];
+}
+
+struct Vertex {
+  // shading normal, octahedral, 16 bits each
+  normal: u32,
+  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
+  tangent: u32,
+  // texture coordinates of set 0
+  uv: vec2f,
 }
 
 
 // Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
 @group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
-
-struct Triangle {
-  // first vertex, in the space of its mesh
-  a: vec3f,
-  // its shading normal, octahedral, 16 bits each
-  normalA: u32,
-  // second vertex
-  b: vec3f,
-  // its shading normal
-  normalB: u32,
-  // third vertex
-  c: vec3f,
-  // its shading normal
-  normalC: u32,
-}
-
 
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
@@ -879,7 +915,7 @@ struct Emitter {
   position: vec3f,
   // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
   u: vec3f,
   // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,
