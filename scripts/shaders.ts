@@ -7,7 +7,12 @@ import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { translate } from 'naga-wasm';
 import { link } from 'wesl';
-import { fetchGeometryWgsl, fetchWgsl, structsWgsl } from '../packages/renderer/src/packed-scene/layout.ts';
+import {
+  fetchGeometryWgsl,
+  fetchTexturesWgsl,
+  fetchWgsl,
+  structsWgsl,
+} from '../packages/renderer/src/packed-scene/layout.ts';
 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const source = join(repository, 'packages/renderer/src');
@@ -100,6 +105,7 @@ function weslModules(): Record<string, string> {
     './shading/layout.wesl': structsWgsl(),
     './shading/scene_table.wesl': fetchWgsl(),
     './shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+    './shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
   return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...written };
 }
@@ -189,6 +195,7 @@ async function generate(): Promise<Record<string, string>> {
     'packages/renderer/src/shading/layout.wesl': structsWgsl(),
     'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
     'packages/renderer/src/shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+    'packages/renderer/src/shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
   for (const { name, root, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
     const linkedFor = async (compute: boolean) =>

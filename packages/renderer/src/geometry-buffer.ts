@@ -19,7 +19,7 @@ export class GeometryBuffer {
     const parts = [...meshes.flatMap(wordsOf), ...tables.map(({ words }) => words)];
     const same = movingRows === this.#movingRows && parts.length === this.#parts.length;
     if (!same || parts.some((part, i) => part !== this.#parts[i])) {
-      const buffer = this.#device.createData(rows);
+      const buffer = this.#device.createData(rows, 'meshes');
       this.#buffer?.destroy();
       this.#buffer = buffer;
       this.#upload(buffer, movingRows, parts);

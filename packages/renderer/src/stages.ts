@@ -23,6 +23,7 @@ import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
+import { TexelBuffer } from './texel-buffer.ts';
 
 /** One state of the world, as the film is to hold it. */
 export interface Shot extends Subject {
@@ -57,6 +58,7 @@ export class Stages {
   #packed: PackedScene | undefined;
   readonly #environment: EnvironmentTexture;
   readonly #geometry: GeometryBuffer;
+  readonly #texels: TexelBuffer;
   #shot: Shot | null = null;
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
@@ -89,6 +91,7 @@ export class Stages {
     this.#frame = device.createUniforms(structSize('Frame'));
     this.#environment = new EnvironmentTexture(device);
     this.#geometry = new GeometryBuffer(device);
+    this.#texels = new TexelBuffer(device);
   }
 
   get film(): Film {
@@ -185,6 +188,7 @@ export class Stages {
     this.#packed = packed;
     if (packed.environment) this.#environment.hold(packed.environment);
     if (packed.geometry) this.#geometry.hold(packed.geometry);
+    if (packed.textures) this.#texels.hold(packed.textures);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
@@ -248,7 +252,12 @@ export class Stages {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
     if (this.#content === 'path' || isAov(this.#content)) {
-      const all = { ...inputs, environment: this.#environment.texture, geometry: this.#geometry.buffer };
+      const all = {
+        ...inputs,
+        environment: this.#environment.texture,
+        geometry: this.#geometry.buffer,
+        texels: this.#texels.buffer,
+      };
       if (this.#content === 'path') drawPath(device, pass, film.next, all, region);
       else drawAov(device, pass, film.next, all, region);
     } else drawClassic(device, pass, film.next, inputs, region);

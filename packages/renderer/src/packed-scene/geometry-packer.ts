@@ -1,29 +1,40 @@
 /**
- * What packs meshes and trees over many lights, with all that builds trees, comes when the first scene with some does: see
+/**
+ * What packs meshes, their textures, and trees over many lights, with all that builds trees, comes when the first scene with some does: see
  * scripts/lazy-parts.mjs.
  */
-import type { Scene, Vec3 } from '../scene/scene.ts';
+import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import type { EmitterValues } from './emitter-values.ts';
 import { geometryRows } from './layout.ts';
 import type { LightTree } from './light-tree.ts';
 import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type { TextureRows } from './pack-textures.ts';
 import { createBlock } from './write-struct.ts';
 
-let packer: typeof import('./pack-geometry.ts') | null = null;
+type Packer = Pick<typeof import('./pack-geometry.ts'), 'packGeometry' | 'packTextures' | 'treeOfEmitters'>;
+
+let packer: Packer | null = null;
 
 export async function loadGeometryPacker(): Promise<void> {
   packer ??= await import('./pack-geometry.ts');
 }
 export const geometryPackerLoaded = (): boolean => packer !== null;
 
-function loaded(): NonNullable<typeof packer> {
-  if (packer === null) throw new Error('Meshes or many lights are to be packed, and loadGeometryPacker() has not been awaited.'); // biome-ignore format: one sentence
-  return packer;
-}
-
 /** Throws when there are meshes and their packer has not been loaded. */
 export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  return shapes.length === 0 ? NO_GEOMETRY : loaded().packGeometry(scene, shapes, eye);
+  if (shapes.length === 0) return NO_GEOMETRY;
+  return loaded().packGeometry(scene, shapes, eye);
+}
+
+/** `materials`: those of meshes. Throws likewise. */
+export function texturesOf(scene: Scene, materials: readonly Material[]): TextureRows {
+  return materials.length === 0 ? NO_TEXTURES : loaded().packTextures(scene, materials);
+}
+
+function loaded(): Packer {
+  if (packer === null)
+    throw new Error('Meshes or many lights are to be packed, and loadGeometryPacker() has not been awaited.');
+  return packer;
 }
 
 /** Throws when the packer has not been loaded. */
@@ -42,4 +53,10 @@ const NO_GEOMETRY: PackedGeometry = {
   tables: [],
   lamps: new Map(),
   rows,
+};
+
+/** No material asks. */
+const NO_TEXTURES: TextureRows = {
+  textures: { uses: createBlock(16), images: [], rows: 1 },
+  rowOf: new Map(),
 };

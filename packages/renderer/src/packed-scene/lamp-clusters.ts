@@ -3,22 +3,23 @@
  * that a triangle's number says which emitter it belongs to. Runs lie together, so the choice among them knows what is near.
  */
 import { AFFINE_LENGTH } from '../scene/affine.ts';
-import { emissionOf } from '../scene/lamps.ts';
 import { meshBounds } from '../scene/bounds.ts';
+import { emissionOf } from '../scene/lamps.ts';
 import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import type { Color, MeshShape, Scene } from '../scene/scene.ts';
 import { length, subtract } from '../scene/vec3.ts';
+import { mayBeMissing } from './texture-slots.ts';
 
 /** Runs are no shorter than 2^this. */
-const LEAST_BITS = Number(process.env.LB ?? 3);
+const LEAST_BITS = 3;
 /** Emitters of one instance at most; and of one shape, as long as each instance is one. */
-const MOST_OF_INSTANCE = Number(process.env.MOI ?? 256);
+const MOST_OF_INSTANCE = 256;
 const MOST_OF_SHAPE = 1024;
 /**
  * A mesh whose area is a larger share than this of that of the sphere about it is one lamp, and one emitter: a tube ten times as long as
  * it is wide has a tenth. Cutting a compact lamp costs more time than it saves noise (docs/lights.md).
  */
-const SPARSE = Number(process.env.SP ?? 0.05);
+const SPARSE = 0.05;
 
 export interface LampClusters {
   readonly instances: number;
@@ -70,10 +71,15 @@ function areaOf({ positions: p, indices }: Mesh): number {
   return area;
 }
 
-/** How a mesh that shines is cut; null for one that does not. */
+/**
+ * How a mesh is cut whose light is sampled; null for others. What shines by a texture or through holes, and unlit surfaces, whose light is
+ * meant for the eye, are found by rays that happen to meet them.
+ */
 export function clustersOf({ materials, meshes = {} }: Scene, shape: MeshShape): LampClusters | null {
   const mesh = meshes[shape.mesh]?.data;
-  if (!mesh || Math.max(...emissionOf(materials[shape.material]!)) <= 0) return null;
+  const material = materials[shape.material]!;
+  if (!mesh || Math.max(...emissionOf(material)) <= 0) return null;
+  if (material.unlit || material.emissionTexture || mayBeMissing(material, mesh)) return null;
   const instances = shape.instances ? shape.instances.length / AFFINE_LENGTH : 1;
   return cutLamp(triangleCount(mesh), instances, isSparse(mesh));
 }

@@ -67,7 +67,7 @@ export const STRUCTS = {
     k: field('vec3f', 'conductor: extinction coefficient per channel'),
     metallic: field('f32', 'metallicRoughness: share of metal'),
     absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
-    spare0: field('f32', 'unused'),
+    textures: field('f32', 'row of its MaterialTextures among the texels'),
   },
   Emitter: {
     position: field(
@@ -157,12 +157,29 @@ export const STRUCTS = {
     toMeshZ: field('vec4f', 'z'),
     nodes: field('u32', 'row of the root of its tree'),
     triangles: field('u32', 'row of its first triangle'),
-    vertices: field('u32', 'row of its first vertex'),
     row: field('u32', 'of the scene table: what it is made of'),
+    cover: field('u32', 'COVER: where it may not be there'),
+    vertices: field('u32', 'row of its first vertex'),
     vertexRows: field('u32', 'of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only'),
     vertexFlags: field('u32', 'what is in them: VERTEX_FLAGS'),
     spare0: field('u32', 'unused'),
-    spare1: field('u32', 'unused'),
+  },
+  // The texels': pack-textures.ts.
+  MaterialTextures: {
+    count: field('u32', 'uses of textures: TextureUse, in the rows that follow'),
+    flags: field('u32', 'MATERIAL_FLAGS'),
+    opacity: field('f32', 'share of light that the surface takes part in'),
+    cutoff: field('f32', 'opacity below which it is not there; negative: it is there as often as the opacity says'),
+  },
+  TextureUse: {
+    toU: field('vec3f', 'u in the image is dot(toU, (u, v, 1)) of the coordinates'),
+    slot: field('u32', 'what it is multiplied with: TEXTURE_SLOTS'),
+    toV: field('vec3f', 'likewise v'),
+    flags: field('u32', 'LOOKUP_FLAGS'),
+    first: field('u32', 'texel of the image, of all texels'),
+    width: field('u32', 'of the image, texels'),
+    height: field('u32', 'of the image, texels'),
+    scale: field('f32', 'of a normal map: factor on the first two components'),
   },
   LampTriangle: {
     own: field('f32', 'alias table: probability to take this triangle and not the other one'),
@@ -273,15 +290,41 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
   return placement(name).offsets[field]!;
 }
 
-/** Words in a row of the geometry. */
+/** Words in a row of the geometry, and of the texels. */
 export const GEOMETRY_ROW = 4;
-/** Rows of a struct there. */
-export const geometryRows = (name: GeometryStruct): number => structSize(name) / 16;
+/** Rows of a struct in either. */
+export const geometryRows = (name: DataStruct): number => structSize(name) / 16;
 const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance', 'Vertex', 'VertexMore', 'LampTriangle'] as const;
-export type GeometryStruct = (typeof GEOMETRY_STRUCTS)[number];
 
+/**
+ * In `Instance.cover`: a bit for triangles that are not there from behind, and in the other bits the row of the MaterialTextures that say
+ * with which opacity the surface is there; 0: it is there everywhere.
+ */
+export const COVER = { isOneSided: 2 ** 31, coverRow: 2 ** 31 - 1 } as const;
 /** Bits of `Instance.vertexFlags`. A vertex without normals or tangents has zeros there, one without colours white. */
 export const VERTEX_FLAGS = { hasNormals: 1, hasTangents: 2 } as const;
+
+const TEXEL_STRUCTS = ['MaterialTextures', 'TextureUse'] as const;
+export type DataStruct = (typeof GEOMETRY_STRUCTS)[number] | (typeof TEXEL_STRUCTS)[number];
+/** Texels of an image, 8 bits for each of red, green, blue and alpha from the lowest on, in a row of the data that holds them. */
+export const TEXELS_OF_ROW = 4;
+/** What a use of a texture changes, and by which channels: scene/material-layers.ts. */
+export const TEXTURE_SLOTS = { baseColorSlot: 0, emissionSlot: 1, metallicRoughnessSlot: 2, normalSlot: 3 } as const;
+/** Bits of `TextureUse.flags`. Without one of the wrap bits the image repeats. */
+export const LOOKUP_FLAGS = {
+  usesSecondSet: 1,
+  isColor: 2,
+  isNearest: 4,
+  clampsU: 8,
+  mirrorsU: 16,
+  clampsV: 32,
+  mirrorsV: 64,
+} as const;
+/**
+ * Bits of `MaterialTextures.flags`: unlit surfaces have no colour but their light's, which the colours at vertices multiply; the first use
+ * is of an image whose alpha is opacity.
+ */
+export const MATERIAL_FLAGS = { isUnlit: 1, hasOpacityTexture: 2 } as const;
 
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
@@ -333,8 +376,8 @@ function fetchFunction(name: TableStruct): string {
 }
 
 /** Fetched by the number of the row that it begins in. */
-function fetchRowsFunction(name: GeometryStruct): string {
-  const loads = Array.from({ length: geometryRows(name) }, (_, t) => `  let r${t} = geometryRow(row + ${t}u);`);
+function fetchRowsFunction(name: DataStruct, fetchRow: string): string {
+  const loads = Array.from({ length: geometryRows(name) }, (_, t) => `  let r${t} = ${fetchRow}(row + ${t}u);`);
   const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
     const offset = placement(name).offsets[key]!;
     const { size } = extent(type);
@@ -356,10 +399,25 @@ export function fetchGeometryWgsl(): string {
     `const triangleRows = ${geometryRows('Triangle')}u;`,
     `const instanceRows = ${geometryRows('Instance')}u;`,
     `const vertexRows = ${geometryRows('Vertex')}u;`,
-    ...Object.entries(VERTEX_FLAGS).map(([name, bit]) => `const ${name} = ${bit}u;`),
+    ...Object.entries({ ...COVER, ...VERTEX_FLAGS }).map(([name, bit]) => `const ${name} = ${bit}u;`),
   ];
   const fetched = ['Triangle', 'Instance', 'Vertex', 'VertexMore', 'LampTriangle'] as const;
-  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${fetched.map(fetchRowsFunction).join('\n')}`;
+  const functions = fetched.map((name) => fetchRowsFunction(name, 'geometryRow'));
+  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${functions.join('\n')}`;
+}
+
+/** The functions that read how textures are used, the content of `shading/texture/texture_table.wesl`. */
+export function fetchTexturesWgsl(): string {
+  const imports = `import package::shading::texture::texel_row::texelRow;\nimport package::shading::layout::{${TEXEL_STRUCTS.join(', ')}};\n`;
+  const constants = [
+    `const materialTexturesRows = ${geometryRows('MaterialTextures')}u;`,
+    `const textureUseRows = ${geometryRows('TextureUse')}u;`,
+    ...Object.entries({ ...TEXTURE_SLOTS, ...LOOKUP_FLAGS, ...MATERIAL_FLAGS }).map(
+      ([name, number]) => `const ${name} = ${number}u;`,
+    ),
+  ];
+  const functions = TEXEL_STRUCTS.map((name) => fetchRowsFunction(name, 'texelRow'));
+  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${functions.join('\n')}`;
 }
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */

@@ -2,14 +2,7 @@
  * Everything that shines, as the path integrator samples it: lights, shapes of an emissive material, the sky. What is left out
  * (more of them than the scene table should hold) still shines, and is found by rays that happen to meet it.
  */
-import {
-  emissionOf,
-  lampsAsShapes,
-  oneSidedLamp,
-  radianceOf,
-  type SceneWithLamps,
-  timesColor,
-} from '../scene/lamps.ts';
+import { emissionOf, lampsAsShapes, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
 import type {
   Color,
   DirectionalLight,
@@ -25,6 +18,7 @@ import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
 import { EMITTER_KIND, type EmitterValues, NO_EMITTER as NOTHING } from './emitter-values.ts';
 import { clustersOf, type MeshGlow } from './lamp-clusters.ts';
 import { packEnvironment } from './pack-environment.ts';
+import { isOneSided } from './texture-slots.ts';
 
 /** What `frame.emitterCount` may be: a table of so many rows is a texture that every device has. */
 export const MOST_EMITTERS = 8192;
@@ -173,12 +167,10 @@ function lightsOf({ scene, lightOfShape }: SceneWithLamps): Found[] {
 function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
   const found: Found[] = [];
   for (const [name, shape] of Object.entries(scene.shapes)) {
-    const material = scene.materials[shape.material]!;
-    const emission = emissionOf(material);
+    const emission = emissionOf(scene.materials[shape.material]!);
     // A plane has no area to sample; scene files with such a lamp are refused.
     if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
-    const oneSided = oneSidedLamp(shape, material) ? 1 : 0;
-    found.push({ values: { ...shapeEmitter(shape, emission), oneSided }, shape: name });
+    found.push({ values: shapeEmitter(shape, emission), shape: name });
   }
   return found.sort((a, b) => (b.values.power as number) - (a.values.power as number));
 }
@@ -199,7 +191,7 @@ export function meshGlows({ scene }: SceneWithLamps, room: number): Map<string, 
     emitters -= cut.instances * cut.clusters;
     triangles -= cut.triangles;
     const material = scene.materials[shape.material]!;
-    glows.set(name, { ...cut, radiance: emissionOf(material), oneSided: oneSidedLamp(shape, material) });
+    glows.set(name, { ...cut, radiance: emissionOf(material), oneSided: isOneSided(material) });
   }
   return glows;
 }

@@ -21,6 +21,9 @@ import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type Block, createBlock, writeStruct } from './write-struct.ts';
 
+// Comes with what packs meshes: geometry-packer.ts.
+export { packTextures } from './pack-textures.ts';
+
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
   readonly movingRows: number;
@@ -61,6 +64,7 @@ interface Placed {
   /** Of the scene table. */
   readonly row: number;
   readonly glow: MeshGlow | null;
+  readonly cover: number;
 }
 
 /** A mesh that stands in the world: `row` of the scene table says what it is made of; `glow`: how its light is sampled. */
@@ -68,6 +72,8 @@ export interface MeshInRow {
   readonly shape: MeshShape;
   readonly row: number;
   readonly glow: MeshGlow | null;
+  /** `Instance.cover` */
+  readonly cover: number;
 }
 
 /** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
@@ -86,7 +92,7 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
   }
   const moving = createBlock(movingRows * ROW_BYTES);
   writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
-  placed.forEach(({ placement, mesh, row }, i) => {
+  placed.forEach(({ placement, mesh, row, cover }, i) => {
     const nodes = starts.get(mesh)!;
     const packed = meshes.get(mesh)!;
     const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
@@ -94,8 +100,9 @@ export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Ve
       ...rowsInto(placement, eye),
       nodes,
       triangles,
-      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       row,
+      cover,
+      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
       vertexRows: packed.vertices.rows,
       vertexFlags: packed.vertices.flags,
     });
@@ -132,13 +139,13 @@ function lampsOf(placed: readonly Placed[], meshes: ReadonlyMap<Mesh, PackedMesh
 }
 
 /** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row, glow }: MeshInRow): Placed[] {
+function instancesOf(scene: Scene, { shape, row, cover, glow }: MeshInRow): Placed[] {
   const mesh = dataOf(scene, shape);
   const matrices = meshMatrices(shape, IDENTITY);
   const placed: Placed[] = [];
   for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
     const placement = matrices.subarray(at, at + AFFINE_LENGTH);
-    if (isSolid(placement)) placed.push({ placement, mesh, row, glow });
+    if (isSolid(placement)) placed.push({ placement, mesh, row, cover, glow });
   }
   return placed;
 }

@@ -1,16 +1,19 @@
 /** Scene → the scene table for the path integrator: visible lights are shapes, and what shines is an emitter, or several. */
 
 import { lacksMap } from '../scene/environment.ts';
-import { lampsAsShapes, oneSidedLamp } from '../scene/lamps.ts';
-import type { Color, Scene, Sky, Vec3 } from '../scene/scene.ts';
-import { geometryOf, lightTreeOf } from './geometry-packer.ts';
+import { lampsAsShapes } from '../scene/lamps.ts';
+import { meshShapes } from '../scene/placed.ts';
+import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
+import { geometryOf, lightTreeOf, texturesOf } from './geometry-packer.ts';
+import { COVER } from './layout.ts';
 import { treeNodes } from './light-tree-size.ts';
 import { emittersOf, LISTED_EMITTERS, type PackedEmitters, planEmitters } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
 import { type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
 import { hasMeshes } from './refuse-meshes.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
-import { surfaceValues } from './surface-values.ts';
+import { type Lamp, surfaceValues } from './surface-values.ts';
+import { isOneSided, mayBeMissing } from './texture-slots.ts';
 
 /** A map is multiplied by the sky's colours: white where there is none, else by its scale. */
 function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
@@ -39,29 +42,36 @@ export function packPathScene(scene: Scene, eye: Vec3, options: PackOptions = {}
   });
   const { table, shapeNames } = packed;
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
-  const meshes = Object.entries(lamps.scene.shapes).flatMap(([name, shape]) =>
-    shape.type === 'mesh' ? [{ shape, row: rows.get(name)!, glow: glows.get(name) ?? null }] : [],
-  );
+  const { shapes } = lamps.scene;
+  const materialOf = (name: string) => lamps.scene.materials[shapes[name]!.material]!;
+  const onMeshes = shapeNames.filter((name) => shapes[name]!.type === 'mesh').map(materialOf);
+  const { textures, rowOf } = texturesOf(scene, onMeshes);
+  const coverOf = ({ mesh }: MeshShape, material: Material) =>
+    (mayBeMissing(material, scene.meshes?.[mesh]?.data) ? rowOf.get(material)! : 0) +
+    (isOneSided(material) ? COVER.isOneSided : 0);
+  const meshes = meshShapes(lamps.scene).map(([name, shape]) => ({
+    shape,
+    row: rows.get(name)!,
+    cover: coverOf(shape, materialOf(name)),
+    glow: glows.get(name) ?? null,
+  }));
   const geometry = geometryOf(lamps.scene, meshes, eye);
   const glowing = new Map([...geometry.lamps].map(([row, emitters]) => [shapeNames[row]!, emitters]));
   const found = emittersOf(lamps, eye, (name) => rows.get(name)!, glowing);
-  const tree = writeEmitters(packed, found);
+  const lampOf = (name: string): Lamp | null => {
+    const emitter = found.emitterOfShape.get(name);
+    return emitter === undefined ? null : { emitter, oneSided: found.emitters[emitter]!.oneSided === 1 };
+  };
   shapeNames.forEach((name, row) => {
-    const shape = lamps.scene.shapes[name]!;
-    const material = lamps.scene.materials[shape.material]!;
-    const oneSided = lamps.lightOfShape.has(name) ? shape.type === 'quad' : oneSidedLamp(shape, material);
-    writeRow(
-      table,
-      'Surface',
-      row,
-      surfaceValues(material, { emitter: found.emitterOfShape.get(name) ?? -1, oneSided }),
-    );
+    const material = materialOf(name);
+    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name), rowOf.get(material)));
   });
   return {
     ...packed,
     ...skyOf(scene.sky),
-    ...tree,
+    ...writeEmitters(packed, found),
     geometry,
+    textures,
     emitterCount: found.emitters.length,
     farEmitters: found.far,
   };

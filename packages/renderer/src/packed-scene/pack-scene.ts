@@ -8,6 +8,7 @@ import { add, cross, dot, length, normalize, scale, subtract } from '../scene/ve
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
 import type { PackedGeometry } from './pack-geometry.ts';
+import type { PackedTextures } from './pack-textures.ts';
 import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
@@ -37,6 +38,8 @@ export interface PackedScene {
   readonly environmentTurn: number;
   /** Meshes and where they stand; null in scenes packed for the classic integrator. */
   readonly geometry: PackedGeometry | null;
+  /** What their materials use; null likewise. */
+  readonly textures: PackedTextures | null;
   /** Whether rays of the camera start on both sides of some plane. */
   readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
@@ -119,6 +122,7 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     environment: null,
     environmentTurn: 0,
     geometry: null,
+    textures: null,
     shapeNames: ordered.map(([name]) => name),
   };
 }

@@ -15,15 +15,14 @@ const LEAST_ALPHA = 1e-3;
 /** An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats. */
 const LEAST_CONTRAST = 1e-3;
 
-/** What a shape is as a lamp. */
+/** What a shape is as a lamp: the emitter that light sampling knows it by, the first one of several. */
 export interface Lamp {
-  /** The emitter that light sampling knows it by, the first one of several; -1: only rays that meet it find its light. */
   readonly emitter: number;
   readonly oneSided: boolean;
 }
 
-/** `lamp`: null for a shape that does not shine. */
-export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Surface'> {
+/** `lamp`: null for a shape that does not shine. `textures`: row among the texels that says which it uses; 0: none. */
+export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0): StructValues<'Surface'> {
   const flags =
     (m.thin ? THIN : 0) +
     (m.energyCompensation ? COMPENSATED : 0) +
@@ -31,16 +30,16 @@ export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Sur
     (isSmooth(m) ? SMOOTH : 0);
   const emitter = lamp ? EMITTER * (lamp.emitter + 1) : 0;
   return {
-    baseColor: m.baseColor,
-    code: KINDS.indexOf(m.type) + flags + emitter,
+    baseColor: m.unlit ? [0, 0, 0] : m.baseColor,
+    code: KINDS.indexOf(m.unlit ? 'diffuse' : m.type) + flags + emitter,
     emission: emissionOf(m),
-    reflectivity: m.reflectivity,
+    reflectivity: m.unlit ? 0 : m.reflectivity,
     eta: m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta,
     alpha: m.roughness ** 2,
     k: m.conductor.k,
     metallic: m.metallic,
     absorption: absorption(m),
-    spare0: 0,
+    textures,
   };
 }
 

@@ -22,7 +22,7 @@ struct Surface {
     vec3 k;
     float metallic;
     vec3 absorption;
-    float spare0_;
+    float textures;
 };
 struct Outgoing {
     vec3 wo;

@@ -142,8 +142,8 @@ struct Surface {
   metallic: f32,
   // dielectric: Beer-Lambert coefficient, 1 / metre
   absorption: vec3f,
-  // unused
-  spare0: f32,
+  // row of its MaterialTextures among the texels
+  textures: f32,
 }
 
 

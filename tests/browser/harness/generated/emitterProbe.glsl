@@ -162,12 +162,12 @@ struct Instance {
     vec4 toMeshZ;
     uint nodes;
     uint triangles;
-    uint vertices;
     uint row;
+    uint cover;
+    uint vertices;
     uint vertexRows;
     uint vertexFlags;
     uint spare0_;
-    uint spare1_;
 };
 struct Triangle {
     vec3 a;

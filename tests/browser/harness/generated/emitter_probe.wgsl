@@ -1113,18 +1113,18 @@ struct Instance {
   nodes: u32,
   // row of its first triangle
   triangles: u32,
-  // row of its first vertex
-  vertices: u32,
   // of the scene table: what it is made of
   row: u32,
+  // COVER: where it may not be there
+  cover: u32,
+  // row of its first vertex
+  vertices: u32,
   // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
   vertexRows: u32,
   // what is in them: VERTEX_FLAGS
   vertexFlags: u32,
   // unused
   spare0: u32,
-  // unused
-  spare1: u32,
 }
 
 

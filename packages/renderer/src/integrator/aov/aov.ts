@@ -41,6 +41,7 @@ const FEATURES: PassSource = {
     { texture: 'previousSecond' },
     { texture: 'environment' },
     { data: 'geometry' },
+    { data: 'texels' },
   ],
   target: 'film',
   switches: ALL_SWITCHES,
@@ -60,6 +61,7 @@ export interface AovInputs {
   readonly previous: readonly FloatTexture[];
   readonly environment: TableTexture;
   readonly geometry: DataBuffer;
+  readonly texels: DataBuffer;
 }
 
 export const createAovPass = (device: Device, content: AovContent): Promise<Pass> =>
@@ -69,7 +71,7 @@ export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: A
   device.draw(
     pass,
     film,
-    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry],
+    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry, inputs.texels],
     region,
   );
 }

@@ -4,9 +4,11 @@
  */
 import { EMITTER_KIND } from '../../packed-scene/emitter-values.ts';
 import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-scene/pack-emitters.ts';
+import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
-import type { Camera, Material, Scene, Shape, ShapeType } from '../../scene/scene.ts';
+import { meshShapes } from '../../scene/placed.ts';
+import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
 
 /** What a film needs a program for. */
@@ -24,6 +26,7 @@ export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlyS
     ...shapeFeatures(shapes),
     ...lightFeatures(planEmitters(scene)),
     ...materialFeatures(materials),
+    ...meshFeatures(lamps.scene, meshShapes(lamps.scene)),
     hasEnvironment: scene.sky.map !== undefined,
     hasLens: (camera.aperture ?? 0) > 0,
     hasOtherProjections: (camera.projection ?? 'perspective') !== 'perspective',
@@ -41,6 +44,15 @@ function shapeFeatures(shapes: readonly Shape[]) {
     hasQuads: has('quad'),
     hasPlanes: has('plane'),
     hasMeshes: has('mesh'),
+  };
+}
+
+function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [string, MeshShape][]) {
+  const all = shapes.map(([, { material, mesh }]) => [materials[material]!, meshes[mesh]?.data] as const);
+  return {
+    hasTextures: all.some(([material, mesh]) => slotsOf(material).length > 0 || mesh?.colors !== undefined),
+    hasOneSided: all.some(([material]) => isOneSided(material)),
+    hasCutouts: all.some(([material, mesh]) => mayBeMissing(material, mesh)),
   };
 }
 

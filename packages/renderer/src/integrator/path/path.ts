@@ -42,6 +42,7 @@ const PATH: PassSource = {
     { texture: 'previousSquares' },
     { texture: 'environment' },
     { data: 'geometry' },
+    { data: 'texels' },
   ],
   target: 'film',
   compute: { wgsl: pathWgsl, entry: 'pathCompute' },
@@ -55,6 +56,7 @@ export interface PathInputs {
   readonly previous: readonly FloatTexture[];
   readonly environment: TableTexture;
   readonly geometry: DataBuffer;
+  readonly texels: DataBuffer;
 }
 
 /** A program for films that ask for no more than these features. */
@@ -66,7 +68,7 @@ export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: 
   device.draw(
     pass,
     film,
-    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry],
+    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry, inputs.texels],
     region,
   );
 }

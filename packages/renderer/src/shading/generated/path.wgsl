@@ -26,11 +26,11 @@ struct Film {
 // pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
 // fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
 // First column and row, columns and rows of the part of the film that is traced.
-@group(0) @binding(6) var<uniform> region: vec4u;
+@group(0) @binding(7) var<uniform> region: vec4u;
 
-@group(0) @binding(7) var film: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(8) var film: texture_storage_2d<rgba32float, write>;
 
-@group(0) @binding(8) var filmSquares: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(9) var filmSquares: texture_storage_2d<rgba32float, write>;
 
 // A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
 // are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
@@ -108,7 +108,7 @@ fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   var s = startSampler(pixel, sampleIndex, frame.seed);
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction);
+  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
   return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
 }
 
@@ -214,6 +214,8 @@ struct RayPair {
   lightDistance: f32,
   // The shape that is the light, or noShape.
   lightShape: u32,
+  // For what is there by chance: sampler.wesl, numberOfNext.
+  number: u32,
 }
 
 
@@ -248,11 +250,11 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let rays = (*p).rays;
   let escaped = hit.shape == noShape;
   let shape = select(hit.shape, 0u, escaped);
-  let surface = fetchSurface(shape);
+  let met = surfaceAt(rays, hit, shape);
+  let surface = met.surface;
   let isGlass = isDielectric(u32(surface.code));
   let point = rays.point + hit.t * rays.direction;
-  let normals = normalsAt(rays, hit, shape, isGlass);
-  let outward = normals.shading;
+  let outward = met.shading;
   // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
   let basis = basisAbout(select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isGlass));
   let wo = toLocal(basis, -rays.direction);
@@ -261,7 +263,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
   let only = fetchEmitter(0u);
-  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, normals.geometric, only);
+  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(basis.normal, vec3f(0.0), isGlass);
@@ -272,20 +274,24 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let light = sampleEmitter(emitter, point, uLight.xy);
   let lightPdf = light.pdf * choice.probability;
   let o = outgoing(surface, wo);
-  let toLight = evaluateBsdf(surface, o, toLocal(basis, light.direction));
+  // What is opaque lets no light through, even where a shading normal says that it comes from the front.
+  let opaque = hasMeshes & !isGlass;
+  let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
+  let toLight = select(evaluateBsdf(surface, o, toLocal(basis, light.direction)), vec4f(0.0), lightLeaks);
   // A light that rays cannot meet is found by light sampling only.
   let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
   let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
   let drawn = sampleLobe(surface, o, uBsdf);
   let bsdf = completed(drawn, evaluateBsdf(surface, o, drawn.direction));
   let direction = toWorld(basis, bsdf.direction);
+  let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
   let goesOn = !escaped & ((*p).depth != frame.maxDepth);
   let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
   let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
   (*p).light = select(vec3f(0.0), contribution, lit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).throughput = throughput / survival;
   (*p).depth++;
   (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
@@ -293,37 +299,35 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).odds = choice.odds;
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape);
+  (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
-  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
+  let outward = normalAt(rays, hit.t, shape);
+  var p = SurfacePoint(fetchSurface(shape), outward, outward);
+  if (hasMeshes & (hit.triangle.instance != noInstance)) {
+    let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+    p.geometric = m.geometric;
+    p.shading = m.shading;
+    if (hasTextures) {
+      let bump = takeUpTextures(&p.surface, m.uv, m.color.rgb);
+      if (any(bump != vec3f(0.0, 0.0, 1.0))) {
+        p.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+      }
+    }
+    // Where the two normals of a glass body do not agree on which side a ray comes from, the geometric one is right.
+    let agree = (dot(p.geometric, rays.direction) > 0.0) == (dot(p.shading, rays.direction) > 0.0);
+    p.shading = select(p.shading, p.geometric, isDielectric(u32(p.surface.code)) & !agree);
+  }
+  return p;
 }
 
 fn isDielectric(code: u32) -> bool {
   return hasGlass & (kindOf(code) == dielectric);
-}
-
-// Out of solids, or to the front of triangles. Only meshes have two; and where the two of a glass body do not agree on which side a ray
-// comes from, the geometric one is right.
-fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
-  let outward = normalAt(rays, hit.t, shape);
-  var normals = Normals(outward, outward);
-  if (hasMeshes & (hit.triangle.instance != noInstance)) {
-    let n = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
-    normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
-  }
-  return normals;
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -480,6 +484,14 @@ fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
   return o;
 }
 
+// Triangle meshes, and such with shading normals of their own.
+override hasMeshes = false;
+
+// Whether one of two directions away from a surface points into it and the other out of it.
+fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
+  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
+}
+
 // rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0.
 fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   let lambert = invPi * max(wi.z, 0.0);
@@ -585,6 +597,11 @@ fn isFlat(i: u32) -> bool {
 // Float rounding of a point grows with its distance from the eye, where all positions are relative to.
 const relativeTMin = 1e-5;
 
+// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
+fn numberOfNext(s: Sampler) -> u32 {
+  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
+}
+
 struct PairHit {
   // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
   t: f32,
@@ -600,39 +617,6 @@ struct PairHit {
 fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
 }
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
-struct Surface {
-  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
-  baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
-  code: f32,
-  // radiance sent out
-  emission: vec3f,
-  // share of the perfect mirror layer over the base
-  reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
-  eta: vec3f,
-  // GGX width, roughness^2; 0: smooth
-  alpha: f32,
-  // conductor: extinction coefficient per channel
-  k: vec3f,
-  // metallicRoughness: share of metal
-  metallic: f32,
-  // dielectric: Beer-Lambert coefficient, 1 / metre
-  absorption: vec3f,
-  // unused
-  spare0: f32,
-}
-
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const dielectric = 3u;
 
 // The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
 fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
@@ -655,33 +639,305 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
   return normalize(normal);
 }
 
-struct Normals {
+struct SurfacePoint {
+  surface: Surface,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
   geometric: vec3f,
   shading: vec3f,
 }
 
 
-// Triangle meshes, and such with shading normals of their own.
-override hasMeshes = false;
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
 
 const noInstance = 0xffffffffu;
 
-// Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
-fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
+// `weights`: of the triangle's second and third vertex.
+fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
   let i = fetchInstance(frame.instances + instance * instanceRows);
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
-  var shading = geometric;
-  if ((i.vertexFlags & hasNormals) != 0u) {
-    let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blendedNormal(i, triangle, weights);
+  // Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
+  let turn = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz);
+  let geometric = normalize(turn * cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  var p = MeshPoint(geometric, geometric, vec3f(0.0), vec3f(0.0), geometric, vec4f(0.0), vec4f(1.0));
+  if (i.vertexRows != 0u) {
+    let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
+    let a = fetchVertex(rows.x);
+    let b = fetchVertex(rows.y);
+    let c = fetchVertex(rows.z);
+    let share = vec3f(1.0 - weights.x - weights.y, weights);
+    // In the space of the mesh, and of any length, as MikkTSpace wants it.
+    let normal = share.x * fromOctahedral(a.normal) + share.y * fromOctahedral(b.normal) + share.z * fromOctahedral(c.normal);
+    let smoothed = turn * normal;
     let size = dot(smoothed, smoothed);
     let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
     // Normals that cancel out, between two that look opposite ways, are none.
-    shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), size > 0.0);
+    let useful = ((i.vertexFlags & hasNormals) != 0u) & (size > 0.0);
+    p.shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful);
+    if (hasTextures) {
+      p.uv = vec4f(share.x * a.uv + share.y * b.uv + share.z * c.uv, 0.0, 0.0);
+      if (i.vertexRows > vertexRows) {
+        let moreA = fetchVertexMore(rows.x + vertexRows);
+        let moreB = fetchVertexMore(rows.y + vertexRows);
+        let moreC = fetchVertexMore(rows.z + vertexRows);
+        p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
+        let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
+        let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
+        p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+      }
+      if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
+        let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
+        // The vertices of a triangle have one hand: else they would not be shared.
+        let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
+        p.normal = smoothed * side;
+        p.tangent = turn * tangent * side;
+        p.bitangent = turn * cross(normal, tangent) * (hand * side);
+      }
+    }
   }
-  return MeshNormals(geometric, shading);
+  return p;
 }
+
+// Textures, and colours at the vertices of meshes.
+override hasTextures = false;
+
+// `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
+  let row = u32((*s).textures);
+  let material = fetchMaterialTextures(row);
+  let unlit = (material.flags & isUnlit) != 0u;
+  (*s).baseColor *= color;
+  (*s).emission *= select(vec3f(1.0), color, unlit);
+  var bump = vec3f(0.0, 0.0, 1.0);
+  var i = 0u;
+  // One call for all textures: compilers write out each.
+  if (material.count > 0u) {
+    loop {
+      let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
+      let texel = lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u));
+      (*s).baseColor *= select(vec3f(1.0), texel.rgb, t.slot == baseColorSlot);
+      (*s).emission *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
+      let share = select(vec2f(1.0), texel.gb, t.slot == metallicRoughnessSlot);
+      let rough = max((*s).alpha * share.x * share.x, leastAlpha);
+      (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
+      (*s).metallic *= share.y;
+      bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      i++;
+      if (i >= material.count) {
+        break;
+      }
+    }
+  }
+  return bump;
+}
+
+// A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
+// gives none.
+fn validNormal(geometric: vec3f, direction: vec3f, mapped: vec3f, otherwise: vec3f) -> vec3f {
+  let size = dot(mapped, mapped);
+  let n = select(otherwise, mapped * inverseSqrt(max(size, 1e-37)), size > 0.0);
+  let side = select(1.0, -1.0, dot(geometric, direction) > 0.0);
+  return side * bent(side * geometric, -direction, side * n);
+}
+
+// Normals out of a normal map, bent to where they make sense.
+//
+// Seen at a grazing angle, a normal that a map has tilted may look away from the eye, or reflect the eye's ray into the surface: black
+// spots, or light from behind. Cycles turns such a normal towards the geometric one, just as far as the mirrored ray needs to come out
+// of the surface again (Blender, intern/cycles/kernel/closure/bsdf_util.h, `ensure_valid_specular_reflection`, L. Stockner): so do we.
+// The surface is then another one for each direction of view, and reciprocal only where nothing had to be bent.
+// All unit vectors; `n` on the side of `g` that `o`, towards the eye, is on.
+fn bent(g: vec3f, o: vec3f, n: vec3f) -> vec3f {
+  let oz = max(dot(o, g), 0.0);
+  // The mirrored ray may be as flat as the one to the eye.
+  let least = min(0.9 * oz, 0.01);
+  let across = n - dot(n, g) * g;
+  let x = across * inverseSqrt(max(dot(across, across), 1e-20));
+  let ox = dot(o, x);
+  // In the plane of g and n: which normal reflects o to the height `least`?
+  let a = max(ox * ox + oz * oz, 1e-20);
+  let b = 2.0 * (a + oz * least);
+  let c = (least + oz) * (least + oz);
+  let root = sqrt(max(b * b - 4.0 * a * c, 0.0));
+  let z2 = clamp(0.25 * select(b - root, b + root, ox < 0.0) / a, 0.0, 1.0);
+  let raised = sqrt(1.0 - z2) * x + sqrt(z2) * g;
+  let reflected = 2.0 * dot(n, o) * n - o;
+  return select(raised, n, dot(g, reflected) >= least);
+}
+
+fn fetchMaterialTextures(row: u32) -> MaterialTextures {
+  let r0 = texelRow(row + 0u);
+  return MaterialTextures(r0.x, r0.y, bitcast<f32>(r0.z), bitcast<f32>(r0.w));
+}
+
+const isUnlit = 1u;
+
+struct Surface {
+  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
+  baseColor: vec3f,
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  code: f32,
+  // radiance sent out
+  emission: vec3f,
+  // share of the perfect mirror layer over the base
+  reflectivity: f32,
+  // conductor: index of refraction per channel; dielectric: the index in all three
+  eta: vec3f,
+  // GGX width, roughness^2; 0: smooth
+  alpha: f32,
+  // conductor: extinction coefficient per channel
+  k: vec3f,
+  // metallicRoughness: share of metal
+  metallic: f32,
+  // dielectric: Beer-Lambert coefficient, 1 / metre
+  absorption: vec3f,
+  // row of its MaterialTextures among the texels
+  textures: f32,
+}
+
+
+fn fetchTextureUse(row: u32) -> TextureUse {
+  let r0 = texelRow(row + 0u);
+  let r1 = texelRow(row + 1u);
+  let r2 = texelRow(row + 2u);
+  return TextureUse(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, r2.x, r2.y, r2.z, bitcast<f32>(r2.w));
+}
+
+const materialTexturesRows = 1u;
+
+const textureUseRows = 3u;
+
+// Linear red, green, blue and alpha of an image at these coordinates of the mesh.
+fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
+  let place = vec3f(uv, 1.0);
+  let nearest = (t.flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let upper = t.first + y.first * t.width;
+  let lower = t.first + y.second * t.width;
+  let colored = (t.flags & isColor) != 0u;
+  let above = mix(decoded(texelAt(upper + x.first), colored), decoded(texelAt(upper + x.second), colored), x.share);
+  let below = mix(decoded(texelAt(lower + x.first), colored), decoded(texelAt(lower + x.second), colored), x.share);
+  return mix(above, below, y.share);
+}
+
+const usesSecondSet = 1u;
+
+const baseColorSlot = 0u;
+
+const emissionSlot = 1u;
+
+const metallicRoughnessSlot = 2u;
+
+// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
+// Written so that nothing is divided by a cosine: grazing directions need no special case.
+// Narrower highlights are a mirror's: packed-scene/surface-values.ts.
+const leastAlpha = 1e-3;
+
+// Whether what reflects or refracts does so like a mirror.
+fn isSmooth(code: u32) -> bool {
+  return (code & 32u) != 0u;
+}
+
+const normalSlot = 3u;
+
+fn texelRow(i: u32) -> vec4u {
+  return texels[i];
+}
+
+struct TextureUse {
+  // u in the image is dot(toU, (u, v, 1)) of the coordinates
+  toU: vec3f,
+  // what it is multiplied with: TEXTURE_SLOTS
+  slot: u32,
+  // likewise v
+  toV: vec3f,
+  // LOOKUP_FLAGS
+  flags: u32,
+  // texel of the image, of all texels
+  first: u32,
+  // of the image, texels
+  width: u32,
+  // of the image, texels
+  height: u32,
+  // of a normal map: factor on the first two components
+  scale: f32,
+}
+
+
+// Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
+@group(0) @binding(6) var<storage, read> texels: array<vec4u>;
+
+const isNearest = 4u;
+
+fn neighbours(x: f32, size: u32, clamps: bool, mirrors: bool, nearest: bool) -> Neighbours {
+  let inside = select(select(fract(x), 1.0 - abs(2.0 * fract(0.5 * x) - 1.0), mirrors), clamp(x, 0.0, 1.0), clamps);
+  // Centres of texels lie halfway between whole numbers.
+  let at = inside * f32(size) - select(0.5, 0.0, nearest);
+  let low = floor(at);
+  let last = i32(size) - 1;
+  let first = i32(low);
+  let second = first + 1;
+  // What lies before the first texel and after the last: the other end, or, for a mirror as at an edge, the same once more.
+  let repeats = !(clamps | mirrors);
+  let before = select(0, last, repeats);
+  let after = select(last, 0, repeats);
+  return Neighbours(u32(select(clamp(first, 0, last), before, first < 0)), u32(select(clamp(second, 0, last), after, second > last)), select(at - low, 0.0, nearest));
+}
+
+const clampsU = 8u;
+
+const mirrorsU = 16u;
+
+const clampsV = 32u;
+
+const mirrorsV = 64u;
+
+const isColor = 2u;
+
+fn decoded(texel: u32, colored: bool) -> vec4f {
+  let c = vec4f((vec4u(texel) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(255u)) / 255.0;
+  return vec4f(select(c.rgb, linearFromSrgb(c.rgb), colored), c.a);
+}
+
+// Of four texels in a row the one wanted.
+fn texelAt(i: u32) -> u32 {
+  let row = texelRow(i >> 2u);
+  let pair = select(row.xy, row.zw, (i & 2u) != 0u);
+  return select(pair.x, pair.y, (i & 1u) != 0u);
+}
+
+// Along one side of an image: two neighbours, and how much the second counts.
+struct Neighbours {
+  first: u32,
+  second: u32,
+  share: f32,
+}
+
+
+// IEC 61966-2-1.
+fn linearFromSrgb(c: vec3f) -> vec3f {
+  return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+struct MaterialTextures {
+  // uses of textures: TextureUse, in the rows that follow
+  count: u32,
+  // MATERIAL_FLAGS
+  flags: u32,
+  // share of light that the surface takes part in
+  opacity: f32,
+  // opacity below which it is not there; negative: it is there as often as the opacity says
+  cutoff: f32,
+}
+
 
 fn fetchInstance(row: u32) -> Instance {
   let r0 = geometryRow(row + 0u);
@@ -703,21 +959,24 @@ fn fetchTriangle(row: u32) -> Triangle {
 
 const triangleRows = 3u;
 
-const hasNormals = 1u;
-
-// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
-struct MeshNormals {
+struct MeshPoint {
+  // Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
   geometric: vec3f,
   shading: vec3f,
+  // For textures. The frame of normal maps in the world: their x, y and z times these three add up to a normal, of any length.
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+  // Both sets of coordinates.
+  uv: vec4f,
+  // Linear, with opacity.
+  color: vec4f,
 }
 
 
-// In the space of the mesh, where its three vertices have normals; of any length.
-fn blendedNormal(i: Instance, t: Triangle, weights: vec2f) -> vec3f {
-  let a = fromOctahedral(fetchVertex(i.vertices + t.vertexA * i.vertexRows).normal);
-  let b = fromOctahedral(fetchVertex(i.vertices + t.vertexB * i.vertexRows).normal);
-  let c = fromOctahedral(fetchVertex(i.vertices + t.vertexC * i.vertexRows).normal);
-  return (1.0 - weights.x - weights.y) * a + weights.x * b + weights.y * c;
+fn fetchVertex(row: u32) -> Vertex {
+  let r0 = geometryRow(row + 0u);
+  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
 }
 
 // Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
@@ -729,10 +988,48 @@ fn fromOctahedral(code: u32) -> vec3f {
   return normalize(vec3f(select(p, folded, z < 0.0), z));
 }
 
-fn fetchVertex(row: u32) -> Vertex {
+const hasNormals = 1u;
+
+const vertexRows = 1u;
+
+const hasTangents = 2u;
+
+fn fetchVertexMore(row: u32) -> VertexMore {
   let r0 = geometryRow(row + 0u);
-  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
 }
+
+// Two numbers of 16 bits.
+fn pairOf(word: u32) -> vec2f {
+  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
+}
+
+fn geometryRow(i: u32) -> vec4u {
+  return geometry[i];
+}
+
+struct VertexMore {
+  // linear colour, 16 bits each
+  redGreen: u32,
+  // and opacity
+  blueAlpha: u32,
+  // texture coordinates of set 1
+  uv: vec2f,
+}
+
+
+// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
+@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
+
+struct Vertex {
+  // shading normal, octahedral, 16 bits each
+  normal: u32,
+  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
+  tangent: u32,
+  // texture coordinates of set 0
+  uv: vec2f,
+}
+
 
 struct Instance {
   // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
@@ -745,18 +1042,18 @@ struct Instance {
   nodes: u32,
   // row of its first triangle
   triangles: u32,
-  // row of its first vertex
-  vertices: u32,
   // of the scene table: what it is made of
   row: u32,
+  // COVER: where it may not be there
+  cover: u32,
+  // row of its first vertex
+  vertices: u32,
   // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
   vertexRows: u32,
   // what is in them: VERTEX_FLAGS
   vertexFlags: u32,
   // unused
   spare0: u32,
-  // unused
-  spare1: u32,
 }
 
 
@@ -775,23 +1072,6 @@ struct Triangle {
   vertexC: u32,
 }
 
-
-fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
-}
-
-struct Vertex {
-  // shading normal, octahedral, 16 bits each
-  normal: u32,
-  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
-  tangent: u32,
-  // texture coordinates of set 0
-  uv: vec2f,
-}
-
-
-// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
-@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
 
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
@@ -818,6 +1098,8 @@ fn fetchExtent(i: u32) -> Extent {
 fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -901,6 +1183,13 @@ struct Bounds {
   radius: f32,
 }
 
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const dielectric = 3u;
 
 // An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 struct Basis {
@@ -1965,11 +2254,6 @@ fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
 }
 
-// Whether what reflects or refracts does so like a mirror.
-fn isSmooth(code: u32) -> bool {
-  return (code & 32u) != 0u;
-}
-
 // Kinds, as Surface.code numbers them.
 const diffuse0 = 0u;
 
@@ -2122,12 +2406,6 @@ fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
   return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
 }
 
-// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
-// Written so that nothing is divided by a cosine: grazing directions need no special case.
-// Narrower highlights are a mirror's: packed-scene/surface-values.ts.
-const leastAlpha = 1e-3;
-
 // The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
 fn mirrored(wo: vec3f) -> vec3f {
   return vec3f(-wo.xy, wo.z);
@@ -2232,7 +2510,7 @@ const parallel = 1e-12;
 fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
   let most = select(-1.0, found.t, p.goesOn);
   let lightMost = select(p.lightDistance, -1.0, found.blocked);
-  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), p.left);
+  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost, p.number), p.left);
   var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
   if (hit.instance != noInstance) {
     result.t = hit.t;
@@ -2253,6 +2531,11 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
   var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
   var top = 0u;
+  // Of the present instance; the leaf whose triangle may not be there, what is known of it, and whether it turned out not to be there.
+  var cover = 0u;
+  var doubted = noLeaf0;
+  var doubtedHit = MeshHit(0.0, noInstance, 0u, vec2f(0.0), false);
+  var missing = noLeaf0;
   // The only instance needs no tree above it, and no way back.
   let alone = frame.instanceCount == 1u;
   let first = select(beginning, leafBit, alone);
@@ -2260,95 +2543,129 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   if ((frame.instanceCount == 0u) | !(most > 0.0)) {
     return found;
   }
+  // Once, and once more for each triangle that may not be there: it is looked at when all rays side by side have come as far.
   loop {
-    var pops = false;
-    if ((current & leafBit) == 0u) {
-      let node = nodes + current * nodeRows;
-      let r = geometryRow(node + childrenRow);
-      let t = enterChildren(node, slabs, r, most);
-      // Farthest first onto the stack: a sorting network of five exchanges.
-      let a = t.x < t.z;
-      let b = t.y < t.w;
-      let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
-      let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
-      let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
-      let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
-      let c = t0.x < t1.x;
-      let d = t0.y < t1.y;
-      let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
-      let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
-      let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
-      let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
-      let e = ta.y < tb.x;
-      let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
-      let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
-      if (ta.x < 1e30) {
-        stack[top] = ra.x;
-        top++;
-      }
-      if (tm.x < 1e30) {
-        stack[top] = rm.x;
-        top++;
-      }
-      if (tm.y < 1e30) {
-        stack[top] = rm.y;
-        top++;
-      }
-      pops = tb.y >= 1e30;
-      current = rb.y;
-    } else if ((instance == noInstance) | (current >= beginning)) {
-      // Into an instance, or back into the world.
-      let toWorld = current >= beginning;
-      pops = current == leaving;
-      instance = select(current & placeMask, noInstance, toWorld);
-      var o = rays.origin;
-      var d = select(rays.direction, rays.lightDirection, toLight);
-      nodes = 0u;
-      if (!toWorld) {
-        let i = fetchInstance(frame.instances + instance * instanceRows);
-        let p = vec4f(o, 1.0);
-        o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
-        d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
-        nodes = i.nodes;
-        triangles = i.triangles;
-        if (!alone) {
-          stack[top] = leaving;
+    loop {
+      var pops = false;
+      if ((current & leafBit) == 0u) {
+        let node = nodes + current * nodeRows;
+        let r = geometryRow(node + childrenRow);
+        let t = enterChildren(node, slabs, r, most);
+        // Farthest first onto the stack: a sorting network of five exchanges.
+        let a = t.x < t.z;
+        let b = t.y < t.w;
+        let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
+        let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
+        let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
+        let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
+        let c = t0.x < t1.x;
+        let d = t0.y < t1.y;
+        let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
+        let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
+        let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
+        let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
+        let e = ta.y < tb.x;
+        let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
+        let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
+        if (ta.x < 1e30) {
+          stack[top] = ra.x;
           top++;
         }
-      }
-      current = 0u;
-      slabs = slabRay(o, d);
-      ray = meshRay(o, d);
-    } else {
-      // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
-      let place = current & placeMask;
-      let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
-      let own = (instance == left.instance) & (place == left.triangle);
-      let nearer = (hit.t > rays.least) & (hit.t < most) & !own;
-      current = current + 1u - (1u << countShift);
-      pops = ((current >> countShift) & 7u) == 0u;
-      if (nearer) {
-        if (toLight) {
-          found.blocked = true;
-          break;
+        if (tm.x < 1e30) {
+          stack[top] = rm.x;
+          top++;
         }
-        most = hit.t;
-        found = MeshHit(hit.t, instance, place, hit.weights, false);
+        if (tm.y < 1e30) {
+          stack[top] = rm.y;
+          top++;
+        }
+        pops = tb.y >= 1e30;
+        current = rb.y;
+      } else if ((instance == noInstance) | (current >= beginning)) {
+        // Into an instance, or back into the world.
+        let toWorld = current >= beginning;
+        pops = current == leaving;
+        instance = select(current & placeMask, noInstance, toWorld);
+        var o = rays.origin;
+        var d = select(rays.direction, rays.lightDirection, toLight);
+        nodes = 0u;
+        if (!toWorld) {
+          let i = fetchInstance(frame.instances + instance * instanceRows);
+          let p = vec4f(o, 1.0);
+          o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
+          d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
+          nodes = i.nodes;
+          triangles = i.triangles;
+          cover = i.cover;
+          if (!alone) {
+            stack[top] = leaving;
+            top++;
+          }
+        }
+        current = 0u;
+        slabs = slabRay(o, d);
+        ray = meshRay(o, d);
+      } else {
+        // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
+        let place = current & placeMask;
+        let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
+        let own = (instance == left.instance) & (place == left.triangle);
+        var nearer = (hit.t > rays.least) & (hit.t < most) & !own;
+        if (hasOneSided) {
+          nearer = nearer & (hit.front | ((cover & isOneSided) == 0u));
+        }
+        if (hasCutouts) {
+          nearer = nearer & (current != missing);
+          missing = noLeaf0;
+          if (nearer & ((cover & coverRow) != 0u)) {
+            doubted = current;
+            doubtedHit = MeshHit(hit.t, instance, place, hit.weights, false);
+            break;
+          }
+        }
+        current = current + 1u - (1u << countShift);
+        pops = ((current >> countShift) & 7u) == 0u;
+        if (nearer) {
+          if (toLight) {
+            found.blocked = true;
+            break;
+          }
+          most = hit.t;
+          found = MeshHit(hit.t, instance, place, hit.weights, false);
+        }
+      }
+      if (pops) {
+        if (top > 0u) {
+          top--;
+          current = stack[top];
+        } else {
+          if (toLight | !(rays.lightMost > 0.0)) {
+            break;
+          }
+          toLight = true;
+          most = rays.lightMost;
+          instance = noInstance;
+          current = first;
+        }
       }
     }
-    if (pops) {
-      if (top > 0u) {
-        top--;
-        current = stack[top];
-      } else {
-        if (toLight | !(rays.lightMost > 0.0)) {
-          break;
-        }
-        toLight = true;
-        most = rays.lightMost;
-        instance = noInstance;
-        current = first;
-      }
+    if (!hasCutouts) {
+      break;
+    }
+    if (doubted == noLeaf0) {
+      break;
+    }
+    // The ray comes back to the triangle: which is then not nearer, or missing.
+    let there = isThere(doubtedHit.instance, doubtedHit.triangle, doubtedHit.weights, rays.number + u32(toLight));
+    missing = select(doubted, noLeaf0, there);
+    doubted = noLeaf0;
+    if (there & toLight) {
+      found.blocked = true;
+      break;
+    }
+    if (there) {
+      most = doubtedHit.t;
+      found = doubtedHit;
     }
   }
   return found;
@@ -2363,6 +2680,8 @@ struct MeshRays {
   // Nor what is farther; 0 or less: there is no such ray.
   most: f32,
   lightMost: f32,
+  // For what is there by chance: sampler.wesl, numberOfNext.
+  number: u32,
 }
 
 
@@ -2403,11 +2722,42 @@ struct MeshRay {
 }
 
 
+// No reference, as a leaf's.
+const noLeaf0 = 0u;
+
 // A ray begins, in the world.
 const beginning = 0xfffffffeu;
 
 // References: encode-wide-bvh.ts.
 const leafBit = 0x80000000u;
+
+// `number`: of the ray.
+fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  let row = i.cover & coverRow;
+  let material = fetchMaterialTextures(row);
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
+  var uv = vec4f(0.0);
+  var opacity = material.opacity;
+  if (i.vertexRows != 0u) {
+    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (i.vertexRows > vertexRows) {
+    let a = fetchVertexMore(rows.x + vertexRows);
+    let b = fetchVertexMore(rows.y + vertexRows);
+    let c = fetchVertexMore(rows.z + vertexRows);
+    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
+    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
+  }
+  if ((material.flags & hasOpacityTexture) != 0u) {
+    let t = fetchTextureUse(row + materialTexturesRows);
+    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+  }
+  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
+  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
+}
 
 // Rows of a node; from the rows of least to those of greatest places; and where the references are.
 const nodeRows = 7u;
@@ -2472,10 +2822,19 @@ fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
   let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
   let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
   let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
-  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse);
+  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse, sum * ray.shear.z > 0.0);
 }
 
+// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
+override hasOneSided = false;
+
+override hasCutouts = false;
+
 const countShift = 28u;
+
+const isOneSided = 2147483648u;
+
+const coverRow = 2147483647u;
 
 fn edge(a: vec2f, b: vec2f) -> f32 {
   let p = a.x * b.y;
@@ -2488,8 +2847,20 @@ struct TriangleHit {
   t: f32,
   // How much the second and third vertex count.
   weights: vec2f,
+  // Whether it is met on the side from which its vertices go counter-clockwise.
+  front: bool,
 }
 
+
+const hasOpacityTexture = 2u;
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
 
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
 
@@ -2539,8 +2910,8 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
 }
 
 // A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
+fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
+  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
 }
 
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
@@ -2551,14 +2922,6 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 fn spread0(x: u32) -> u32 {
   let y = (x | (x << 2u)) & 0x33u;
   return (y | (y << 1u)) & 0x55u;
-}
-
-// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
-// GPU Rendering", JCGT 9(3), 2020.
-fn pcg(x: u32) -> u32 {
-  let s = x * 747796405u + 2891336453u;
-  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
-  return (w >> 22u) ^ w;
 }
 
 override hasFilter = false;
