@@ -56,6 +56,7 @@ const PROBE: PassSource = {
     { texture: 'unused' },
     { texture: 'environment' },
     { data: 'geometry' },
+    { data: 'texels' },
   ],
   target: 'film',
   switches: ALL_SWITCHES,
@@ -123,17 +124,18 @@ export class EmitterProbe {
     map.write(environment.texels, environment.rows);
     const geometry = new GeometryBuffer(device);
     geometry.hold(packed.geometry);
+    const texels = device.createData(1, 'textures');
     const asked = device.createTable(3 * SIDE, SIDE);
     asked.write(questionTexels(questions), SIDE);
     const film = device.createFilm(SIDE, SIDE);
-    device.draw(this.#pass, film, [frame, table, asked, asked, map, geometry.buffer], {
+    device.draw(this.#pass, film, [frame, table, asked, asked, map, geometry.buffer, texels], {
       width: SIDE,
       height: SIDE,
       firstRow: 0,
       rowCount: SIDE,
     });
     const values = await device.read(film.layers[0]!, SIDE, SIDE);
-    for (const resource of [frame, table, asked, map, film, geometry.buffer]) resource.destroy();
+    for (const resource of [frame, table, asked, map, film, geometry.buffer, texels]) resource.destroy();
     return questions.map((_, k) => Array.from(values.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
   }
 }

@@ -199,6 +199,106 @@ struct Corners {
     vec4 c;
     vec4 d;
 };
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
+struct RayPair {
+    vec3 point;
+    uint shape;
+    LeftTriangle left;
+    float tMin;
+    bool goesOn;
+    vec3 direction;
+    bool inwards;
+    vec3 lightDirection;
+    bool lightInwards;
+    float lightDistance;
+    uint lightShape;
+    uint number;
+};
+struct PairHit {
+    float t;
+    uint shape;
+    bool blocked;
+    LeftTriangle triangle;
+    vec2 weights;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct MeshRays {
+    vec3 origin;
+    vec3 direction;
+    vec3 lightDirection;
+    float least;
+    float most;
+    float lightMost;
+    uint number;
+};
+struct MeshHit {
+    float t;
+    uint instance;
+    uint triangle;
+    vec2 weights;
+    bool blocked;
+};
+struct SlabRay {
+    vec3 inverse_;
+    vec3 offset;
+    uvec3 near;
+};
+struct MeshRay {
+    vec3 origin;
+    uint axis;
+    vec3 shear;
+};
+struct TriangleHit {
+    float t;
+    vec2 weights;
+    bool front;
+};
+struct MaterialTextures {
+    uint count;
+    uint flags;
+    float opacity;
+    float cutoff;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
+struct VertexMore {
+    uint redGreen;
+    uint blueAlpha;
+    vec2 uv;
+};
+struct TextureUse {
+    vec3 toU;
+    uint slot;
+    vec3 toV;
+    uint flags;
+    uint first;
+    uint width;
+    uint height;
+    float scale;
+};
+struct Neighbours {
+    uint first;
+    uint second;
+    float share;
+};
+struct MeshPoint {
+    vec3 geometric;
+    vec3 shading;
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+    vec4 uv;
+    vec4 color;
+};
 struct Start {
     vec3 point;
     uint leaves;
@@ -208,10 +308,6 @@ struct Start {
 struct Ray {
     Start start;
     vec3 direction;
-};
-struct Bounds {
-    vec3 center;
-    float radius;
 };
 struct FarLight {
     vec3 radiance;
@@ -226,6 +322,31 @@ const uint instanceRows = 5u;
 const uint triangleRows = 3u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;
+const uint noInstance = 4294967295u;
+const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint noLeaf0_ = 0u;
+const uint beginning = 4294967294u;
+const uint leafBit = 2147483648u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint leastToGreatest = 3u;
+const uint leaving = 4294967295u;
+const uint placeMask = 268435455u;
+const uint isOneSided = 2147483648u;
+const uint coverRow = 2147483647u;
+const uint countShift = 28u;
+const uint vertexRows = 1u;
+const uint hasOpacityTexture = 2u;
+const uint materialTexturesRows = 1u;
+const uint isNearest = 4u;
+const uint clampsU = 8u;
+const uint mirrorsU = 16u;
+const uint clampsV = 32u;
+const uint mirrorsV = 64u;
+const uint isColor = 2u;
+const uint usesSecondSet = 1u;
+const uint hasNormals = 1u;
+const uint hasTangents = 2u;
 
 uniform highp sampler2D questions;
 
@@ -257,6 +378,28 @@ const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
 
+const bool hasSpheres = true;
+
+const bool hasBoxes = true;
+
+const bool hasTurnedBoxes = true;
+
+const bool hasQuads = false;
+
+const bool hasPlanes = true;
+
+const bool hasMeshes = false;
+
+uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+const bool hasOneSided = false;
+
+const bool hasCutouts = false;
+
+uniform highp usampler2D texels;
+
+const bool hasTextures = false;
+
 layout(location = 0) out vec4 _fs2p_location0;
 
 float spotFalloff(Emitter e, vec3 toLight) {
@@ -271,17 +414,17 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_1.kind == 5.0), false);
     vec3 middle = (e_1.position + pick(isQuad, (0.5 * (e_1.u + e_1.v)), vec3(0.0)));
-    vec3 toLight_1 = pick(isFar, -(e_1.u), (middle - point));
-    float distance2_ = dot(toLight_1, toLight_1);
+    vec3 toLight_2 = pick(isFar, -(e_1.u), (middle - point));
+    float distance2_ = dot(toLight_2, toLight_2);
     float distance_6 = sqrt(distance2_);
     float grown = max((distance_6 + e_1.reach), 1e-15);
-    float above = clamp(((dot(normal_1, toLight_1) + e_1.reach) / grown), 0.0, 1.0);
+    float above = clamp(((dot(normal_1, toLight_2) + e_1.reach) / grown), 0.0, 1.0);
     float cosine_1 = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
     float square = pick(isQuad, (distance2_ + (e_1.area / 3.1415927)), max(distance2_, (e_1.area / 12.566371)));
     estimate = ((e_1.power * cosine_1) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
+        float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_2)) / max(e_1.area, 1e-30));
         float side = pick((e_1.oneSided == 1.0), max(height_1, 0.0), abs(height_1));
         float lampCosine = pick((side > 0.0), ((side + e_1.reach) / grown), 0.0);
         float _e89 = estimate;
@@ -290,7 +433,7 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     const bool _e94 = hasMeshLamps;
     if (_e94) {
         float alike = length(e_1.v);
-        float across = -(dot(e_1.v, toLight_1));
+        float across = -(dot(e_1.v, toLight_2));
         float side_1 = pick((e_1.oneSided == 1.0), max(across, 0.0), abs(across));
         float shown = ((0.25 * (1.0 - alike)) + ((side_1 + (alike * e_1.reach)) / grown));
         float sizeOfMesh = (distance2_ + ((e_1.area * (1.0 + (3.0 * alike))) / 12.566371));
@@ -300,7 +443,7 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     const bool _e137 = hasPointLights;
     if (_e137) {
         float _e138 = estimate;
-        float _e143 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_6, 1e-15))));
+        float _e143 = spotFalloff(e_1, (toLight_2 / vec3(max(distance_6, 1e-15))));
         estimate = (_e138 * pick((e_1.kind == 4.0), _e143, 1.0));
     }
     const bool _e151 = hasSky;
@@ -347,16 +490,16 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 }
 
 vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
-    vec4 x_5 = (n.x - vec4(point_1.x));
+    vec4 x_7 = (n.x - vec4(point_1.x));
     vec4 y_3 = (n.y - vec4(point_1.y));
     vec4 z = (n.z - vec4(point_1.z));
-    vec4 distance2_1 = (((x_5 * x_5) + (y_3 * y_3)) + (z * z));
-    vec4 inverse_ = inversesqrt(max(distance2_1, vec4(1e-30)));
+    vec4 distance2_1 = (((x_7 * x_7) + (y_3 * y_3)) + (z * z));
+    vec4 inverse_1 = inversesqrt(max(distance2_1, vec4(1e-30)));
     bvec4 inside = lessThanEqual(distance2_1, (n.reach * n.reach));
-    vec4 sinB_1 = min((n.reach * inverse_), vec4(1.0));
+    vec4 sinB_1 = min((n.reach * inverse_1), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside);
-    vec4 along = (-((((n.axisX * x_5) + (n.axisY * y_3)) + (n.axisZ * z))) * inverse_);
+    vec4 along = (-((((n.axisX * x_7) + (n.axisY * y_3)) + (n.axisZ * z))) * inverse_1);
     vec4 cosW = clamp(mix(along, abs(along), greaterThan(n.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n.cosWidth);
@@ -364,11 +507,11 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside);
-    vec4 cosN = clamp(((((normal_2.x * x_5) + (normal_2.y * y_3)) + (normal_2.z * z)) * inverse_), vec4(-1.0), vec4(1.0));
-    bvec4 bothSides = bvec4pickpickpickpick(bvec4((dot(normal_2, normal_2) == 0.0)).x, true, inside.x, bvec4((dot(normal_2, normal_2) == 0.0)).y, true, inside.y, bvec4((dot(normal_2, normal_2) == 0.0)).z, true, inside.z, bvec4((dot(normal_2, normal_2) == 0.0)).w, true, inside.w);
-    vec4 _e87 = sineOf(cosN);
-    vec4 _e88 = cosineLess(cosN, _e87, cosB_1, sinB_1);
-    vec4 cosIn = mix(max(_e88, vec4(0.0)), vec4(1.0), bothSides);
+    vec4 cosN = clamp(((((normal_2.x * x_7) + (normal_2.y * y_3)) + (normal_2.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
+    vec4 _e82 = sineOf(cosN);
+    vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
+    vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside);
+    vec4 cosIn = pick((dot(normal_2, normal_2) == 0.0), vec4(1.0), above_1);
     vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_1, (n.reach * n.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
 }
@@ -520,21 +663,21 @@ float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {
 
 SphereView viewSphere(Emitter e_3, vec3 point_5) {
     vec3 toCenter = (e_3.position - point_5);
-    float d_1 = length(toCenter);
-    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
-    bool inside_1 = (d_1 <= e_3.radius);
-    float sine_1 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
-    float cosine_2 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_2))));
+    float d_2 = length(toCenter);
+    float power = abs(((d_2 - e_3.radius) * (d_2 + e_3.radius)));
+    bool inside_1 = (d_2 <= e_3.radius);
+    float sine_1 = min((e_3.radius / max(d_2, 1e-30)), 1.0);
+    float cosine_2 = (sqrt(power) / max(d_2, 1e-30));
+    return SphereView(toCenter, d_2, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_2))));
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
     float s_3 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_1 = (-1.0 / (s_3 + axis.z));
-    float b_2 = ((axis.x * axis.y) * a_1);
-    vec3 x_6 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_1)), (s_3 * b_2), (-(s_3) * axis.x));
-    vec3 y_4 = vec3(b_2, (s_3 + ((axis.y * axis.y) * a_1)), -(axis.y));
-    return (((v.x * x_6) + (v.y * y_4)) + (v.z * axis));
+    float a_2 = (-1.0 / (s_3 + axis.z));
+    float b_3 = ((axis.x * axis.y) * a_2);
+    vec3 x_8 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_2)), (s_3 * b_3), (-(s_3) * axis.x));
+    vec3 y_4 = vec3(b_3, (s_3 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    return (((v.x * x_8) + (v.y * y_4)) + (v.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
@@ -554,8 +697,8 @@ float conePdf(float width_1) {
 
 LightSample sampleSphere(Emitter e_4, vec3 point_6, vec2 u_3) {
     SphereView _e3 = viewSphere(e_4, point_6);
-    vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_3);
+    vec3 axis_3 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_3, _e3.width, u_3);
     float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_4.radius * e_4.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_1) + halfChord);
@@ -566,20 +709,20 @@ LightSample sampleSphere(Emitter e_4, vec3 point_6, vec2 u_3) {
 }
 
 float arctangent(float x) {
-    float a_2 = abs(x);
-    bool steep = (a_2 > 2.4142137);
-    bool middle_1 = pick((a_2 > 0.41421357), !(steep), false);
-    float r = pick(steep, (-1.0 / max(a_2, 1.0)), pick(middle_1, ((a_2 - 1.0) / (a_2 + 1.0)), a_2));
+    float a_3 = abs(x);
+    bool steep = (a_3 > 2.4142137);
+    bool middle_1 = pick((a_3 > 0.41421357), !(steep), false);
+    float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_1, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
     float base = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
-    float z_1 = (r * r);
+    float z_1 = (r_1 * r_1);
     float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
-    return (sign(x) * (base + (((series * z_1) * r) + r)));
+    return (sign(x) * (base + (((series * z_1) * r_1) + r_1)));
 }
 
 float stretch(float x_1, vec2 y, float h) {
-    vec2 r_1 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
-    float _e16 = arctangent(((x_1 * y.y) / (h * r_1.y)));
-    float _e22 = arctangent(((x_1 * y.x) / (h * r_1.x)));
+    vec2 r_2 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
+    float _e16 = arctangent(((x_1 * y.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_1 * y.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
@@ -605,25 +748,25 @@ QuadView viewQuad(Emitter e_5, vec3 point_7) {
 }
 
 vec2 cosineAndSine(float x_2) {
-    float h_1 = (0.5 * x_2);
-    float z_2 = (h_1 * h_1);
-    float sine_3 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_1) + h_1);
+    float h_2 = (0.5 * x_2);
+    float z_2 = (h_2 * h_2);
+    float sine_3 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_2) + h_2);
     return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
 }
 
 vec3 sphericalRectangle(QuadView q, vec2 u_4) {
-    float h_2 = q.height;
+    float h_3 = q.height;
     vec2 y_6 = vec2(q.low.y, q.high.y);
-    vec2 s_4 = (y_6 / sqrt(((y_6 * y_6) + vec2((h_2 * h_2)))));
+    vec2 s_4 = (y_6 / sqrt(((y_6 * y_6) + vec2((h_3 * h_3)))));
     vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_4.x * q.solidAngle))));
     vec2 across_1 = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
-    float w = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
-    float x_7 = clamp(((h_2 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
-    float d2_ = ((x_7 * x_7) + (h_2 * h_2));
+    float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
+    float x_9 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q.low.x, q.high.x);
+    float d2_ = ((x_9 * x_9) + (h_3 * h_3));
     vec2 ends = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
-    float v_3 = mix(ends.x, ends.y, u_4.y);
-    float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_6.x, y_6.y);
-    return (((x_7 * q.axisX) + (atY * q.axisY)) + (h_2 * q.axisZ));
+    float v_5 = mix(ends.x, ends.y, u_4.y);
+    float atY = clamp(((v_5 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_5 * v_5)), 1e-12))), y_6.x, y_6.y);
+    return (((x_9 * q.axisX) + (atY * q.axisY)) + (h_3 * q.axisZ));
 }
 
 float areaPdf(float area, float height, float distance_) {
@@ -641,10 +784,10 @@ LightSample sampleQuad(Emitter e_6, vec3 point_8, vec2 u_5) {
     QuadView _e3 = viewQuad(e_6, point_8);
     vec3 onArea = ((_e3.corner + (u_5.x * e_6.u)) + (u_5.y * e_6.v));
     vec3 _e13 = sphericalRectangle(_e3, u_5);
-    vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_2), _e3.height);
+    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_3), _e3.height);
     float _e23 = pdfOfView(_e3, e_6.area, distance_8);
-    return LightSample((toLight_2 / vec3(distance_8)), distance_8, e_6.radiance, _e23, false);
+    return LightSample((toLight_3 / vec3(distance_8)), distance_8, e_6.radiance, _e23, false);
 }
 
 Extent fetchExtent(uint i_3) {
@@ -654,8 +797,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q_2, vec3 v_1) {
-    vec3 t_2 = (2.0 * cross(q_2.xyz, v_1));
-    return ((v_1 + (q_2.w * t_2)) + cross(q_2.xyz, t_2));
+    vec3 t_6 = (2.0 * cross(q_2.xyz, v_1));
+    return ((v_1 + (q_2.w * t_6)) + cross(q_2.xyz, t_6));
 }
 
 BoxView viewBox(Emitter e_7, vec3 point_9) {
@@ -674,10 +817,10 @@ vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_6) {
     bool onY = pick(!(onX), (at_2 < both), false);
     float face = pick(onX, b.faces.x, pick(onY, b.faces.y, b.faces.z));
     float within = clamp(((at_2 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_3 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
-    vec3 p_1 = vec3(pick((dot(axis_3, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_6.y) - 1.0));
-    vec3 toLight_3 = ((pick(onX, p_1.xyz, pick(onY, p_1.zxy, p_1.yzx)) * e_8.u) - b.point);
-    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
+    vec3 axis_4 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
+    vec3 p_9 = vec3(pick((dot(axis_4, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_6.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX, p_9.xyz, pick(onY, p_9.zxy, p_9.yzx)) * e_8.u) - b.point);
+    return vec4(toLight_4, abs(dot(axis_4, toLight_4)));
 }
 
 vec3 safeReciprocal(vec3 d, vec3 origin) {
@@ -706,11 +849,11 @@ LightSample sampleBox(Emitter e_9, vec3 point_10, vec2 u_7) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_9.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_17 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
     return LightSample(_e37, distance_9, e_9.radiance, pdf_3, false);
 }
 
@@ -743,13 +886,13 @@ ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
-    float x_8 = clamp((((u_8.x * e_10.triangles) - float(column)) + fine), 0.0, 0.99999994);
-    bool own_1 = (x_8 < _e18.own);
-    float rest_2 = pick(own_1, (x_8 / max(_e18.own, 1e-37)), ((x_8 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
-    uint place_2 = pick(own_1, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first + column) + place_2) - _e18.place));
+    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column)) + fine), 0.0, 0.99999994);
+    bool own_1 = (x_10 < _e18.own);
+    float rest_2 = pick(own_1, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_4 = pick(own_1, _e18.place, _e18.other);
+    LampTriangle _e67 = fetchLampTriangle((((first + column) + place_4) - _e18.place));
     float density = _e67.density;
-    return ChosenTriangle(place_2, density, vec2(min(rest_2, 1.0), u_8.y));
+    return ChosenTriangle(place_4, density, vec2(min(rest_2, 1.0), u_8.y));
 }
 
 Instance fetchInstance(uint row_1) {
@@ -775,11 +918,11 @@ vec2 weightsOnTriangle(vec2 u_9) {
 }
 
 vec3 outOfMesh(Instance i_5, vec3 p) {
-    vec3 q_5 = (p - vec3(i_5.toMeshX.w, i_5.toMeshY.w, i_5.toMeshZ.w));
-    vec3 x_9 = cross(i_5.toMeshY.xyz, i_5.toMeshZ.xyz);
+    vec3 q_6 = (p - vec3(i_5.toMeshX.w, i_5.toMeshY.w, i_5.toMeshZ.w));
+    vec3 x_11 = cross(i_5.toMeshY.xyz, i_5.toMeshZ.xyz);
     vec3 y_7 = cross(i_5.toMeshZ.xyz, i_5.toMeshX.xyz);
     vec3 z_3 = cross(i_5.toMeshX.xyz, i_5.toMeshY.xyz);
-    return ((((q_5.x * x_9) + (q_5.y * y_7)) + (q_5.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_9)));
+    return ((((q_6.x * x_11) + (q_6.y * y_7)) + (q_6.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_11)));
 }
 
 LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
@@ -789,21 +932,21 @@ LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_4 = (_e34 - point_11);
+    vec3 toLight_5 = (_e34 - point_11);
     vec3 across_2 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
-    float height_3 = (dot(across_2, toLight_4) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
-    float distance_10 = length(toLight_4);
+    float height_3 = (dot(across_2, toLight_5) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
+    float distance_10 = length(toLight_5);
     float _e62 = areaPdf((e_11.area / _e3.density), abs(height_3), distance_10);
     bool lit_1 = pick((height_3 < 0.0), true, pick((e_11.oneSided == 0.0), (height_3 > 0.0), false));
     float reached = max((distance_10 - (1e-5 * (length(point_11) + distance_10))), 0.0);
-    return LightSample((toLight_4 / vec3(max(distance_10, 1e-30))), reached, e_11.radiance, pick(lit_1, _e62, 0.0), false);
+    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, e_11.radiance, pick(lit_1, _e62, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_12, vec3 point_12) {
-    vec3 toLight_5 = (e_12.position - point_12);
-    float distance_11 = length(toLight_5);
+    vec3 toLight_6 = (e_12.position - point_12);
+    float distance_11 = length(toLight_6);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_5 / vec3(safe)), distance_11, (e_12.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_6 / vec3(safe)), distance_11, (e_12.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_13, vec3 point_13) {
@@ -835,39 +978,39 @@ Parts splitProduct(vec2 u_12, uvec2 n_1) {
 
 ChosenCell chooseCell(vec2 u_13) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size = uvec2(_e3);
-    Parts _e9 = splitProduct(u_13, (size + uvec2(0u, 1u)));
+    uvec2 size_1 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_13, (size_1 + uvec2(0u, 1u)));
     uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash_1 = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
     float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
-    float x_10 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
-    uint rows = ((size.y + 2u) / 2u);
+    float x_12 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
+    uint rows = ((size_1.y + 2u) / 2u);
     bool second = (_e9.whole.y >= rows);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size.y) - pick(second, rows, 0u)))), 0);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_1.y) - pick(second, rows, 0u)))), 0);
     vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own_2 = (x_10 < entry.x);
+    bool own_2 = (x_12 < entry.x);
     uint other = uint(entry.y);
-    uint otherRow = (other / size.x);
-    uvec2 cell_1 = pick(own_2, _e9.whole, uvec2((other - (otherRow * size.x)), otherRow));
-    float rest_3 = pick(own_2, (x_10 / max(entry.x, 1e-37)), ((x_10 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    uint otherRow = (other / size_1.x);
+    uvec2 cell_1 = pick(own_2, _e9.whole, uvec2((other - (otherRow * size_1.x)), otherRow));
+    float rest_3 = pick(own_2, (x_12 / max(entry.x, 1e-37)), ((x_12 - entry.x) / max((1.0 - entry.x), 1e-7)));
     return ChosenCell(cell_1, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_1 = uvec2(_e3);
-    uint left = (pick((cell.x == 0u), size_1.x, cell.x) - 1u);
-    uint right = pick((cell.x == size_1.x), 0u, cell.x);
+    uvec2 size_2 = uvec2(_e3);
+    uint left_1 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_2.x), 0u, cell.x);
     uint upper = (max(cell.y, 1u) - 1u);
-    uint lower = min(cell.y, (size_1.y - 1u));
-    vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_1.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
+    uint lower = min(cell.y, (size_2.y - 1u));
+    vec4 above_2 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
-    return Corners((above_1 * _e52), (above_1 * _e57), (below * _e62), (below * _e67));
+    return Corners((above_2 * _e52), (above_2 * _e57), (below * _e62), (below * _e67));
 }
 
 float linearSample(float u_14, float a, float b_1) {
@@ -881,27 +1024,27 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 }
 
 EnvironmentSample sampleEnvironment(vec2 u_15) {
-    vec2 size_2 = frame.environmentSize;
+    vec2 size_3 = frame.environmentSize;
     ChosenCell _e4 = chooseCell(u_15);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_2 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_2.y));
+    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_3.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_3 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_3), mix(_e6.b.w, _e6.d.w, t_3));
-    bool isLower = ((2.0 * cell_2.y) > size_2.y);
-    float fromPole = pick(isLower, ((size_2.y - cell_2.y) + (0.5 - t_3)), (cell_2.y + (t_3 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_2.y)));
+    float t_7 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_7), mix(_e6.b.w, _e6.d.w, t_7));
+    bool isLower = ((2.0 * cell_2.y) > size_3.y);
+    float fromPole = pick(isLower, ((size_3.y - cell_2.y) + (0.5 - t_7)), (cell_2.y + (t_7 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_3.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_2.x) - _e85));
-    float nearest = floor((halfTurns + 0.5));
-    bool back = (fract((0.5 * nearest)) > 0.0);
-    vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
+    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float nearest_1 = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest_1)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest_1) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_18 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_3), sine_4);
-    return EnvironmentSample(direction_18, _e119);
+    vec3 direction_21 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_7), sine_4);
+    return EnvironmentSample(direction_21, _e119);
 }
 
 vec3 sky(vec3 direction_1) {
@@ -976,13 +1119,9 @@ LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_17) {
     return _e81;
 }
 
-Start onSurface(vec3 point_15, uint shape, bool seenFromInside) {
-    return Start(point_15, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_15)));
-}
-
-bool isSphere(uint i_6) {
-    uint _e4 = frame.shapeEnds.x;
-    return (i_6 < _e4);
+Bounds fetchBounds(uint i_6) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(0u, i_6)), 0);
+    return Bounds(t0_3.xyz, t0_3.w);
 }
 
 float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius, float tMin, bool startsInside) {
@@ -993,280 +1132,939 @@ float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along_2 - half_);
     float far_3 = (along_2 + half_);
-    float t_4 = pick((near > tMin), near, far_3);
-    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
+    float t_8 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
-float hitSphere(uint i_7, Bounds bounds, Ray ray) {
-    float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_7 == ray.start.inside));
-    return pick((i_7 == ray.start.leaves), 1e30, _e13);
+PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_1) {
+    bool own_3 = (i_7 == p_1.shape);
+    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t_1.x);
+    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_1.y);
+    bool nearer_1 = (pathT < found.t);
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_7, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
-bool isBox(uint i_8) {
-    uint _e4 = frame.shapeEnds.x;
-    uint _e9 = frame.shapeEnds.y;
-    return pick((i_8 >= _e4), (i_8 < _e9), false);
+PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_8) {
+    Bounds _e3 = fetchBounds(i_8);
+    bool own_4 = (i_8 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_2, i_8, vec2(_e13, _e21));
+    return _e23;
 }
 
-bool isTurned(vec4 q_4) {
-    return any(notEqual(q_4.xyz, vec3(0.0)));
+vec3 turned(vec4 q_4, vec3 v_3) {
+    vec3 w = vec3(0.0);
+    w = v_3;
+    const bool _e4 = hasTurnedBoxes;
+    if (_e4) {
+        vec3 _e5 = rotate(q_4, v_3);
+        w = _e5;
+    }
+    vec3 _e6 = w;
+    return _e6;
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_3, halfSize_1);
-    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
+    float t_9 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_9 > tMin_1), false), t_9, 1e30));
 }
 
-float hitBox(uint i_9, Bounds bounds_1, Ray ray_1) {
-    vec3 origin_4 = vec3(0.0);
-    vec3 direction_4 = vec3(0.0);
-    Extent _e3 = fetchExtent(i_9);
-    origin_4 = (ray_1.start.point - bounds_1.center);
-    direction_4 = ray_1.direction;
-    bool _e12 = isTurned(_e3.a);
-    if (_e12) {
-        vec3 _e14 = origin_4;
-        vec3 _e15 = rotate(_e3.a, _e14);
-        origin_4 = _e15;
-        vec3 _e17 = direction_4;
-        vec3 _e18 = rotate(_e3.a, _e17);
-        direction_4 = _e18;
-    }
-    vec3 _e19 = origin_4;
-    vec3 _e20 = direction_4;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_9 == ray_1.start.inside));
-    return pick((i_9 == ray_1.start.leaves), 1e30, _e28);
+PairHit meetBox(PairHit found_2, RayPair p_3, uint i_9) {
+    Bounds _e3 = fetchBounds(i_9);
+    Extent _e4 = fetchExtent(i_9);
+    bool own_5 = (i_9 == p_3.shape);
+    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_3.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_3, i_9, vec2(_e20, _e29));
+    return _e31;
 }
 
-bool isQuad0_(uint i_10) {
-    uint _e4 = frame.shapeEnds.z;
-    return (i_10 < _e4);
-}
-
-float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
     vec3 normal_11 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_5, normal_11);
-    vec3 toCenter_2 = (center_1 - origin_5);
-    float t_6 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_2 = ((t_6 * direction_5) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_2, reciprocalU)), abs(dot(p_2, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within_1, false), t_6, 1e30);
+    float speed = dot(direction_4, normal_11);
+    vec3 toCenter_2 = (center_1 - origin_4);
+    float t_10 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_10 = ((t_10 * direction_4) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_10 > tMin_2), (t_10 < 1e30), false), within_1, false), t_10, 1e30);
 }
 
-float hitQuad(uint i_11, Bounds bounds_2, Ray ray_2) {
-    Extent _e3 = fetchExtent(i_11);
-    float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
-    return pick((i_11 == ray_2.start.leaves), 1e30, _e14);
+PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_10) {
+    Bounds _e3 = fetchBounds(i_10);
+    Extent _e4 = fetchExtent(i_10);
+    float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    PairHit _e24 = meet(found_3, p_4, i_10, vec2(_e13, _e22));
+    return _e24;
 }
 
-float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_6, float offset, float tMin_3) {
-    float speed_1 = dot(direction_6, normal_6);
-    float t_7 = ((offset - dot(origin_6, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_6, float offset, float tMin_3) {
+    float speed_1 = dot(direction_5, normal_6);
+    float t_11 = ((offset - dot(origin_5, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_11 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_11, 0.0), 1e30);
 }
 
-float hitPlane(uint i_12, Bounds bounds_3, Ray ray_3) {
-    float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
-    return pick((i_12 == ray_3.start.leaves), 1e30, _e10);
+PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_11) {
+    Bounds _e3 = fetchBounds(i_11);
+    float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
+    float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
+    PairHit _e17 = meet(found_4, p_5, i_11, vec2(_e9, _e15));
+    return _e17;
 }
 
-float hitShape(uint i_13, Bounds bounds_4, Ray ray_4) {
-    bool _e3 = isSphere(i_13);
-    if (_e3) {
-        float _e4 = hitSphere(i_13, bounds_4, ray_4);
-        return _e4;
+vec4 planes(uint row_3, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_3);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
+}
+
+vec4 enterChildren(uint node_1, SlabRay r, uvec4 children, float t_2) {
+    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e17 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e25 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e34 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
+    vec4 _e45 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
+    vec4 _e52 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
+    vec4 _e60 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e45, _e52), _e60);
+    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
+}
+
+SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
+    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis_2, vec3 v_4) {
+    return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
+}
+
+MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
+    vec3 size_4 = abs(direction_7);
+    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_5, direction_7);
+    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+float edge(vec2 a_1, vec2 b_2) {
+    float p_11 = (a_1.x * b_2.y);
+    float q_7 = (a_1.y * b_2.x);
+    return ((a_1.x * b_2.y + -(q_7)) - (a_1.y * b_2.x + -(p_11)));
+}
+
+TriangleHit intersectTriangle(MeshRay ray, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
+    vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
+    vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    bool within_2 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float inverse_3 = (1.0 / pick((sum == 0.0), 1.0, sum));
+    float t_12 = ((ray.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_3);
+    return TriangleHit(pick(pick(within_2, (sum != 0.0), false), t_12, -1.0), (vec2(_e36, _e37) * inverse_3), ((sum * ray.shear.z) > 0.0));
+}
+
+uvec4 texelRow(uint i_12) {
+    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_12 & 2047u), (i_12 >> 11u))), 0);
+    return _e8;
+}
+
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
+    return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
+}
+
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
+    return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec2 pairOf(uint word) {
+    return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
+}
+
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
+    return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
+}
+
+Neighbours neighbours(float x_4, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside_2 = pick(clamps, clamp(x_4, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_4))) - 1.0))), fract(x_4)));
+    float at_3 = ((inside_2 * float(size)) - pick(nearest, 0.0, 0.5));
+    float low_4 = floor(at_3);
+    int last = (int(size) - 1);
+    int first_1 = int(low_4);
+    int second_1 = (first_1 + 1);
+    bool repeats = !(pick(clamps, true, mirrors));
+    int before_1 = pick(repeats, last, 0);
+    int after = pick(repeats, 0, last);
+    return Neighbours(uint(pick((first_1 < 0), before_1, min(max(first_1, 0), last))), uint(pick((second_1 > last), after, min(max(second_1, 0), last))), pick(nearest, 0.0, (at_3 - low_4)));
+}
+
+vec3 linearFromSrgb(vec3 c) {
+    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+}
+
+vec4 decoded(uint texel, bool colored) {
+    vec4 c_1 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_1.xyz);
+    return vec4(pick(colored, _e18, c_1.xyz), c_1.w);
+}
+
+uint texelAt(uint i_13) {
+    uvec4 _e3 = texelRow((i_13 >> 2u));
+    uvec2 pair = pick(((i_13 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_13 & 1u) != 0u), pair.y, pair.x);
+}
+
+vec4 lookUp(TextureUse t_3, vec2 uv) {
+    vec3 place_5 = vec3(uv, 1.0);
+    bool nearest_2 = ((t_3.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_3.toU, place_5), t_3.width, ((t_3.flags & clampsU) != 0u), ((t_3.flags & mirrorsU) != 0u), nearest_2);
+    Neighbours _e36 = neighbours(dot(t_3.toV, place_5), t_3.height, ((t_3.flags & clampsV) != 0u), ((t_3.flags & mirrorsV) != 0u), nearest_2);
+    uint upper_1 = (t_3.first + (_e36.first * t_3.width));
+    uint lower_1 = (t_3.first + (_e36.second * t_3.width));
+    bool colored_1 = ((t_3.flags & isColor) != 0u);
+    uint _e54 = texelAt((upper_1 + _e22.first));
+    vec4 _e55 = decoded(_e54, colored_1);
+    uint _e58 = texelAt((upper_1 + _e22.second));
+    vec4 _e59 = decoded(_e58, colored_1);
+    vec4 above_3 = mix(_e55, _e59, _e22.share);
+    uint _e64 = texelAt((lower_1 + _e22.first));
+    vec4 _e65 = decoded(_e64, colored_1);
+    uint _e68 = texelAt((lower_1 + _e22.second));
+    vec4 _e69 = decoded(_e68, colored_1);
+    vec4 below_1 = mix(_e65, _e69, _e22.share);
+    return mix(above_3, below_1, _e36.share);
+}
+
+float unitFloat(uint h_1) {
+    return (float((h_1 >> 8u)) * 5.9604645e-8);
+}
+
+uint pcg(uint x_5) {
+    uint s_5 = ((x_5 * 747796405u) + 2891336453u);
+    uint w_2 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
+}
+
+bool isThere(uint instance, uint place, vec2 weights, uint number) {
+    vec4 uv_1 = vec4(0.0);
+    float opacity = 0.0;
+    uint _e6 = frame.instances;
+    Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
+    Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
+    uint row_8 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_8);
+    vec3 share_3 = vec3(((1.0 - weights.x) - weights.y), weights);
+    uvec3 rows_1 = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
+    opacity = _e19.opacity;
+    if ((_e10.vertexRows != 0u)) {
+        Vertex _e45 = fetchVertex(rows_1.x);
+        Vertex _e50 = fetchVertex(rows_1.y);
+        Vertex _e56 = fetchVertex(rows_1.z);
+        uv_1 = vec4((((share_3.x * _e45.uv) + (share_3.y * _e50.uv)) + (share_3.z * _e56.uv)), 0.0, 0.0);
     }
-    bool _e5 = isBox(i_13);
-    if (_e5) {
-        float _e6 = hitBox(i_13, bounds_4, ray_4);
-        return _e6;
+    if ((_e10.vertexRows > vertexRows)) {
+        VertexMore _e69 = fetchVertexMore((rows_1.x + vertexRows));
+        VertexMore _e73 = fetchVertexMore((rows_1.y + vertexRows));
+        VertexMore _e77 = fetchVertexMore((rows_1.z + vertexRows));
+        vec4 _e78 = uv_1;
+        uv_1 = vec4(_e78.xy, (((share_3.x * _e69.uv) + (share_3.y * _e73.uv)) + (share_3.z * _e77.uv)));
+        float _e92 = opacity;
+        vec2 _e94 = pairOf(_e69.blueAlpha);
+        vec2 _e97 = pairOf(_e73.blueAlpha);
+        vec2 _e100 = pairOf(_e77.blueAlpha);
+        opacity = (_e92 * dot(share_3, vec3(_e94.y, _e97.y, _e100.y)));
     }
-    bool _e7 = isQuad0_(i_13);
-    if (_e7) {
-        float _e8 = hitQuad(i_13, bounds_4, ray_4);
-        return _e8;
+    if (((_e19.flags & hasOpacityTexture) != 0u)) {
+        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
+        float _e113 = opacity;
+        vec4 _e114 = uv_1;
+        vec4 _e116 = uv_1;
+        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
+        opacity = (_e113 * _e124.w);
     }
-    float _e9 = hitPlane(i_13, bounds_4, ray_4);
-    return _e9;
+    uint _e127 = pcg(number);
+    uint _e129 = pcg((instance + _e127));
+    uint _e131 = pcg((place + _e129));
+    float _e132 = unitFloat(_e131);
+    float _e133 = opacity;
+    float _e136 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
 }
 
-Bounds fetchBounds(uint i_14) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(0u, i_14)), 0);
-    return Bounds(t0_3.xyz, t0_3.w);
-}
-
-bool isPlane(uint i_15) {
-    uint _e4 = frame.shapeEnds.z;
-    uint _e9 = frame.shapeEnds.w;
-    return pick((i_15 >= _e4), (i_15 < _e9), false);
-}
-
-bool isFlat(uint i_16) {
-    uint _e4 = frame.shapeEnds.y;
-    return (i_16 >= _e4);
-}
-
-vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
-    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
-    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_8 = pick(entering, _e5.near, _e5.far);
-    vec3 side_2 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
-    bool onX_1 = (crossed.x == t_8);
-    bool onY_1 = pick(!(onX_1), (crossed.y == t_8), false);
-    return (side_2 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
-}
-
-vec3 outwardNormal(uint i_17, Ray ray_5, float t_1) {
-    Bounds _e3 = fetchBounds(i_17);
-    vec3 origin_8 = (ray_5.start.point - _e3.center);
-    bool _e8 = isSphere(i_17);
-    if (_e8) {
-        return normalize((origin_8 + (t_1 * ray_5.direction)));
+MeshHit traverse(MeshRays rays, LeftTriangle left) {
+    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    bool toLight_1 = false;
+    float most = 0.0;
+    uint instance_1 = noInstance;
+    uint nodes = 0u;
+    uint triangles = 0u;
+    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
+    MeshRay ray_1 = MeshRay(vec3(0.0), 0u, vec3(0.0));
+    uint top = 0u;
+    uint cover = 0u;
+    uint doubted = noLeaf0_;
+    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
+    uint missing = noLeaf0_;
+    uint current = 0u;
+    bool pops = false;
+    vec3 o = vec3(0.0);
+    vec3 d_1 = vec3(0.0);
+    bool nearer = false;
+    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
+    toLight_1 = !((rays.most > 0.0));
+    bool _e17 = toLight_1;
+    most = pick(_e17, rays.lightMost, rays.most);
+    uint _e59 = frame.instanceCount;
+    bool alone = (_e59 == 1u);
+    uint first_2 = pick(alone, leafBit, beginning);
+    current = first_2;
+    uint _e68 = frame.instanceCount;
+    float _e71 = most;
+    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
+        MeshHit _e76 = found_5;
+        return _e76;
     }
-    bool _e13 = isPlane(i_17);
-    if (_e13) {
-        return _e3.center;
+    while(true) {
+        while(true) {
+            pops = false;
+            uint _e79 = current;
+            if (((_e79 & leafBit) == 0u)) {
+                uint _e84 = nodes;
+                uint _e85 = current;
+                uint node_2 = (_e84 + (_e85 * nodeRows));
+                uvec4 _e91 = geometryRow((node_2 + childrenRow));
+                SlabRay _e92 = slabs;
+                float _e93 = most;
+                vec4 _e94 = enterChildren(node_2, _e92, _e91, _e93);
+                bool a_4 = (_e94.x < _e94.z);
+                bool b_4 = (_e94.y < _e94.w);
+                vec2 t0_4 = pick(a_4, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
+                uvec2 r0_ = pick(a_4, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
+                vec2 t1_3 = pick(b_4, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
+                uvec2 r1_ = pick(b_4, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+                bool c_2 = (t0_4.x < t1_3.x);
+                bool d_3 = (t0_4.y < t1_3.y);
+                vec2 ta = pick(c_2, vec2(t1_3.x, t0_4.x), vec2(t0_4.x, t1_3.x));
+                uvec2 ra = pick(c_2, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 tb = pick(d_3, vec2(t1_3.y, t0_4.y), vec2(t0_4.y, t1_3.y));
+                uvec2 rb = pick(d_3, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                bool e_25 = (ta.y < tb.x);
+                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                if ((ta.x < 1e30)) {
+                    uint _e184 = top;
+                    stack[_e184] = ra.x;
+                    uint _e188 = top;
+                    top = (_e188 + 1u);
+                }
+                if ((tm.x < 1e30)) {
+                    uint _e194 = top;
+                    stack[_e194] = rm.x;
+                    uint _e198 = top;
+                    top = (_e198 + 1u);
+                }
+                if ((tm.y < 1e30)) {
+                    uint _e204 = top;
+                    stack[_e204] = rm.y;
+                    uint _e208 = top;
+                    top = (_e208 + 1u);
+                }
+                pops = (tb.y >= 1e30);
+                current = rb.y;
+            } else {
+                uint _e214 = instance_1;
+                uint _e217 = current;
+                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
+                    uint _e221 = current;
+                    bool toWorld = (_e221 >= beginning);
+                    uint _e224 = current;
+                    pops = (_e224 == leaving);
+                    uint _e227 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e227 & placeMask));
+                    o = rays.origin;
+                    bool _e236 = toLight_1;
+                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld)) {
+                        uint _e243 = frame.instances;
+                        uint _e244 = instance_1;
+                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
+                        vec3 _e249 = o;
+                        vec4 p_12 = vec4(_e249, 1.0);
+                        o = vec3(dot(_e248.toMeshX, p_12), dot(_e248.toMeshY, p_12), dot(_e248.toMeshZ, p_12));
+                        vec3 _e261 = d_1;
+                        vec3 _e265 = d_1;
+                        vec3 _e269 = d_1;
+                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
+                        nodes = _e248.nodes;
+                        triangles = _e248.triangles;
+                        cover = _e248.cover;
+                        if (!(alone)) {
+                            uint _e277 = top;
+                            stack[_e277] = leaving;
+                            uint _e281 = top;
+                            top = (_e281 + 1u);
+                        }
+                    }
+                    current = 0u;
+                    vec3 _e284 = o;
+                    vec3 _e285 = d_1;
+                    SlabRay _e286 = slabRay(_e284, _e285);
+                    slabs = _e286;
+                    vec3 _e287 = o;
+                    vec3 _e288 = d_1;
+                    MeshRay _e289 = meshRay(_e287, _e288);
+                    ray_1 = _e289;
+                } else {
+                    uint _e290 = current;
+                    uint place_6 = (_e290 & placeMask);
+                    MeshRay _e293 = ray_1;
+                    uint _e294 = triangles;
+                    Triangle _e298 = fetchTriangle((_e294 + (place_6 * triangleRows)));
+                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
+                    uint _e300 = instance_1;
+                    bool own_6 = pick((_e300 == left.instance), (place_6 == left.triangle), false);
+                    float _e310 = most;
+                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_6), false);
+                    const bool _e317 = hasOneSided;
+                    if (_e317) {
+                        bool _e318 = nearer;
+                        uint _e320 = cover;
+                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
+                    }
+                    const bool _e328 = hasCutouts;
+                    if (_e328) {
+                        bool _e329 = nearer;
+                        uint _e330 = current;
+                        uint _e331 = missing;
+                        nearer = pick(_e329, (_e330 != _e331), false);
+                        missing = noLeaf0_;
+                        bool _e335 = nearer;
+                        uint _e336 = cover;
+                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
+                            uint _e342 = current;
+                            doubted = _e342;
+                            uint _e344 = instance_1;
+                            doubtedHit = MeshHit(_e299.t, _e344, place_6, _e299.weights, false);
+                            break;
+                        }
+                    }
+                    uint _e348 = current;
+                    current = ((_e348 + 1u) - 268435456u);
+                    uint _e353 = current;
+                    pops = (((_e353 >> countShift) & 7u) == 0u);
+                    bool _e360 = nearer;
+                    if (_e360) {
+                        bool _e361 = toLight_1;
+                        if (_e361) {
+                            found_5.blocked = true;
+                            break;
+                        }
+                        most = _e299.t;
+                        uint _e366 = instance_1;
+                        found_5 = MeshHit(_e299.t, _e366, place_6, _e299.weights, false);
+                    }
+                }
+            }
+            bool _e370 = pops;
+            if (_e370) {
+                uint _e371 = top;
+                if ((_e371 > 0u)) {
+                    uint _e375 = top;
+                    top = (_e375 - 1u);
+                    uint _e378 = top;
+                    uint _e380 = stack[_e378];
+                    current = _e380;
+                } else {
+                    bool _e381 = toLight_1;
+                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+                        break;
+                    }
+                    toLight_1 = true;
+                    most = rays.lightMost;
+                    instance_1 = noInstance;
+                    current = first_2;
+                }
+            }
+        }
+        const bool _e391 = hasCutouts;
+        if (!(_e391)) {
+            break;
+        }
+        uint _e393 = doubted;
+        if ((_e393 == noLeaf0_)) {
+            break;
+        }
+        uint _e397 = doubtedHit.instance;
+        uint _e399 = doubtedHit.triangle;
+        vec2 _e401 = doubtedHit.weights;
+        bool _e403 = toLight_1;
+        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
+        uint _e407 = doubted;
+        missing = pick(_e406, noLeaf0_, _e407);
+        doubted = noLeaf0_;
+        bool _e411 = toLight_1;
+        if (pick(_e406, _e411, false)) {
+            found_5.blocked = true;
+            break;
+        }
+        if (_e406) {
+            float _e416 = doubtedHit.t;
+            most = _e416;
+            MeshHit _e417 = doubtedHit;
+            found_5 = _e417;
+        }
     }
-    Extent _e15 = fetchExtent(i_17);
-    bool _e16 = isFlat(i_17);
-    if (_e16) {
-        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
+    MeshHit _e418 = found_5;
+    return _e418;
+}
+
+uint rowOfInstance(uint instance_2) {
+    uint _e3 = frame.instances;
+    Instance _e7 = fetchInstance((_e3 + (instance_2 * instanceRows)));
+    return _e7.row;
+}
+
+PairHit meetMeshes(PairHit found_6, RayPair p_6) {
+    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
+    float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
+    MeshHit _e17 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost, p_6.number), p_6.left);
+    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e17.blocked), noTriangle, _e17.weights);
+    if ((_e17.instance != noInstance)) {
+        result.t = _e17.t;
+        uint _e34 = rowOfInstance(_e17.instance);
+        result.shape = _e34;
+        result.triangle = LeftTriangle(_e17.instance, _e17.triangle);
     }
-    bool inside_2 = (i_17 == ray_5.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_8);
-    vec3 _e30 = rotate(_e15.a, ray_5.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_2);
-    vec3 _e37 = rotateBack(_e15.a, _e35);
-    return _e37;
+    PairHit _e39 = result;
+    return _e39;
 }
 
-bool isOnDisc(Emitter e_16, vec3 direction_8) {
-    vec3 chord = (direction_8 + e_16.u);
-    return ((3.1415927 * dot(chord, chord)) < e_16.area);
-}
-
-float directionalPdf(Emitter e_17, vec3 direction_9) {
-    bool _e7 = isOnDisc(e_17, direction_9);
-    return pick(_e7, (1.0 / max(e_17.area, 1e-31)), 0.0);
-}
-
-vec2 quadrantAngles(vec2 x_4, vec2 y_2) {
-    vec2 low_4 = min(x_4, y_2);
-    vec2 high_3 = max(x_4, y_2);
-    bvec2 middle_3 = greaterThan(low_4, (0.41421357 * high_3));
-    vec2 r_2 = (mix(low_4, (low_4 - high_3), middle_3) / max(mix(high_3, (low_4 + high_3), middle_3), vec2(1e-30)));
-    vec2 z_4 = (r_2 * r_2);
-    vec2 series_1 = ((((((0.080537446 * z_4) - vec2(0.13877685)) * z_4) + vec2(0.19977711)) * z_4) - vec2(0.3333295));
-    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_4) * r_2) + r_2));
-    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_4));
-}
-
-EnvironmentLight lookUpEnvironment(vec3 direction_10) {
-    vec2 size_3 = frame.environmentSize;
-    float sine_5 = max(length(direction_10.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_5));
-    float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
-    float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
-    float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_3 = floor(fromPole_1);
-    bool isLower_1 = (direction_10.y < 0.0);
-    vec2 cell_3 = vec2(floor(column_1), pick(isLower_1, (size_3.y - row_3), row_3));
-    float within_2 = (fromPole_1 - row_3);
-    vec2 at_3 = vec2((column_1 - cell_3.x), pick(isLower_1, (1.0 - within_2), within_2));
-    Corners _e66 = environmentCorners(uvec2(cell_3));
-    EnvironmentLight _e67 = lightWithin(_e66, at_3, sine_5);
-    return _e67;
-}
-
-EnvironmentLight skyLight(vec3 direction_11) {
-    EnvironmentLight light = white;
-    const bool _e4 = hasEnvironment;
-    if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_11);
-        light = _e5;
+PairHit tracePair(RayPair p_7) {
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_14 = 0u;
+    uvec4 ends_2 = frame.shapeEnds;
+    const bool _e17 = hasSpheres;
+    uint _e18 = i_14;
+    if (pick(_e17, (_e18 < ends_2.x), false)) {
+        while(true) {
+            PairHit _e22 = found_7;
+            uint _e23 = i_14;
+            PairHit _e24 = meetSphere(_e22, p_7, _e23);
+            found_7 = _e24;
+            uint _e26 = i_14;
+            i_14 = (_e26 + 1u);
+            uint _e28 = i_14;
+            if ((_e28 >= ends_2.x)) {
+                break;
+            }
+        }
     }
-    vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_11);
-    float _e11 = light.pdf;
-    return EnvironmentLight((_e7 * _e8), _e11);
+    const bool _e32 = hasBoxes;
+    uint _e33 = i_14;
+    if (pick(_e32, (_e33 < ends_2.y), false)) {
+        while(true) {
+            PairHit _e37 = found_7;
+            uint _e38 = i_14;
+            PairHit _e39 = meetBox(_e37, p_7, _e38);
+            found_7 = _e39;
+            uint _e41 = i_14;
+            i_14 = (_e41 + 1u);
+            uint _e43 = i_14;
+            if ((_e43 >= ends_2.y)) {
+                break;
+            }
+        }
+    }
+    const bool _e47 = hasQuads;
+    uint _e48 = i_14;
+    if (pick(_e47, (_e48 < ends_2.z), false)) {
+        while(true) {
+            PairHit _e52 = found_7;
+            uint _e53 = i_14;
+            PairHit _e54 = meetQuad(_e52, p_7, _e53);
+            found_7 = _e54;
+            uint _e56 = i_14;
+            i_14 = (_e56 + 1u);
+            uint _e58 = i_14;
+            if ((_e58 >= ends_2.z)) {
+                break;
+            }
+        }
+    }
+    const bool _e62 = hasPlanes;
+    uint _e63 = i_14;
+    if (pick(_e62, (_e63 < ends_2.w), false)) {
+        while(true) {
+            PairHit _e67 = found_7;
+            uint _e68 = i_14;
+            PairHit _e69 = meetPlane(_e67, p_7, _e68);
+            found_7 = _e69;
+            uint _e71 = i_14;
+            i_14 = (_e71 + 1u);
+            uint _e73 = i_14;
+            if ((_e73 >= ends_2.w)) {
+                break;
+            }
+        }
+    }
+    const bool _e77 = hasMeshes;
+    if (_e77) {
+        PairHit _e78 = found_7;
+        PairHit _e79 = meetMeshes(_e78, p_7);
+        found_7 = _e79;
+    }
+    PairHit _e80 = found_7;
+    return _e80;
 }
 
-FarLight farLight(Emitter e_18, vec3 direction_12) {
-    FarLight far_2 = FarLight(vec3(0.0), 0.0);
-    const bool _e8 = hasSuns;
-    if (_e8) {
-        bool _e12 = isOnDisc(e_18, direction_12);
-        bool seen_1 = pick((e_18.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_18, direction_12);
-        far_2 = FarLight(pick(seen_1, e_18.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
-    }
-    const bool _e23 = hasSky;
-    if (pick(_e23, (e_18.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_12);
-        far_2 = FarLight(_e28.radiance, _e28.pdf);
-    }
-    FarLight _e32 = far_2;
-    return _e32;
+RayPair oneRay(vec3 origin_8, vec3 direction_8, uint number_1) {
+    return RayPair(origin_8, noShape, noTriangle, 0.0, true, direction_8, false, direction_8, false, -1.0, noShape, number_1);
 }
 
-float spherePdf(Emitter e_19, vec3 point_16, vec3 direction_13) {
-    SphereView _e3 = viewSphere(e_19, point_16);
-    bool reached_1 = pick(_e3.inside, true, (dot(direction_13, _e3.toCenter) > 0.0));
+vec3 fromOctahedral(uint code) {
+    vec2 p_13 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_4 = ((1.0 - abs(p_13.x)) - abs(p_13.y));
+    vec2 folded = ((vec2(1.0) - abs(p_13.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_13, vec2(0.0))));
+    return normalize(vec3(pick((z_4 < 0.0), folded, p_13), z_4));
+}
+
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+    MeshPoint p_8 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
+    uint _e5 = frame.instances;
+    Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
+    Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
+    mat3x3 turn_1 = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
+    vec3 geometric = normalize((turn_1 * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_8 = MeshPoint(geometric, geometric, vec3(0.0), vec3(0.0), geometric, vec4(0.0), vec4(1.0));
+    if ((_e9.vertexRows != 0u)) {
+        uvec3 rows_2 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
+        Vertex _e54 = fetchVertex(rows_2.x);
+        Vertex _e56 = fetchVertex(rows_2.y);
+        Vertex _e58 = fetchVertex(rows_2.z);
+        vec3 share_4 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 _e67 = fromOctahedral(_e54.normal);
+        vec3 _e71 = fromOctahedral(_e56.normal);
+        vec3 _e76 = fromOctahedral(_e58.normal);
+        vec3 normal_12 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
+        vec3 smoothed = (turn_1 * normal_12);
+        float size_5 = dot(smoothed, smoothed);
+        float side_2 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+        bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_5 > 0.0), false);
+        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_5, 1e-37)))), geometric);
+        const bool _e103 = hasTextures;
+        if (_e103) {
+            p_8.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
+            if ((_e9.vertexRows > vertexRows)) {
+                VertexMore _e125 = fetchVertexMore((rows_2.x + vertexRows));
+                VertexMore _e129 = fetchVertexMore((rows_2.y + vertexRows));
+                VertexMore _e133 = fetchVertexMore((rows_2.z + vertexRows));
+                vec4 _e136 = p_8.uv;
+                p_8.uv = vec4(_e136.xy, (((share_4.x * _e125.uv) + (share_4.y * _e129.uv)) + (share_4.z * _e133.uv)));
+                vec2 _e152 = pairOf(_e125.redGreen);
+                vec2 _e156 = pairOf(_e129.redGreen);
+                vec2 _e161 = pairOf(_e133.redGreen);
+                vec2 redGreen = (((share_4.x * _e152) + (share_4.y * _e156)) + (share_4.z * _e161));
+                vec2 _e166 = pairOf(_e125.blueAlpha);
+                vec2 _e170 = pairOf(_e129.blueAlpha);
+                vec2 _e175 = pairOf(_e133.blueAlpha);
+                vec2 blueAlpha = (((share_4.x * _e166) + (share_4.y * _e170)) + (share_4.z * _e175));
+                p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            }
+            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                vec3 _e193 = fromOctahedral(_e54.tangent);
+                vec3 _e197 = fromOctahedral(_e56.tangent);
+                vec3 _e202 = fromOctahedral(_e58.tangent);
+                vec3 tangent = (((share_4.x * _e193) + (share_4.y * _e197)) + (share_4.z * _e202));
+                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                p_8.normal = (smoothed * side_2);
+                p_8.tangent = ((turn_1 * tangent) * side_2);
+                p_8.bitangent = ((turn_1 * cross(normal_12, tangent)) * (hand * side_2));
+            }
+        }
+    }
+    MeshPoint _e223 = p_8;
+    return _e223;
+}
+
+uint emitterOfTriangle(Emitter e_16, LeftTriangle t_4) {
+    return (((t_4.instance - uint(e_16.instance)) * uint(e_16.cosInner)) + (t_4.triangle >> uint(e_16.radius)));
+}
+
+float spherePdf(Emitter e_17, vec3 point_15, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_17, point_15);
+    bool reached_1 = pick(_e3.inside, true, (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached_1, _e11, 0.0);
 }
 
-float quadPdf(Emitter e_20, vec3 point_17, float distance_2) {
-    QuadView _e3 = viewQuad(e_20, point_17);
-    float _e5 = pdfOfView(_e3, e_20.area, distance_2);
+float quadPdf(Emitter e_18, vec3 point_16, float distance_2) {
+    QuadView _e3 = viewQuad(e_18, point_16);
+    float _e5 = pdfOfView(_e3, e_18.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_21, vec3 point_18, vec3 direction_14, float distance_3, vec3 normal_7) {
-    BoxView _e5 = viewBox(e_21, point_18);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_14, normal_7))), distance_3);
+float boxPdf(Emitter e_19, vec3 point_17, vec3 direction_10, float distance_3, vec3 normal_7) {
+    BoxView _e5 = viewBox(e_19, point_17);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_7))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float meshPdf(Emitter e_22, vec3 direction_15, float distance_4, vec3 normal_8, uint place) {
+float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_4 = ((_e7 + uint(e_22.table)) + (place & ((1u << uint(e_22.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_4);
-    float _e26 = areaPdf((e_22.area / _e20.density), (distance_4 * abs(dot(direction_15, normal_8))), distance_4);
+    uint row_9 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_9);
+    float _e26 = areaPdf((e_20.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
     return _e26;
 }
 
-float shapePdf(Emitter e_23, vec3 point_19, vec3 direction_16, float distance_5, vec3 normal_9, uint place_1) {
+float shapePdf(Emitter e_21, vec3 point_18, vec3 direction_12, float distance_5, vec3 normal_9, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
-    if (pick(_e9, (e_23.kind == 0.0), false)) {
-        float _e14 = spherePdf(e_23, point_19, direction_16);
+    if (pick(_e9, (e_21.kind == 0.0), false)) {
+        float _e14 = spherePdf(e_21, point_18, direction_12);
         pdf = _e14;
     }
     const bool _e16 = hasQuadLights;
-    if (pick(_e16, (e_23.kind == 1.0), false)) {
-        float _e21 = quadPdf(e_23, point_19, distance_5);
+    if (pick(_e16, (e_21.kind == 1.0), false)) {
+        float _e21 = quadPdf(e_21, point_18, distance_5);
         pdf = _e21;
     }
     const bool _e23 = hasBoxLights;
-    if (pick(_e23, (e_23.kind == 2.0), false)) {
-        float _e28 = boxPdf(e_23, point_19, direction_16, distance_5, normal_9);
+    if (pick(_e23, (e_21.kind == 2.0), false)) {
+        float _e28 = boxPdf(e_21, point_18, direction_12, distance_5, normal_9);
         pdf = _e28;
     }
     const bool _e30 = hasMeshLamps;
-    if (pick(_e30, (e_23.kind == 7.0), false)) {
-        float _e35 = meshPdf(e_23, direction_16, distance_5, normal_9, place_1);
+    if (pick(_e30, (e_21.kind == 7.0), false)) {
+        float _e35 = meshPdf(e_21, direction_12, distance_5, normal_9, place_3);
         pdf = _e35;
     }
     float _e36 = pdf;
     return _e36;
+}
+
+Start onSurface(vec3 point_19, uint shape, bool seenFromInside) {
+    return Start(point_19, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_19)));
+}
+
+bool isSphere(uint i_15) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_15 < _e4);
+}
+
+float hitSphere(uint i_16, Bounds bounds, Ray ray_2) {
+    float _e13 = intersectSphere(ray_2.start.point, ray_2.direction, bounds.center, bounds.radius, ray_2.start.tMin, (i_16 == ray_2.start.inside));
+    return pick((i_16 == ray_2.start.leaves), 1e30, _e13);
+}
+
+bool isBox(uint i_17) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return pick((i_17 >= _e4), (i_17 < _e9), false);
+}
+
+bool isTurned(vec4 q_5) {
+    return any(notEqual(q_5.xyz, vec3(0.0)));
+}
+
+float hitBox(uint i_18, Bounds bounds_1, Ray ray_3) {
+    vec3 origin_9 = vec3(0.0);
+    vec3 direction_13 = vec3(0.0);
+    Extent _e3 = fetchExtent(i_18);
+    origin_9 = (ray_3.start.point - bounds_1.center);
+    direction_13 = ray_3.direction;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_9;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_9 = _e15;
+        vec3 _e17 = direction_13;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_13 = _e18;
+    }
+    vec3 _e19 = origin_9;
+    vec3 _e20 = direction_13;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_18 == ray_3.start.inside));
+    return pick((i_18 == ray_3.start.leaves), 1e30, _e28);
+}
+
+bool isQuad0_(uint i_19) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_19 < _e4);
+}
+
+float hitQuad(uint i_20, Bounds bounds_2, Ray ray_4) {
+    Extent _e3 = fetchExtent(i_20);
+    float _e14 = intersectQuad(ray_4.start.point, ray_4.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_4.start.tMin);
+    return pick((i_20 == ray_4.start.leaves), 1e30, _e14);
+}
+
+float hitPlane(uint i_21, Bounds bounds_3, Ray ray_5) {
+    float _e10 = intersectPlane(ray_5.start.point, ray_5.direction, bounds_3.center, bounds_3.radius, ray_5.start.tMin);
+    return pick((i_21 == ray_5.start.leaves), 1e30, _e10);
+}
+
+float hitShape(uint i_22, Bounds bounds_4, Ray ray_6) {
+    bool _e3 = isSphere(i_22);
+    if (_e3) {
+        float _e4 = hitSphere(i_22, bounds_4, ray_6);
+        return _e4;
+    }
+    bool _e5 = isBox(i_22);
+    if (_e5) {
+        float _e6 = hitBox(i_22, bounds_4, ray_6);
+        return _e6;
+    }
+    bool _e7 = isQuad0_(i_22);
+    if (_e7) {
+        float _e8 = hitQuad(i_22, bounds_4, ray_6);
+        return _e8;
+    }
+    float _e9 = hitPlane(i_22, bounds_4, ray_6);
+    return _e9;
+}
+
+bool isPlane(uint i_23) {
+    uint _e4 = frame.shapeEnds.z;
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_23 >= _e4), (i_23 < _e9), false);
+}
+
+bool isFlat(uint i_24) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_24 >= _e4);
+}
+
+vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_10, direction_14, halfSize_2);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_13 = pick(entering, _e5.near, _e5.far);
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
+    bool onX_1 = (crossed.x == t_13);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_13), false);
+    return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
+}
+
+vec3 outwardNormal(uint i_25, Ray ray_7, float t_5) {
+    Bounds _e3 = fetchBounds(i_25);
+    vec3 origin_11 = (ray_7.start.point - _e3.center);
+    bool _e8 = isSphere(i_25);
+    if (_e8) {
+        return normalize((origin_11 + (t_5 * ray_7.direction)));
+    }
+    bool _e13 = isPlane(i_25);
+    if (_e13) {
+        return _e3.center;
+    }
+    Extent _e15 = fetchExtent(i_25);
+    bool _e16 = isFlat(i_25);
+    if (_e16) {
+        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
+    }
+    bool inside_3 = (i_25 == ray_7.start.inside);
+    vec3 _e27 = rotate(_e15.a, origin_11);
+    vec3 _e30 = rotate(_e15.a, ray_7.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside_3);
+    vec3 _e37 = rotateBack(_e15.a, _e35);
+    return _e37;
+}
+
+bool isOnDisc(Emitter e_22, vec3 direction_15) {
+    vec3 chord = (direction_15 + e_22.u);
+    return ((3.1415927 * dot(chord, chord)) < e_22.area);
+}
+
+float directionalPdf(Emitter e_23, vec3 direction_16) {
+    bool _e7 = isOnDisc(e_23, direction_16);
+    return pick(_e7, (1.0 / max(e_23.area, 1e-31)), 0.0);
+}
+
+vec2 quadrantAngles(vec2 x_6, vec2 y_2) {
+    vec2 low_5 = min(x_6, y_2);
+    vec2 high_3 = max(x_6, y_2);
+    bvec2 middle_3 = greaterThan(low_5, (0.41421357 * high_3));
+    vec2 r_3 = (mix(low_5, (low_5 - high_3), middle_3) / max(mix(high_3, (low_5 + high_3), middle_3), vec2(1e-30)));
+    vec2 z_5 = (r_3 * r_3);
+    vec2 series_1 = ((((((0.080537446 * z_5) - vec2(0.13877685)) * z_5) + vec2(0.19977711)) * z_5) - vec2(0.3333295));
+    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_5) * r_3) + r_3));
+    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_6));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_17) {
+    vec2 size_6 = frame.environmentSize;
+    float sine_5 = max(length(direction_17.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_17.z, direction_17.y)), vec2(abs(direction_17.x), sine_5));
+    float turn_2 = (pick((direction_17.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_17.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column_1 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
+    float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
+    float row_10 = floor(fromPole_1);
+    bool isLower_1 = (direction_17.y < 0.0);
+    vec2 cell_3 = vec2(floor(column_1), pick(isLower_1, (size_6.y - row_10), row_10));
+    float within_3 = (fromPole_1 - row_10);
+    vec2 at_4 = vec2((column_1 - cell_3.x), pick(isLower_1, (1.0 - within_3), within_3));
+    Corners _e66 = environmentCorners(uvec2(cell_3));
+    EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
+    return _e67;
+}
+
+EnvironmentLight skyLight(vec3 direction_18) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_18);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_18);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight farLight(Emitter e_24, vec3 direction_19) {
+    FarLight far_2 = FarLight(vec3(0.0), 0.0);
+    const bool _e8 = hasSuns;
+    if (_e8) {
+        bool _e12 = isOnDisc(e_24, direction_19);
+        bool seen_1 = pick((e_24.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_24, direction_19);
+        far_2 = FarLight(pick(seen_1, e_24.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
+    }
+    const bool _e23 = hasSky;
+    if (pick(_e23, (e_24.kind == 6.0), false)) {
+        EnvironmentLight _e28 = skyLight(direction_19);
+        far_2 = FarLight(_e28.radiance, _e28.pdf);
+    }
+    FarLight _e32 = far_2;
+    return _e32;
 }
 
 void main() {
@@ -1274,22 +2072,22 @@ void main() {
     float t = 1e30;
     vec3 normal = vec3(0.0);
     uvec2 pixel = uvec2(fragment.xy);
-    vec4 a_3 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
-    vec4 b_3 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
-    vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
-    uint question = uint(b_3.w);
-    uint index = uint(a_3.w);
+    vec4 a_5 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
+    vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 c_3 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    uint question = uint(b_5.w);
+    uint index = uint(a_5.w);
     if ((question == choice_2)) {
-        EmitterChoice _e40 = chooseEmitter(a_3.xyz, c.xyz, b_3.x);
+        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_3.xyz, b_5.x);
         Emitter _e42 = fetchEmitter(_e40.index);
-        float _e46 = probabilityOf(_e42, a_3.xyz, c.xyz, _e40.odds);
+        float _e46 = probabilityOf(_e42, a_5.xyz, c_3.xyz, _e40.odds);
         Emitter _e50 = fetchEmitter(index);
-        float _e54 = probabilityOf(_e50, a_3.xyz, c.xyz, _e40.odds);
+        float _e54 = probabilityOf(_e50, a_5.xyz, c_3.xyz, _e40.odds);
         _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
     Emitter _e56 = fetchEmitter(index);
-    LightSample _e59 = sampleEmitter(_e56, a_3.xyz, b_3.xy);
+    LightSample _e59 = sampleEmitter(_e56, a_5.xyz, b_5.xy);
     if ((question == directionAndPdf)) {
         _fs2p_location0 = vec4(_e59.direction, _e59.pdf);
         return;
@@ -1298,29 +2096,45 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_19 = pick((question == pdfOfSample), _e59.direction, c.xyz);
+    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_3.xyz);
+    if ((_e56.kind == 7.0)) {
+        RayPair _e85 = oneRay(a_5.xyz, direction_22, 0u);
+        PairHit _e86 = tracePair(_e85);
+        if ((_e86.triangle.instance == noInstance)) {
+            _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
+            return;
+        }
+        MeshPoint _e102 = meshPoint(_e86.triangle.instance, _e86.triangle.triangle, _e86.weights);
+        normal = _e102.geometric;
+        uint _e105 = emitterOfTriangle(_e56, _e86.triangle);
+        Emitter _e107 = fetchEmitter((index + _e105));
+        vec3 _e110 = normal;
+        float _e113 = shapePdf(_e107, a_5.xyz, direction_22, _e86.t, _e110, _e86.triangle.triangle);
+        _fs2p_location0 = vec4(_e113, _e86.t, _e59.pdf, float(_e59.delta));
+        return;
+    }
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
-        Start _e88 = onSurface(a_3.xyz, noShape, false);
-        Ray ray_6 = Ray(_e88, direction_19);
-        Bounds _e90 = fetchBounds(shape_1);
-        float _e91 = hitShape(shape_1, _e90, ray_6);
-        t = _e91;
-        float _e92 = t;
-        vec3 _e95 = outwardNormal(shape_1, ray_6, min(_e92, 1e30));
-        normal = _e95;
-        float _e96 = t;
-        if ((_e96 >= 1e30)) {
+        Start _e127 = onSurface(a_5.xyz, noShape, false);
+        Ray ray_8 = Ray(_e127, direction_22);
+        Bounds _e129 = fetchBounds(shape_1);
+        float _e130 = hitShape(shape_1, _e129, ray_8);
+        t = _e130;
+        float _e131 = t;
+        vec3 _e134 = outwardNormal(shape_1, ray_8, min(_e131, 1e30));
+        normal = _e134;
+        float _e135 = t;
+        if ((_e135 >= 1e30)) {
             _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
             return;
         }
     }
-    FarLight _e105 = farLight(_e56, direction_19);
-    float _e107 = t;
-    vec3 _e108 = normal;
-    float _e110 = shapePdf(_e56, a_3.xyz, direction_19, _e107, _e108, 0u);
-    float _e113 = t;
-    _fs2p_location0 = vec4((_e110 + _e105.pdf), _e113, length(_e105.radiance), float(_e59.delta));
+    FarLight _e144 = farLight(_e56, direction_22);
+    float _e146 = t;
+    vec3 _e147 = normal;
+    float _e149 = shapePdf(_e56, a_5.xyz, direction_22, _e146, _e147, 0u);
+    float _e152 = t;
+    _fs2p_location0 = vec4((_e149 + _e144.pdf), _e152, length(_e144.radiance), float(_e59.delta));
     return;
 }
 

@@ -2049,10 +2049,10 @@ vec4 estimatesOfChildren(LightNode n_2, vec3 point_8, vec3 normal_6) {
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
     vec4 cosN = clamp(((((normal_6.x * x_18) + (normal_6.y * y_11)) + (normal_6.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
-    bvec4 bothSides = bvec4pickpickpickpick(bvec4((dot(normal_6, normal_6) == 0.0)).x, true, inside_3.x, bvec4((dot(normal_6, normal_6) == 0.0)).y, true, inside_3.y, bvec4((dot(normal_6, normal_6) == 0.0)).z, true, inside_3.z, bvec4((dot(normal_6, normal_6) == 0.0)).w, true, inside_3.w);
-    vec4 _e87 = sineOf(cosN);
-    vec4 _e88 = cosineLess(cosN, _e87, cosB_1, sinB_1);
-    vec4 cosIn = mix(max(_e88, vec4(0.0)), vec4(1.0), bothSides);
+    vec4 _e82 = sineOf(cosN);
+    vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
+    vec4 above_3 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
+    vec4 cosIn = pick((dot(normal_6, normal_6) == 0.0), vec4(1.0), above_3);
     vec4 estimate_1 = (((n_2.power * cosOut) * cosIn) / max(max(distance2_1, (n_2.reach * n_2.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_2.cosEdge));
 }

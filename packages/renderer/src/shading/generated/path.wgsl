@@ -1704,8 +1704,8 @@ fn estimatesOfChildren(n: LightNode, point: vec3f, normal: vec3f) -> vec4f {
   let cosX = cosineLess(cosW, sinW, n.cosWidth, sinO);
   let cosOut = select(cosineLess(cosX, sineOf(cosX), cosB, sinB), vec4f(1.0), inside);
   let cosN = clamp((normal.x * x + normal.y * y + normal.z * z) * inverse, vec4f(-1.0), vec4f(1.0));
-  let bothSides = vec4<bool>(dot(normal, normal) == 0.0) | inside;
-  let cosIn = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), bothSides);
+  let above = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), inside);
+  let cosIn = select(above, vec4f(1.0), dot(normal, normal) == 0.0);
   let estimate = n.power * cosOut * cosIn / max(max(distance2, n.reach * n.reach), vec4f(1e-15));
   return select(vec4f(0.0), min(estimate, vec4f(1e30)), cosOut > n.cosEdge);
 }
