@@ -22,11 +22,12 @@ import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
 import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
+import type { Moment } from './scene/motion.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
 import { TexelBuffer } from './texel-buffer.ts';
 
 /** One state of the world, as the film is to hold it. */
-export interface Shot extends Subject {
+export interface Shot extends Subject, Moment {
   /** At most. */
   readonly raysPerPixel: number;
   /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
@@ -181,10 +182,14 @@ export class Stages {
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
     this.#content = program ? contentOfSubject(shot) : null;
-    const pack = this.#content === 'path' || isAov(this.#content) ? packPathScene : packScene;
+    const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
-    const reach = viewReach(shot.camera, width / height, shot.settings.framing);
-    const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
+    const options = { reuse: this.#packed, reach: viewReach(camera, width / height, shot.settings.framing) };
+    const packed =
+      this.#content === 'path' || isAov(this.#content)
+        ? packPathScene({ ...shot, scene }, camera.eye, options)
+        : packScene(scene, camera.eye, options);
+    const before = this.#packed;
     this.#packed = packed;
     if (packed.environment) this.#environment.hold(packed.environment);
     if (packed.geometry) this.#geometry.hold(packed.geometry);
@@ -192,7 +197,7 @@ export class Stages {
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
-    }
+    } else if (packed.source === before?.source) return;
     this.#table.write(packed.table.f32, packed.rows);
   }
 

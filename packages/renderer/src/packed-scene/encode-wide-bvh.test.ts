@@ -1,37 +1,17 @@
 import { describe, expect, test } from 'vitest';
 import { awkwardMeshes, bumpySphere, landscape, soup } from '../../../../tests/fixtures/meshes.ts';
 import { between, pick, randomDirection, seededRandom } from '../../../../tests/fixtures/random.ts';
+import { wideSource } from '../../../../tests/fixtures/wide-source.ts';
 import { buildBvh } from '../bvh/build-bvh.ts';
 import type { Bvh, TriangleMesh } from '../bvh/bvh.ts';
 import { triangleBoxes } from '../bvh/primitive-boxes.ts';
-import { addChild, type NodeSource, roomForChildren } from '../bvh/trace/node-source.ts';
+import { type NodeSource, roomForChildren } from '../bvh/trace/node-source.ts';
 import { closestByBruteForce, closestHit } from '../bvh/trace/trace.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
-import { type FieldName, fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 
-const word = (field: FieldName<'WideNode'>) => fieldOffset('WideNode', field) / 4;
-const FACES = (['minX', 'minY', 'minZ', 'maxX', 'maxY', 'maxZ'] as const).map(word);
-
-/** The words read back as a kernel reads them. */
-function wideSource(bvh: Bvh): NodeSource {
+function sourceOf(bvh: Bvh): NodeSource {
   const { words, stackNeed } = encodeWideBvh(bvh);
-  const floats = new Float32Array(words.buffer);
-  return {
-    root: 0,
-    order: bvh.order,
-    stackSize: stackNeed,
-    readChildren(node, into) {
-      into.count = 0;
-      const at = node * geometryRows('WideNode') * GEOMETRY_ROW;
-      for (let k = 0; k < 4; k++) {
-        const reference = words[at + word('children') + k]!;
-        if (reference === 0) continue;
-        const isLeaf = reference >>> 31 === 1;
-        const bounds = FACES.map((face) => floats[at + face + k]!);
-        addChild(into, bounds, isLeaf ? (reference >>> 28) & 7 : 0, isLeaf ? reference & 0xfffffff : reference);
-      }
-    },
-  };
+  return wideSource(words, bvh.order, stackNeed);
 }
 
 const random = seededRandom(87);
@@ -45,7 +25,7 @@ const options = { maxLeafSize: 4 };
 
 describe.each(meshes)('%s', (_, mesh) => {
   const bvh = buildBvh(mesh, options);
-  const source = wideSource(bvh);
+  const source = sourceOf(bvh);
 
   test('every triangle is in one leaf, and in all boxes above it', () => {
     const boxes = triangleBoxes(mesh);

@@ -1,17 +1,19 @@
 /**
-/**
  * What packs meshes, their textures, and trees over many lights, with all that builds trees, comes when the first scene with some does: see
  * scripts/lazy-parts.mjs.
  */
+import type { Moment } from '../scene/motion.ts';
 import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import type { EmitterValues } from './emitter-values.ts';
 import { geometryRows } from './layout.ts';
 import type { LightTree } from './light-tree.ts';
-import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type * as Packing from './pack-geometry.ts';
+import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { TextureRows } from './pack-textures.ts';
+import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
-type Packer = Pick<typeof import('./pack-geometry.ts'), 'packGeometry' | 'packTextures' | 'treeOfEmitters'>;
+type Packer = Pick<typeof Packing, 'packGeometry' | 'packTextures' | 'treeOfEmitters'>;
 
 let packer: Packer | null = null;
 
@@ -20,10 +22,9 @@ export async function loadGeometryPacker(): Promise<void> {
 }
 export const geometryPackerLoaded = (): boolean => packer !== null;
 
-/** Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  if (shapes.length === 0) return NO_GEOMETRY;
-  return loaded().packGeometry(scene, shapes, eye);
+/** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
+export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
+  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before) : NO_GEOMETRY;
 }
 
 /** `materials`: those of meshes. Throws likewise. */
@@ -31,15 +32,15 @@ export function texturesOf(scene: Scene, materials: readonly Material[]): Textur
   return materials.length === 0 ? NO_TEXTURES : loaded().packTextures(scene, materials);
 }
 
+/** `treeOfEmitters`. Throws when the packer has not been loaded. */
+export const lightTreeOf = (emitters: readonly EmitterValues[], far: number): LightTree =>
+  loaded().treeOfEmitters(emitters, far);
+
 function loaded(): Packer {
   if (packer === null)
     throw new Error('Meshes or many lights are to be packed, and loadGeometryPacker() has not been awaited.');
   return packer;
 }
-
-/** Throws when the packer has not been loaded. */
-export const lightTreeOf = (emitters: readonly EmitterValues[], far: number): LightTree =>
-  loaded().treeOfEmitters(emitters, far);
 
 const rows = geometryRows('WideNode');
 /** A root without children. */
@@ -48,10 +49,13 @@ const NO_GEOMETRY: PackedGeometry = {
   moving: createBlock(rows * 16),
   instances: 0,
   instanceCount: 0,
+  treeRows: rows,
+  revision: 0,
+  changedInstances: [0, 0],
   meshes: [],
   lampTables: rows,
   tables: [],
-  lamps: new Map(),
+  emitters: [],
   rows,
 };
 

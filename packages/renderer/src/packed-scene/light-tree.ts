@@ -118,7 +118,9 @@ function select(order: Uint32Array, from: number, to: number, middle: number, ke
   }
 }
 
+/** What has no power is nowhere. */
 function union(a: Bounded, b: Bounded): Bounded {
+  if (a.power === 0 || b.power === 0) return a.power === 0 ? b : a;
   const min: Vec3 = [Math.min(a.min[0], b.min[0]), Math.min(a.min[1], b.min[1]), Math.min(a.min[2], b.min[2])];
   const max: Vec3 = [Math.max(a.max[0], b.max[0]), Math.max(a.max[1], b.max[1]), Math.max(a.max[2], b.max[2])];
   return {

@@ -31,7 +31,7 @@ export interface PackedEmitters {
   /** Those that are infinitely far come first. */
   readonly emitters: readonly EmitterValues[];
   readonly far: number;
-  /** Index of the emitter that a shape is, the first one of several, by the shape's name; a shape that is none is not in it. */
+  /** Index of the emitter that a shape is, by the shape's name; a shape that is none is not in it. */
   readonly emitterOfShape: ReadonlyMap<string, number>;
 }
 
@@ -224,23 +224,18 @@ function planOf(lamps: SceneWithLamps): EmitterPlan {
   return { kinds, far, near, glows };
 }
 
-/** `rowOf`: where in the scene table the shape of that name lies. `meshes`: the emitters that a shape is, in the world. */
-export function emittersOf(
-  lamps: SceneWithLamps,
-  eye: Vec3,
-  rowOf: (shape: string) => number,
-  meshes: ReadonlyMap<string, readonly EmitterValues[]> = new Map(),
-): PackedEmitters {
+/** All but meshes. `rowOf`: where in the scene table the shape of that name lies. */
+export function emittersOf(lamps: SceneWithLamps, eye: Vec3, rowOf: (shape: string) => number): PackedEmitters {
   const found = emittersWithoutMeshes(lamps);
-  for (const [shape, values] of meshes) found.push(...values.map((one) => ({ values: one, shape })));
   const emitters = found.map(({ values, shape }) => ({
-    ...values,
-    position: subtract(values.position as unknown as Vec3, eye),
+    ...seenFrom(eye, values),
     shape: shape === null ? -1 : rowOf(shape),
   }));
-  const emitterOfShape = new Map<string, number>();
-  found.forEach(({ shape }, index) => {
-    if (shape !== null && !emitterOfShape.has(shape)) emitterOfShape.set(shape, index);
-  });
-  return { emitters, far: found.filter(({ values }) => isFar(values)).length, emitterOfShape };
+  const named = found.flatMap(({ shape }, index) => (shape === null ? [] : [[shape, index] as const]));
+  return { emitters, far: found.filter(({ values }) => isFar(values)).length, emitterOfShape: new Map(named) };
 }
+
+export const seenFrom = (eye: Vec3, values: EmitterValues): EmitterValues => ({
+  ...values,
+  position: subtract(values.position as unknown as Vec3, eye),
+});

@@ -1,27 +1,30 @@
 /**
  * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
  * instances; then, mesh by mesh, the nodes of its tree, its triangles and its vertices. The first part is written for every frame that moves, in
- * coordinates relative to the eye; the second only when other meshes come in.
+ * coordinates relative to the eye; a mesh only when it comes in, or when its form changes. Arrays are kept from frame to frame.
  */
 
-import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
+import type { Bvh } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import { AFFINE_LENGTH, IDENTITY, invertAffine, isSolid, type Numbers } from '../scene/affine.ts';
-import { meshBounds, placedBounds } from '../scene/bounds.ts';
+import { Bodies, type Body } from '../scene/bodies.ts';
+import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshMatrices } from '../scene/placed.ts';
-import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
-import { subtract } from '../scene/vec3.ts';
+import type { Moment } from '../scene/motion.ts';
+import type { Scene, Vec3 } from '../scene/scene.ts';
 import type { EmitterValues } from './emitter-values.ts';
-import { encodeWideBvh } from './encode-wide-bvh.ts';
+import { WideEncoder } from './encode-wide-bvh.ts';
+import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
 import type { MeshGlow } from './lamp-clusters.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { type LampTable, lampTable, meshEmitters } from './pack-lamps.ts';
+import { MeshLamps } from './mesh-lamps.ts';
+import type { LampTable } from './pack-lamps.ts';
 import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
-import { type Block, createBlock, writeStruct } from './write-struct.ts';
+import { PosedMesh } from './posed-mesh.ts';
+import { type Block, createBlock } from './write-struct.ts';
 
 // Comes with what packs meshes: geometry-packer.ts.
+export { treeOfEmitters } from './pack-light-tree.ts';
 export { packTextures } from './pack-textures.ts';
 
 export interface PackedGeometry {
@@ -32,18 +35,21 @@ export interface PackedGeometry {
   /** Row of the first instance, and how many there are. */
   readonly instances: number;
   readonly instanceCount: number;
+  /** Rows of the tree over them that are in use. */
+  readonly treeRows: number;
+  /** Grows when `moving` is written anew; and the rows of instances that were written then, up to but not including the second. */
+  readonly revision: number;
+  readonly changedInstances: readonly [begin: number, end: number];
   /** In the order in which their rows follow one another. */
   readonly meshes: readonly PackedMesh[];
-  /** After them: row of the first table of lamps, and the tables. */
+  /** Row of the first table of lamps, after the meshes, and all tables. */
   readonly lampTables: number;
   readonly tables: readonly LampTable[];
-  /** The emitters that a shape is, in the world, by its row of the scene table. */
-  readonly lamps: ReadonlyMap<number, readonly EmitterValues[]>;
+  /** What shines among the meshes, in the world. Another object when it is worked out anew. */
+  readonly emitters: readonly EmitterValues[];
   /** All rows. */
   readonly rows: number;
 }
-
-export { treeOfEmitters } from './pack-light-tree.ts';
 
 /** Rows of the longest stack in traverse.wesl. */
 const STACK = 64;
@@ -56,135 +62,204 @@ export class DeepTreeError extends Error {
   override readonly name = 'DeepTreeError';
 }
 
-/** One instance. */
-interface Placed {
-  /** To the world, 12 numbers. */
-  readonly placement: Numbers;
-  readonly mesh: Mesh;
-  /** Of the scene table. */
-  readonly row: number;
-  readonly glow: MeshGlow | null;
-  readonly cover: number;
+/** What the meshes of a scene are made of. */
+export interface BodyRows {
+  /** Of the scene table, for the first of them; the others follow. */
+  readonly first: number;
+  /** `Instance.cover` of each. */
+  readonly covers: readonly number[];
+  /** How the light of each is sampled; null: it does not shine, or only rays find its light. */
+  readonly glows: readonly (MeshGlow | null)[];
 }
 
-/** A mesh that stands in the world: `row` of the scene table says what it is made of; `glow`: how its light is sampled. */
-export interface MeshInRow {
-  readonly shape: MeshShape;
-  readonly row: number;
-  readonly glow: MeshGlow | null;
-  /** `Instance.cover` */
-  readonly cover: number;
+/**
+ * `rows`: of the bodies of the scene that plays. `before`: a geometry that is no longer needed; when it
+ * is of the same scene it is brought up to date and given back.
+ */
+export function packGeometry(
+  { played, time }: Pick<Moment, 'played' | 'time'>,
+  rows: BodyRows,
+  eye: Vec3,
+  before: PackedGeometry | null = null,
+): PackedGeometry {
+  const mine = before instanceof GeometryOfScene && before.scene === played;
+  const geometry = mine ? before : new GeometryOfScene(played);
+  geometry.update(time, rows, eye);
+  return geometry;
 }
 
-/** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
-export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  const placed = shapes.flatMap((shape) => instancesOf(scene, shape));
-  const meshes = new Map([...new Set(placed.map(({ mesh }) => mesh))].map((mesh) => [mesh, packMesh(mesh)]));
-  // Up to twice the room that is needed, so that a few more instances move nothing.
-  const room = 2 ** Math.ceil(Math.log2(Math.max(placed.length, 1)));
-  const instances = room * NODE_ROWS;
-  const movingRows = instances + room * INSTANCE_ROWS;
-  const starts = new Map<Mesh, number>();
-  let rows = movingRows;
-  for (const [mesh, packed] of meshes) {
-    starts.set(mesh, rows);
-    rows += wordsOf(packed).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
+/** A body and its mesh in the geometry. */
+class PackedBody implements InstancedMesh {
+  readonly box = new Float64Array(6);
+  boxChanged = true;
+  rowChanged = true;
+  readonly shared = new Uint32Array(SHARED.length);
+  #formRevision = -1;
+
+  constructor(
+    readonly body: Body,
+    readonly mesh: PackedMesh,
+  ) {
+    const { min, max } = meshBounds(body.mesh);
+    this.box.set([...min, ...max]);
   }
-  const moving = createBlock(movingRows * ROW_BYTES);
-  writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
-  placed.forEach(({ placement, mesh, row, cover }, i) => {
-    const nodes = starts.get(mesh)!;
-    const packed = meshes.get(mesh)!;
-    const triangles = nodes + packed.nodes.length / GEOMETRY_ROW;
-    writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
-      ...rowsInto(placement, eye),
-      nodes,
-      triangles,
-      row,
-      cover,
-      vertices: triangles + packed.triangles.length / GEOMETRY_ROW,
-      vertexRows: packed.vertices.rows,
-      vertexFlags: packed.vertices.flags,
+
+  /** Where its parts lie, and what it is made of. */
+  share(values: Partial<Record<(typeof SHARED)[number], number>>): void {
+    SHARED.forEach((field, k) => {
+      const value = values[field] ?? this.shared[k]!;
+      if (value !== this.shared[k]) this.rowChanged = true;
+      this.shared[k] = value;
     });
-  });
-  const glowing = lampsOf(placed, meshes);
-  return {
-    movingRows,
-    moving,
-    instances,
-    instanceCount: placed.length,
-    meshes: [...meshes.values()],
-    lampTables: rows,
-    ...glowing,
-    rows: rows + glowing.tables.reduce((sum, { words }) => sum + words.length / GEOMETRY_ROW, 0),
-  };
-}
-
-function lampsOf(placed: readonly Placed[], meshes: ReadonlyMap<Mesh, PackedMesh>) {
-  const lamps = new Map<number, EmitterValues[]>();
-  const starts = new Map<LampTable, number>();
-  let rows = 0;
-  placed.forEach(({ placement, mesh, row, glow }, instance) => {
-    if (!glow) return;
-    const table = lampTable(mesh, meshes.get(mesh)!, placement, glow.bits);
-    if (!starts.has(table)) {
-      starts.set(table, rows);
-      rows += table.words.length / GEOMETRY_ROW;
-    }
-    const emitters = lamps.get(row) ?? [];
-    emitters.push(...meshEmitters(glow, table, placement, { instance, table: starts.get(table)!, row }));
-    lamps.set(row, emitters);
-  });
-  return { lamps, tables: [...starts.keys()] };
-}
-
-/** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row, cover, glow }: MeshInRow): Placed[] {
-  const mesh = dataOf(scene, shape);
-  const matrices = meshMatrices(shape, IDENTITY);
-  const placed: Placed[] = [];
-  for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
-    const placement = matrices.subarray(at, at + AFFINE_LENGTH);
-    if (isSolid(placement)) placed.push({ placement, mesh, row, cover, glow });
   }
-  return placed;
+
+  /** Takes the form that the body has now. */
+  update(): void {
+    const { form, formRevision } = this.body;
+    this.boxChanged = form !== null && formRevision !== this.#formRevision;
+    if (!this.boxChanged) return;
+    this.#formRevision = formRevision;
+    const posed = this.mesh as PosedMesh;
+    posed.pose(form!);
+    for (let i = 0; i < 6; i++) this.box[i] = posed.box[i]!;
+  }
 }
 
-function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {
-  const data = meshes[mesh]?.data;
-  if (!data) throw new TypeError(`The mesh "${mesh}" has not been loaded.`);
-  return data;
-}
+class GeometryOfScene implements PackedGeometry {
+  readonly movingRows: number;
+  readonly moving: Block;
+  readonly instances: number;
+  readonly meshes: readonly PackedMesh[];
+  readonly lampTables: number;
+  readonly changedInstances: [number, number] = [0, 0];
+  treeRows = 0;
+  revision = 0;
+  readonly #bodies: Bodies;
+  #time = Number.NaN;
+  #bodyRows: BodyRows | null = null;
+  readonly #packed: readonly PackedBody[];
+  /** Of each instance. */
+  readonly #meshOf: readonly PackedBody[];
+  readonly #instanceRows: InstanceRows;
+  readonly #deepest: number;
+  readonly #builder = new InstanceTree();
+  readonly #encoder = new WideEncoder();
+  readonly #lamps = new MeshLamps();
+  /** The good tree, while it is the one in use. */
+  #tree: Bvh | null = null;
 
-function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest: number): void {
-  const { words, stackNeed } = encodeWideBvh(treeOver(placed, eye));
-  // One more to find the way back out of an instance.
-  const need = stackNeed + 1 + deepest;
-  if (need > STACK)
-    throw new DeepTreeError(
-      `A ray may have to remember ${need} nodes on its way through the meshes; kernels remember ${STACK}.`,
-    );
-  moving.u32.set(words);
-}
+  constructor(readonly scene: Scene) {
+    const bodies = new Bodies(scene);
+    this.#bodies = bodies;
+    const shared = new Map<Mesh, PackedMesh>();
+    const meshOf = ({ form, mesh }: Body): PackedMesh => {
+      if (form !== null) return new PosedMesh(mesh);
+      if (!shared.has(mesh)) shared.set(mesh, packMesh(mesh));
+      return shared.get(mesh)!;
+    };
+    this.#packed = bodies.all.map((body) => new PackedBody(body, meshOf(body)));
+    this.#meshOf = this.#packed.flatMap((packed) => new Array<PackedBody>(packed.body.count).fill(packed));
+    this.meshes = [...new Set(this.#packed.map(({ mesh }) => mesh))];
+    this.#deepest = this.meshes.reduce((most, { stackNeed }) => Math.max(most, stackNeed), 0);
+    // Up to twice the room that is needed, so that a few more instances in the next scene move no meshes.
+    const room = 2 ** Math.ceil(Math.log2(Math.max(this.#meshOf.length, 1)));
+    this.instances = room * NODE_ROWS;
+    this.movingRows = this.instances + room * INSTANCE_ROWS;
+    this.moving = createBlock(this.movingRows * ROW_BYTES);
+    this.lampTables = this.#placeMeshes();
+    this.#instanceRows = new InstanceRows(this.moving, this.instances * ROW_BYTES, this.#meshOf.length);
+  }
 
-/** Keeps its arrays from frame to frame; what it gives is encoded at once. */
-const instanceTree = new InstanceTree();
+  /** Gives the row after them. */
+  #placeMeshes(): number {
+    const starts = new Map<PackedMesh, number>();
+    let rows = this.movingRows;
+    for (const mesh of this.meshes) {
+      starts.set(mesh, rows);
+      rows += wordsOf(mesh).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
+    }
+    for (const packed of this.#packed) {
+      const { mesh } = packed;
+      const nodes = starts.get(mesh)!;
+      const triangles = nodes + mesh.nodes.length / GEOMETRY_ROW;
+      packed.share({
+        nodes,
+        triangles,
+        vertices: triangles + mesh.triangles.length / GEOMETRY_ROW,
+        vertexRows: mesh.vertices.rows,
+        vertexFlags: mesh.vertices.flags,
+      });
+    }
+    return rows;
+  }
 
-/** Over the instances' boxes, relative to the eye; each instance is a leaf of its own, which names it. */
-function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
-  const boxes = new Float32Array(placed.length * 6);
-  placed.forEach(({ placement, mesh }, i) => {
-    const { min, max } = placedBounds(meshBounds(mesh), placement);
-    boxes.set(subtract(min, eye), 6 * i);
-    boxes.set(subtract(max, eye), 6 * i + 3);
-  });
-  const bvh = instanceTree.build(boxes, placed.length);
-  for (let i = 0; i < bvh.nodeCount; i++) if (leafCount(bvh, i) > 0) bvh.links[2 * i] = bvh.order[firstPlace(bvh, i)]!;
-  return bvh;
-}
+  get instanceCount(): number {
+    return this.#instanceRows.count;
+  }
 
-/** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
-function rowsInto(placement: Numbers, eye: Vec3) {
-  const back = invertAffine(Array.from(placement, (x, i) => (i % 4 < 3 ? x : x - eye[(i - 3) / 4]!)))!;
-  return { toMeshX: back.slice(0, 4), toMeshY: back.slice(4, 8), toMeshZ: back.slice(8) };
+  get rows(): number {
+    return this.lampTables + this.#lamps.rows;
+  }
+  get tables(): readonly LampTable[] {
+    return this.#lamps.tables;
+  }
+  get emitters(): readonly EmitterValues[] {
+    return this.#lamps.emitters;
+  }
+
+  /** Throws a `DeepTreeError`; then the geometry is of no use any more. */
+  update(time: number, bodyRows: BodyRows, eye: Vec3): void {
+    if (time !== this.#time) this.#bodies.goTo(time);
+    this.#time = time;
+    for (const packed of this.#packed) packed.update();
+    const otherRows = bodyRows !== this.#bodyRows;
+    if (otherRows) this.#take(bodyRows);
+    const rows = this.#instanceRows;
+    const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
+    if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
+    for (const packed of this.#packed) packed.rowChanged = false;
+    if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
+    if (news !== 'nothing' || !this.#tree) this.#growTree(news);
+    this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;
+    this.changedInstances[1] = this.instances + Math.max(rows.changedTo, rows.changedFrom) * INSTANCE_ROWS;
+    this.revision++;
+  }
+
+  #take(bodyRows: BodyRows): void {
+    this.#bodyRows = bodyRows;
+    this.#packed.forEach((packed, i) => {
+      packed.share({ row: bodyRows.first + i, cover: bodyRows.covers[i]! });
+    });
+  }
+
+  /** The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes. */
+  #growTree(news: string): void {
+    const { boxes, count } = this.#instanceRows;
+    const moving = news === 'instances' && this.revision > 0;
+    const fits = moving && this.#encode(this.#builder.buildQuickly(boxes, count));
+    this.#tree = fits ? null : this.#goodTree(news);
+  }
+
+  #goodTree(news: string): Bvh {
+    const { boxes, count } = this.#instanceRows;
+    const tree =
+      this.#tree && news === 'eye' ? this.#builder.refit(this.#tree, boxes) : this.#builder.build(boxes, count);
+    if (!this.#encode(tree))
+      throw new DeepTreeError(
+        `A ray may have to remember ${this.#stackNeed} nodes on its way through the meshes; kernels remember ${STACK}.`,
+      );
+    return tree;
+  }
+
+  /** One more to find the way back out of an instance. */
+  get #stackNeed(): number {
+    return this.#encoder.stackNeed + 1 + this.#deepest;
+  }
+
+  /** False when it leads too deep. */
+  #encode(tree: Bvh): boolean {
+    const { nodeCount } = this.#encoder.encode(tree, this.moving.u32, this.moving.f32, true);
+    this.treeRows = nodeCount * NODE_ROWS;
+    return this.#stackNeed <= STACK;
+  }
 }

@@ -4,8 +4,8 @@
  * instances that are only moved, turned, mirrored or scaled evenly share one.
  */
 import { cofactors, determinant, type Numbers, transformDirection } from '../scene/affine.ts';
+import type { Body } from '../scene/bodies.ts';
 import { type Bounds, placedBounds } from '../scene/bounds.ts';
-import type { Mesh } from '../scene/mesh.ts';
 import type { Vec3 } from '../scene/scene.ts';
 import { add, addScaled, cross, dot, length, scale, subtract } from '../scene/vec3.ts';
 import { aliasTable } from './alias-table.ts';
@@ -13,6 +13,9 @@ import { EMITTER_KIND, type EmitterValues, NO_EMITTER } from './emitter-values.t
 import type { MeshGlow } from './lamp-clusters.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 import type { PackedMesh } from './packed-mesh.ts';
+
+/** A mesh, and what joints and weights make of it. */
+export type Formed = Pick<Body, 'mesh' | 'form'>;
 
 /** A run of triangles. */
 interface Cluster {
@@ -36,9 +39,13 @@ const ROW = geometryRows('LampTriangle') * GEOMETRY_ROW;
 const word = (field: 'own' | 'place' | 'other' | 'density') => fieldOffset('LampTriangle', field) / 4;
 const [OWN, PLACE, OTHER, DENSITY] = [word('own'), word('place'), word('other'), word('density')];
 
-/** By the mesh, and by how its placement stretches it: so many are kept of a mesh, as one that moves has another table each time. */
+/** Of one form of a mesh, by how its placement stretches it. So many are kept, as a lamp that moves may have another one each time. */
+interface KnownTables {
+  readonly revision: number;
+  readonly byStretch: Map<string, LampTable>;
+}
 const MOST_KEPT = 256;
-const known = new WeakMap<PackedMesh, Map<string, LampTable>>();
+const known = new WeakMap<PackedMesh, KnownTables>();
 
 /** The factor by which a placement scales lengths, on average. */
 const scaleOf = (placement: Numbers): number => Math.cbrt(Math.abs(determinant(placement)));
@@ -53,22 +60,24 @@ function stretchOf(m: Numbers): string {
 }
 
 /** `placement`: where the mesh stands. */
-export function lampTable(mesh: Mesh, packed: PackedMesh, placement: Numbers, bits: number): LampTable {
+export function lampTable(body: Formed, packed: PackedMesh, placement: Numbers, bits: number): LampTable {
+  const { revision } = packed;
+  let tables = known.get(packed);
+  if (tables?.revision !== revision) known.set(packed, (tables = { revision, byStretch: new Map() }));
+  const { byStretch } = tables;
   const key = `${bits}: ${stretchOf(placement)}`;
-  const tables = known.get(packed) ?? new Map<string, LampTable>();
-  known.set(packed, tables);
-  let table = tables.get(key);
-  if (!table && tables.size >= MOST_KEPT) tables.clear();
-  if (!table) tables.set(key, (table = makeTable(mesh, packed, placement, bits)));
+  let table = byStretch.get(key);
+  if (!table && byStretch.size >= MOST_KEPT) byStretch.clear();
+  if (!table) byStretch.set(key, (table = makeTable(body, packed, placement, bits)));
   return table;
 }
 
-function makeTable(mesh: Mesh, { order }: PackedMesh, placement: Numbers, bits: number): LampTable {
+function makeTable(body: Formed, { order }: PackedMesh, placement: Numbers, bits: number): LampTable {
   const words = new Uint32Array(order.length * ROW);
   const floats = new Float32Array(words.buffer);
   const clusters: Cluster[] = [];
   for (let first = 0; first < order.length; first += 2 ** bits) {
-    const cluster = measure(mesh, order.subarray(first, first + 2 ** bits), placement);
+    const cluster = measure(body, order.subarray(first, first + 2 ** bits), placement);
     clusters.push(cluster);
     const { length } = cluster.areas;
     // A mesh whose emission is textured would weigh each area by the mean of what the triangle sends out, and for a density write that
@@ -88,7 +97,9 @@ function makeTable(mesh: Mesh, { order }: PackedMesh, placement: Numbers, bits: 
   return { words, clusters };
 }
 
-function measure({ positions, indices }: Mesh, triangles: Uint32Array, placement: Numbers): Cluster {
+function measure({ mesh, form }: Formed, triangles: Uint32Array, placement: Numbers): Cluster {
+  const { indices } = mesh;
+  const { positions } = form ?? mesh;
   const vertex = (corner: number): Vec3 => {
     const at = 3 * indices[corner]!;
     return [positions[at]!, positions[at + 1]!, positions[at + 2]!];

@@ -43,6 +43,15 @@ export function packVertices(mesh: Mesh): PackedVertices {
   return { words, rows, flags };
 }
 
+/** Writes what changes when a mesh is bent over that of the mesh before. */
+export function writeForm(
+  { words, rows }: PackedVertices,
+  { normals, tangents }: Pick<Mesh, 'normals' | 'tangents'>,
+): void {
+  if (normals) writeNormals(words, rows * GEOMETRY_ROW, normals);
+  if (tangents) writeTangents(words, rows * GEOMETRY_ROW, tangents);
+}
+
 function rowsOf({ normals, uvs = [], colors }: Mesh): number {
   const more = colors || uvs.length > 1 ? geometryRows('VertexMore') : 0;
   return more + (more || normals || uvs.length > 0 ? geometryRows('Vertex') : 0);

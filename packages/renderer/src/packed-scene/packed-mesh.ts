@@ -9,6 +9,8 @@ export interface PackedMesh {
   /** Which triangle of the mesh stands at each place. */
   readonly order: Uint32Array;
   readonly stackNeed: number;
+  /** Grows when the words are written anew. */
+  readonly revision: number;
 }
 
 /** What it puts into the geometry, in this order. */

@@ -96,10 +96,13 @@ export function determinant(m: Numbers, at = 0): number {
 
 /** Whether it keeps three dimensions, so that there is a way back. */
 export function isSolid(m: Numbers, at = 0): boolean {
-  const lengths = [0, 1, 2].map((c) => Math.hypot(m[at + c]!, m[at + 4 + c]!, m[at + 8 + c]!));
-  if (!lengths.every((length) => length >= SHORTEST)) return false;
-  const unit = Array.from({ length: AFFINE_LENGTH }, (_, i) => (i % 4 < 3 ? m[at + i]! / lengths[i % 4]! : 0));
-  return Math.abs(determinant(unit)) >= SMALLEST_SINE;
+  const [a, b, c] = [m[at]!, m[at + 1]!, m[at + 2]!];
+  const [d, e, f] = [m[at + 4]!, m[at + 5]!, m[at + 6]!];
+  const [g, h, i] = [m[at + 8]!, m[at + 9]!, m[at + 10]!];
+  const [x, y, z] = [Math.sqrt(a * a + d * d + g * g), Math.sqrt(b * b + e * e + h * h), Math.sqrt(c * c + f * f + i * i)]; // biome-ignore format: columns
+  if (!(Math.min(x, y, z) >= SHORTEST)) return false;
+  const volume = (a / x) * (e * i - f * h) + (b / x) * (f * g - d * i) + (c / x) * (d * h - e * g);
+  return Math.abs(volume) >= SMALLEST_SINE * y * z;
 }
 
 /** The inverse, or null when there is none. */

@@ -56,26 +56,31 @@ export function placedSceneAt(scene: Scene, time: number): Scene {
   if (scene.nodes === undefined) return now;
   const transforms = nodeTransforms(scene);
   const world = transforms.at(time);
-  const of = (node: string | undefined) => worldOf(transforms, world, node);
+  return placedScene(now, (node) => worldOf(transforms, world, node), true);
+}
+
+/** The same for a scene that is animated already. `of`: the world matrix of a node. Without `meshes` these stay where nodes carry them. */
+export function placedScene(now: Scene, of: (node: string) => Numbers, meshes: boolean): Scene {
   const things = <Thing extends { readonly node?: string }>(
     all: Readonly<Record<string, Thing>>,
     place: (thing: Thing, world: Numbers, name: string) => Thing,
-  ) =>
-    Object.assign(
-      Object.create(null),
-      Object.fromEntries(
-        Object.entries(all).map(([name, thing]) => [
-          name,
-          thing.node === undefined ? thing : place(thing, of(thing.node), name),
-        ]),
-      ),
-    ) as Readonly<Record<string, Thing>>;
+    counts: (thing: Thing) => boolean = () => true,
+  ): Readonly<Record<string, Thing>> => {
+    let moved: Record<string, Thing> | null = null;
+    for (const [name, thing] of Object.entries(all)) {
+      if (thing.node === undefined || !counts(thing)) continue;
+      moved ??= Object.assign(Object.create(null), all) as Record<string, Thing>;
+      moved[name] = place(thing, of(thing.node), name);
+    }
+    return moved ?? all;
+  };
   const { nodes: _, ...rest } = now;
+  const shapes = now.shapes as Readonly<Record<string, Shape | MeshShape>>;
   return {
     ...rest,
     camera: now.camera.node === undefined ? now.camera : placedCamera(now.camera, of(now.camera.node)),
     lights: things(now.lights, placedLight),
-    shapes: things(now.shapes as Readonly<Record<string, Shape | MeshShape>>, placedShape) as Scene['shapes'],
+    shapes: things(shapes, placedShape, ({ type }) => meshes || type !== 'mesh') as Scene['shapes'],
     ...(now.cameras && { cameras: things(now.cameras, placedCamera) }),
   };
 }

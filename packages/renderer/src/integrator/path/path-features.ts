@@ -18,21 +18,32 @@ export interface PathDemand {
   readonly settings: Pick<RendererSettings, 'pixelFilter'>;
 }
 
+/** What a scene asks for; one does not change. */
+const known = new WeakMap<Scene, Partial<Record<Feature, boolean>>>();
+
 export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlySet<Feature> {
-  const lamps = lampsAsShapes(scene);
-  const shapes = Object.values(lamps.scene.shapes);
-  const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
-  const needs: Record<Feature, boolean> = {
-    ...shapeFeatures(shapes),
-    ...lightFeatures(planEmitters(scene)),
-    ...materialFeatures(materials),
-    ...meshFeatures(lamps.scene, meshShapes(lamps.scene)),
-    hasEnvironment: scene.sky.map !== undefined,
+  let ofScene = known.get(scene);
+  if (!ofScene) known.set(scene, (ofScene = sceneFeatures(scene)));
+  const needs: Partial<Record<Feature, boolean>> = {
+    ...ofScene,
     hasLens: (camera.aperture ?? 0) > 0,
     hasOtherProjections: (camera.projection ?? 'perspective') !== 'perspective',
     hasFilter: settings.pixelFilter !== 'box',
   };
   return new Set(FEATURES.filter((feature) => needs[feature]));
+}
+
+function sceneFeatures(scene: Scene) {
+  const lamps = lampsAsShapes(scene);
+  const shapes = Object.values(lamps.scene.shapes);
+  const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
+  return {
+    ...shapeFeatures(shapes),
+    ...lightFeatures(planEmitters(scene)),
+    ...materialFeatures(materials),
+    ...meshFeatures(lamps.scene, meshShapes(lamps.scene)),
+    hasEnvironment: scene.sky.map !== undefined,
+  };
 }
 
 function shapeFeatures(shapes: readonly Shape[]) {
