@@ -81,6 +81,12 @@ const PROGRAMS: readonly Program[] = [
     output: TESTS_OUTPUT,
   },
   {
+    name: 'texture_probe',
+    root: 'tests/texture-probe',
+    entries: [{ entry: 'textureProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+  {
     name: 'sampler_probe',
     root: 'tests/sampler-probe',
     entries: [{ entry: 'samplerProbe', stage: 'fragment' }],
