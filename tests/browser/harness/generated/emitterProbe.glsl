@@ -316,7 +316,6 @@ struct FarLight {
 const uint directionAndPdf = 0u;
 const uint radianceAndDistance = 1u;
 const uint pdfOfSample = 2u;
-const uint pdfOfDirection = 3u;
 const uint choice_2 = 4u;
 const uint instanceRows = 5u;
 const uint triangleRows = 3u;
@@ -625,19 +624,20 @@ EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
         float _e86 = total_1;
         float _e90 = total_1;
         choice_1 = EmitterChoice(_e84, (_e85 / max(_e86, 1e-37)), Odds(_e90, 0.0));
-        if (hasTree) {
-            float _e94 = rest_1;
-            float _e96 = total_1;
-            TreeChoice _e97 = descend(point_3, normal_4, _e94, -1, _e96);
-            choice_1.odds.tree = _e97.share;
-            uint _e102 = chosen;
-            choice_1.index = pick(_e97.taken, _e97.emitter, _e102);
-            float _e108 = choice_1.probability;
-            choice_1.probability = pick(_e97.taken, (_e97.probability * _e97.share), (_e108 * (1.0 - _e97.share)));
+        const bool _e95 = hasLightTree;
+        if (pick(_e95, hasTree, false)) {
+            float _e97 = rest_1;
+            float _e99 = total_1;
+            TreeChoice _e100 = descend(point_3, normal_4, _e97, -1, _e99);
+            choice_1.odds.tree = _e100.share;
+            uint _e105 = chosen;
+            choice_1.index = pick(_e100.taken, _e100.emitter, _e105);
+            float _e111 = choice_1.probability;
+            choice_1.probability = pick(_e100.taken, (_e100.probability * _e100.share), (_e111 * (1.0 - _e100.share)));
         }
     }
-    EmitterChoice _e118 = choice_1;
-    return _e118;
+    EmitterChoice _e121 = choice_1;
+    return _e121;
 }
 
 float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {

@@ -8,8 +8,6 @@ const radianceAndDistance = 1u;
 
 const pdfOfSample = 2u;
 
-const pdfOfDirection = 3u;
-
 const choice = 4u;
 
 @fragment fn emitterProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
@@ -131,7 +129,7 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
       }
     }
     choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
-    if (hasTree) {
+    if (hasLightTree & hasTree) {
       let down = descend(point, normal, rest, noLeaf, total);
       choice.odds.tree = down.share;
       choice.index = select(chosen, down.emitter, down.taken);

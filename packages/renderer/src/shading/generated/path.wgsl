@@ -170,9 +170,7 @@ fn tracePair(p: RayPair) -> PairHit {
       }
     }
   }
-  if (hasMeshes) {
-    found = meetMeshes(found, p);
-  }
+  
   return found;
 }
 
@@ -309,20 +307,7 @@ const noShape = 0xffffffffu;
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var p = SurfacePoint(fetchSurface(shape), outward, outward);
-  if (hasMeshes & (hit.triangle.instance != noInstance)) {
-    let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    p.geometric = m.geometric;
-    p.shading = m.shading;
-    if (hasTextures) {
-      let bump = takeUpTextures(&p.surface, m.uv, m.color.rgb);
-      if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-        p.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
-      }
-    }
-    // Where the two normals of a glass body do not agree on which side a ray comes from, the geometric one is right.
-    let agree = (dot(p.geometric, rays.direction) > 0.0) == (dot(p.shading, rays.direction) > 0.0);
-    p.shading = select(p.shading, p.geometric, isDielectric(u32(p.surface.code)) & !agree);
-  }
+  
   return p;
 }
 
@@ -366,9 +351,7 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
     let emission = found;
     found = vec3f(0.0);
     var i = select(u32(max(own, 0)), 0u, escaped);
-    if (hasMeshLamps & (hit.triangle.instance != noInstance)) {
-      i += emitterOfTriangle(emitterAt(i, only), hit.triangle);
-    }
+    
     loop {
       let e = emitterAt(i, only);
       let far = farLight(e, direction);
@@ -417,12 +400,7 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
       }
     }
     choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
-    if (hasTree) {
-      let down = descend(point, normal, rest, noLeaf, total);
-      choice.odds.tree = down.share;
-      choice.index = select(chosen, down.emitter, down.taken);
-      choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
-    }
+    
   }
   return choice;
 }
@@ -449,9 +427,7 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   if (hasBoxLights & (e.kind == boxKind)) {
     s = sampleBox(e, point, u);
   }
-  if (hasMeshLamps & (e.kind == meshKind)) {
-    s = sampleMesh(e, point, u);
-  }
+  
   if (hasPointLights & (e.kind == pointKind)) {
     s = samplePoint(e, point);
   }
@@ -485,7 +461,7 @@ fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
 }
 
 // Triangle meshes, and such with shading normals of their own.
-override hasMeshes = false;
+const hasMeshes = false;
 
 // Whether one of two directions away from a surface points into it and the other out of it.
 fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
@@ -658,126 +634,6 @@ fn fetchSurface(i: u32) -> Surface {
 
 const noInstance = 0xffffffffu;
 
-// `weights`: of the triangle's second and third vertex.
-fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
-  let i = fetchInstance(frame.instances + instance * instanceRows);
-  let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  // Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
-  let turn = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz);
-  let geometric = normalize(turn * cross(triangle.b - triangle.a, triangle.c - triangle.a));
-  var p = MeshPoint(geometric, geometric, vec3f(0.0), vec3f(0.0), geometric, vec4f(0.0), vec4f(1.0));
-  if (i.vertexRows != 0u) {
-    let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
-    let a = fetchVertex(rows.x);
-    let b = fetchVertex(rows.y);
-    let c = fetchVertex(rows.z);
-    let share = vec3f(1.0 - weights.x - weights.y, weights);
-    // In the space of the mesh, and of any length, as MikkTSpace wants it.
-    let normal = share.x * fromOctahedral(a.normal) + share.y * fromOctahedral(b.normal) + share.z * fromOctahedral(c.normal);
-    let smoothed = turn * normal;
-    let size = dot(smoothed, smoothed);
-    let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
-    // Normals that cancel out, between two that look opposite ways, are none.
-    let useful = ((i.vertexFlags & hasNormals) != 0u) & (size > 0.0);
-    p.shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful);
-    if (hasTextures) {
-      p.uv = vec4f(share.x * a.uv + share.y * b.uv + share.z * c.uv, 0.0, 0.0);
-      if (i.vertexRows > vertexRows) {
-        let moreA = fetchVertexMore(rows.x + vertexRows);
-        let moreB = fetchVertexMore(rows.y + vertexRows);
-        let moreC = fetchVertexMore(rows.z + vertexRows);
-        p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
-        let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
-        let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
-        p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
-      }
-      if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
-        let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
-        // The vertices of a triangle have one hand: else they would not be shared.
-        let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
-        p.normal = smoothed * side;
-        p.tangent = turn * tangent * side;
-        p.bitangent = turn * cross(normal, tangent) * (hand * side);
-      }
-    }
-  }
-  return p;
-}
-
-// Textures, and colours at the vertices of meshes.
-override hasTextures = false;
-
-// `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
-  let row = u32((*s).textures);
-  let material = fetchMaterialTextures(row);
-  let unlit = (material.flags & isUnlit) != 0u;
-  (*s).baseColor *= color;
-  (*s).emission *= select(vec3f(1.0), color, unlit);
-  var bump = vec3f(0.0, 0.0, 1.0);
-  var i = 0u;
-  // One call for all textures: compilers write out each.
-  if (material.count > 0u) {
-    loop {
-      let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
-      let texel = lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u));
-      (*s).baseColor *= select(vec3f(1.0), texel.rgb, t.slot == baseColorSlot);
-      (*s).emission *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
-      let share = select(vec2f(1.0), texel.gb, t.slot == metallicRoughnessSlot);
-      let rough = max((*s).alpha * share.x * share.x, leastAlpha);
-      (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
-      (*s).metallic *= share.y;
-      bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
-      i++;
-      if (i >= material.count) {
-        break;
-      }
-    }
-  }
-  return bump;
-}
-
-// A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
-// gives none.
-fn validNormal(geometric: vec3f, direction: vec3f, mapped: vec3f, otherwise: vec3f) -> vec3f {
-  let size = dot(mapped, mapped);
-  let n = select(otherwise, mapped * inverseSqrt(max(size, 1e-37)), size > 0.0);
-  let side = select(1.0, -1.0, dot(geometric, direction) > 0.0);
-  return side * bent(side * geometric, -direction, side * n);
-}
-
-// Normals out of a normal map, bent to where they make sense.
-//
-// Seen at a grazing angle, a normal that a map has tilted may look away from the eye, or reflect the eye's ray into the surface: black
-// spots, or light from behind. Cycles turns such a normal towards the geometric one, just as far as the mirrored ray needs to come out
-// of the surface again (Blender, intern/cycles/kernel/closure/bsdf_util.h, `ensure_valid_specular_reflection`, L. Stockner): so do we.
-// The surface is then another one for each direction of view, and reciprocal only where nothing had to be bent.
-// All unit vectors; `n` on the side of `g` that `o`, towards the eye, is on.
-fn bent(g: vec3f, o: vec3f, n: vec3f) -> vec3f {
-  let oz = max(dot(o, g), 0.0);
-  // The mirrored ray may be as flat as the one to the eye.
-  let least = min(0.9 * oz, 0.01);
-  let across = n - dot(n, g) * g;
-  let x = across * inverseSqrt(max(dot(across, across), 1e-20));
-  let ox = dot(o, x);
-  // In the plane of g and n: which normal reflects o to the height `least`?
-  let a = max(ox * ox + oz * oz, 1e-20);
-  let b = 2.0 * (a + oz * least);
-  let c = (least + oz) * (least + oz);
-  let root = sqrt(max(b * b - 4.0 * a * c, 0.0));
-  let z2 = clamp(0.25 * select(b - root, b + root, ox < 0.0) / a, 0.0, 1.0);
-  let raised = sqrt(1.0 - z2) * x + sqrt(z2) * g;
-  let reflected = 2.0 * dot(n, o) * n - o;
-  return select(raised, n, dot(g, reflected) >= least);
-}
-
-fn fetchMaterialTextures(row: u32) -> MaterialTextures {
-  let r0 = texelRow(row + 0u);
-  return MaterialTextures(r0.x, r0.y, bitcast<f32>(r0.z), bitcast<f32>(r0.w));
-}
-
-const isUnlit = 1u;
-
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
@@ -801,40 +657,6 @@ struct Surface {
   textures: f32,
 }
 
-
-fn fetchTextureUse(row: u32) -> TextureUse {
-  let r0 = texelRow(row + 0u);
-  let r1 = texelRow(row + 1u);
-  let r2 = texelRow(row + 2u);
-  return TextureUse(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, r2.x, r2.y, r2.z, bitcast<f32>(r2.w));
-}
-
-const materialTexturesRows = 1u;
-
-const textureUseRows = 3u;
-
-// Linear red, green, blue and alpha of an image at these coordinates of the mesh.
-fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
-  let place = vec3f(uv, 1.0);
-  let nearest = (t.flags & isNearest) != 0u;
-  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
-  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
-  let upper = t.first + y.first * t.width;
-  let lower = t.first + y.second * t.width;
-  let colored = (t.flags & isColor) != 0u;
-  let above = mix(decoded(texelAt(upper + x.first), colored), decoded(texelAt(upper + x.second), colored), x.share);
-  let below = mix(decoded(texelAt(lower + x.first), colored), decoded(texelAt(lower + x.second), colored), x.share);
-  return mix(above, below, y.share);
-}
-
-const usesSecondSet = 1u;
-
-const baseColorSlot = 0u;
-
-const emissionSlot = 1u;
-
-const metallicRoughnessSlot = 2u;
-
 // The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
 // Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
 // Written so that nothing is divided by a cosine: grazing directions need no special case.
@@ -846,231 +668,13 @@ fn isSmooth(code: u32) -> bool {
   return (code & 32u) != 0u;
 }
 
-const normalSlot = 3u;
-
-fn texelRow(i: u32) -> vec4u {
-  return texels[i];
-}
-
-struct TextureUse {
-  // u in the image is dot(toU, (u, v, 1)) of the coordinates
-  toU: vec3f,
-  // what it is multiplied with: TEXTURE_SLOTS
-  slot: u32,
-  // likewise v
-  toV: vec3f,
-  // LOOKUP_FLAGS
-  flags: u32,
-  // texel of the image, of all texels
-  first: u32,
-  // of the image, texels
-  width: u32,
-  // of the image, texels
-  height: u32,
-  // of a normal map: factor on the first two components
-  scale: f32,
-}
-
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
 
-const isNearest = 4u;
-
-fn neighbours(x: f32, size: u32, clamps: bool, mirrors: bool, nearest: bool) -> Neighbours {
-  let inside = select(select(fract(x), 1.0 - abs(2.0 * fract(0.5 * x) - 1.0), mirrors), clamp(x, 0.0, 1.0), clamps);
-  // Centres of texels lie halfway between whole numbers.
-  let at = inside * f32(size) - select(0.5, 0.0, nearest);
-  let low = floor(at);
-  let last = i32(size) - 1;
-  let first = i32(low);
-  let second = first + 1;
-  // What lies before the first texel and after the last: the other end, or, for a mirror as at an edge, the same once more.
-  let repeats = !(clamps | mirrors);
-  let before = select(0, last, repeats);
-  let after = select(last, 0, repeats);
-  return Neighbours(u32(select(clamp(first, 0, last), before, first < 0)), u32(select(clamp(second, 0, last), after, second > last)), select(at - low, 0.0, nearest));
-}
-
-const clampsU = 8u;
-
-const mirrorsU = 16u;
-
-const clampsV = 32u;
-
-const mirrorsV = 64u;
-
-const isColor = 2u;
-
-fn decoded(texel: u32, colored: bool) -> vec4f {
-  let c = vec4f((vec4u(texel) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(255u)) / 255.0;
-  return vec4f(select(c.rgb, linearFromSrgb(c.rgb), colored), c.a);
-}
-
-// Of four texels in a row the one wanted.
-fn texelAt(i: u32) -> u32 {
-  let row = texelRow(i >> 2u);
-  let pair = select(row.xy, row.zw, (i & 2u) != 0u);
-  return select(pair.x, pair.y, (i & 1u) != 0u);
-}
-
-// Along one side of an image: two neighbours, and how much the second counts.
-struct Neighbours {
-  first: u32,
-  second: u32,
-  share: f32,
-}
-
-
-// IEC 61966-2-1.
-fn linearFromSrgb(c: vec3f) -> vec3f {
-  return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
-}
-
-struct MaterialTextures {
-  // uses of textures: TextureUse, in the rows that follow
-  count: u32,
-  // MATERIAL_FLAGS
-  flags: u32,
-  // share of light that the surface takes part in
-  opacity: f32,
-  // opacity below which it is not there; negative: it is there as often as the opacity says
-  cutoff: f32,
-}
-
-
-fn fetchInstance(row: u32) -> Instance {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  let r3 = geometryRow(row + 3u);
-  let r4 = geometryRow(row + 4u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w, r4.x, r4.y, r4.z, r4.w);
-}
-
-const instanceRows = 5u;
-
-fn fetchTriangle(row: u32) -> Triangle {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
-}
-
-const triangleRows = 3u;
-
-struct MeshPoint {
-  // Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
-  geometric: vec3f,
-  shading: vec3f,
-  // For textures. The frame of normal maps in the world: their x, y and z times these three add up to a normal, of any length.
-  tangent: vec3f,
-  bitangent: vec3f,
-  normal: vec3f,
-  // Both sets of coordinates.
-  uv: vec4f,
-  // Linear, with opacity.
-  color: vec4f,
-}
-
-
-fn fetchVertex(row: u32) -> Vertex {
-  let r0 = geometryRow(row + 0u);
-  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
-}
-
-// Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
-// EGSR 2010). packed-scene/octahedral.ts writes them.
-fn fromOctahedral(code: u32) -> vec3f {
-  let p = vec2f(f32(code & 0xffffu), f32(code >> 16u)) * (2.0 / 65534.0) - 1.0;
-  let z = 1.0 - abs(p.x) - abs(p.y);
-  let folded = (1.0 - abs(p.yx)) * select(vec2f(1.0), vec2f(-1.0), p < vec2f(0.0));
-  return normalize(vec3f(select(p, folded, z < 0.0), z));
-}
-
-const hasNormals = 1u;
-
-const vertexRows = 1u;
-
-const hasTangents = 2u;
-
-fn fetchVertexMore(row: u32) -> VertexMore {
-  let r0 = geometryRow(row + 0u);
-  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
-}
-
-// Two numbers of 16 bits.
-fn pairOf(word: u32) -> vec2f {
-  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
-}
-
-fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
-}
-
-struct VertexMore {
-  // linear colour, 16 bits each
-  redGreen: u32,
-  // and opacity
-  blueAlpha: u32,
-  // texture coordinates of set 1
-  uv: vec2f,
-}
-
 
 // Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
 @group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
-
-struct Vertex {
-  // shading normal, octahedral, 16 bits each
-  normal: u32,
-  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
-  tangent: u32,
-  // texture coordinates of set 0
-  uv: vec2f,
-}
-
-
-struct Instance {
-  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
-  toMeshX: vec4f,
-  // y
-  toMeshY: vec4f,
-  // z
-  toMeshZ: vec4f,
-  // row of the root of its tree
-  nodes: u32,
-  // row of its first triangle
-  triangles: u32,
-  // of the scene table: what it is made of
-  row: u32,
-  // COVER: where it may not be there
-  cover: u32,
-  // row of its first vertex
-  vertices: u32,
-  // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
-  vertexRows: u32,
-  // what is in them: VERTEX_FLAGS
-  vertexFlags: u32,
-  // unused
-  spare0: u32,
-}
-
-
-struct Triangle {
-  // first vertex, in the space of its mesh
-  a: vec3f,
-  // its number among the vertices of the mesh
-  vertexA: u32,
-  // second vertex
-  b: vec3f,
-  // its number
-  vertexB: u32,
-  // third vertex
-  c: vec3f,
-  // its number
-  vertexC: u32,
-}
 
 
 fn fetchBounds(i: u32) -> Bounds {
@@ -1240,14 +844,6 @@ fn emitterOf(code: f32) -> i32 {
   return (i32(code) >> 6u) - 1;
 }
 
-// Meshes that shine, and so many lights that a tree chooses among them.
-override hasMeshLamps = false;
-
-// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
-fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
-  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
-}
-
 fn farLight(e: Emitter, direction: vec3f) -> FarLight {
   var far = FarLight(vec3f(0.0), 0.0);
   if (hasSuns) {
@@ -1274,9 +870,7 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
   if (hasBoxLights & (e.kind == boxKind)) {
     pdf = boxPdf(e, point, direction, distance, normal);
   }
-  if (hasMeshLamps & (e.kind == meshKind)) {
-    pdf = meshPdf(e, direction, distance, normal, place);
-  }
+  
   return pdf;
 }
 
@@ -1285,10 +879,7 @@ fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
   if (hasManyLights & (frame.emitterCount > 1u)) {
     probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
-    if (hasLightTree & (frame.lightTreeDepth > 0u)) {
-      let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
-      probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
-    }
+    
   }
   return probability;
 }
@@ -1417,8 +1008,6 @@ const quadKind = 1.0;
 override hasBoxLights = false;
 
 const boxKind = 2.0;
-
-const meshKind = 7.0;
 
 // A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
 fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
@@ -1559,28 +1148,6 @@ struct BoxView {
 }
 
 
-fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
-  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
-  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
-}
-
-fn fetchLampTriangle(row: u32) -> LampTriangle {
-  let r0 = geometryRow(row + 0u);
-  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
-}
-
-struct LampTriangle {
-  // alias table: probability to take this triangle and not the other one
-  own: f32,
-  // of this triangle, in the order of its mesh
-  place: u32,
-  // place of the other one
-  other: u32,
-  // how likely its points are: as a factor on 1 / area of the emitter
-  density: f32,
-}
-
-
 override hasManyLights = true;
 
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
@@ -1604,15 +1171,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
     let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
     estimate *= select(1.0, lampCosine, isQuad);
   }
-  if (hasMeshLamps) {
-    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
-    let alike = length(e.v);
-    let across = -dot(e.v, toLight);
-    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
-    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
-    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
-    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
-  }
+  
   if (hasPointLights) {
     estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
   }
@@ -1622,136 +1181,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   return estimate;
 }
 
-override hasLightTree = false;
-
-// `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
-fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
-  var level = frame.lightTreeDepth;
-  var node = 0u;
-  var rest = u;
-  var choice = TreeChoice(0u, 1.0, 0.0, true);
-  loop {
-    level--;
-    let n = fetchLightNode(frame.lightTree + node);
-    let w = estimatesOfChildren(n, point, normal);
-    let two = w.x + w.y;
-    let three = two + w.z;
-    let total = three + w.w;
-    if (node == 0u) {
-      choice.share = shareOfTree(total, far);
-      choice.taken = rest < choice.share;
-      rest = min(rest / max(choice.share, 1e-37), 0.99999994);
-    }
-    let at = rest * total;
-    let byChance = u32(at >= w.x) + u32(at >= two) + u32(at >= three);
-    let child = select((u32(max(leaf, 0)) >> (2u * level)) & 3u, byChance, leaf < 0);
-    let low = child < 2u;
-    let odd = (child & 1u) == 1u;
-    let own = select(select(w.z, w.w, odd), select(w.x, w.y, odd), low);
-    let before = select(select(two, three, odd), select(0.0, w.x, odd), low);
-    choice.probability *= own / max(total, 1e-37);
-    choice.emitter = u32(select(select(n.emitters.z, n.emitters.w, odd), select(n.emitters.x, n.emitters.y, odd), low));
-    rest = clamp((at - before) / max(own, 1e-37), 0.0, 0.99999994);
-    node = 4u * node + 1u + child;
-    if (level == 0u) {
-      break;
-    }
-  }
-  return choice;
-}
-
-struct TreeChoice {
-  emitter: u32,
-  // Of this emitter, once it is to be one of the tree.
-  probability: f32,
-  // Probability of the tree, beside the lights that are infinitely far, and whether chance takes it.
-  share: f32,
-  taken: bool,
-}
-
-
-fn fetchLightNode(i: u32) -> LightNode {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  let t7 = textureLoad(sceneTable, vec2u(7u, i), 0);
-  let t8 = textureLoad(sceneTable, vec2u(8u, i), 0);
-  let t9 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t10 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t11 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
-}
-
-// An estimate of each child's irradiance at the point; 0 where it can be none. A normal of zero: light comes through from both sides.
-fn estimatesOfChildren(n: LightNode, point: vec3f, normal: vec3f) -> vec4f {
-  let x = n.x - point.x;
-  let y = n.y - point.y;
-  let z = n.z - point.z;
-  let distance2 = x * x + y * y + z * z;
-  let inverse = inverseSqrt(max(distance2, vec4f(1e-30)));
-  let inside = distance2 <= n.reach * n.reach;
-  // Half the angle that the sphere fills; all of it from inside.
-  let sinB = min(n.reach * inverse, vec4f(1.0));
-  let cosB = select(sineOf(sinB), vec4f(-1.0), inside);
-  let along = -(n.axisX * x + n.axisY * y + n.axisZ * z) * inverse;
-  let cosW = clamp(select(along, abs(along), n.bothSides > vec4f(0.5)), vec4f(-1.0), vec4f(1.0));
-  let sinW = sineOf(cosW);
-  let sinO = sineOf(n.cosWidth);
-  let cosX = cosineLess(cosW, sinW, n.cosWidth, sinO);
-  let cosOut = select(cosineLess(cosX, sineOf(cosX), cosB, sinB), vec4f(1.0), inside);
-  let cosN = clamp((normal.x * x + normal.y * y + normal.z * z) * inverse, vec4f(-1.0), vec4f(1.0));
-  let above = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), inside);
-  let cosIn = select(above, vec4f(1.0), dot(normal, normal) == 0.0);
-  let estimate = n.power * cosOut * cosIn / max(max(distance2, n.reach * n.reach), vec4f(1e-15));
-  return select(vec4f(0.0), min(estimate, vec4f(1e30)), cosOut > n.cosEdge);
-}
-
-// The estimate for the whole tree is rough; so neither side gets less than a quarter where there are both.
-fn shareOfTree(total: f32, far: f32) -> f32 {
-  let share = 0.25 + 0.5 * total / max(total + far, 1e-37);
-  return select(select(share, 1.0, far <= 0.0), 0.0, total <= 0.0);
-}
-
-struct LightNode {
-  // of each child the centre of a sphere about its lights, eye-relative
-  x: vec4f,
-  // y
-  y: vec4f,
-  // z
-  z: vec4f,
-  // radius of the sphere
-  reach: vec4f,
-  // unit axis of the cone that holds all normals of the lights
-  axisX: vec4f,
-  // y
-  axisY: vec4f,
-  // z
-  axisZ: vec4f,
-  // cosine of that cone, from its axis
-  cosWidth: vec4f,
-  // cosine of the angle from a normal up to which there is light
-  cosEdge: vec4f,
-  // 1: also against the normals
-  bothSides: vec4f,
-  // sum of what Emitter has; 0: there is no such child
-  power: vec4f,
-  // in the lowest nodes: which emitter the child is
-  emitters: vec4f,
-}
-
-
-fn sineOf(cosine: vec4f) -> vec4f {
-  return sqrt(max(1.0 - cosine * cosine, vec4f(0.0)));
-}
-
-// cos(max(a - b, 0)), of angles from 0 to pi.
-fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
-  return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
-}
+const hasLightTree = false;
 
 override hasPointLights = false;
 
@@ -1865,9 +1295,6 @@ struct EmitterChoice {
   probability: f32,
   odds: Odds,
 }
-
-
-const noLeaf = -1;
 
 // What sampling a light gives: one direction, and how likely it was.
 struct LightSample {
@@ -1988,60 +1415,6 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
 
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
-}
-
-fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  let chosen = chooseTriangle(e, u);
-  let instance = fetchInstance(frame.instances + u32(e.instance) * instanceRows);
-  let t = fetchTriangle(instance.triangles + chosen.place * triangleRows);
-  let weights = weightsOnTriangle(chosen.u);
-  let toLight = outOfMesh(instance, t.a + weights.x * (t.b - t.a) + weights.y * (t.c - t.a)) - point;
-  let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
-  let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
-  let distance = length(toLight);
-  let pdf = areaPdf(e.area / chosen.density, abs(height), distance);
-  let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
-  // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
-  let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
-  return LightSample(toLight / max(distance, 1e-30), reached, e.radiance, select(0.0, pdf, lit), false);
-}
-
-fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
-  let first = frame.lampTables + u32(e.table);
-  let column = min(u32(u.x * e.triangles), u32(e.triangles) - 1u);
-  let entry = fetchLampTriangle(first + column);
-  // The digits that the choice of a column has used up are replaced by hashed ones.
-  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
-  let fine = f32(hash) * 5.9604644775390625e-8 * 5.9604644775390625e-8 * e.triangles;
-  let x = clamp(u.x * e.triangles - f32(column) + fine, 0.0, 0.99999994);
-  let own = x < entry.own;
-  let rest = select((x - entry.own) / max(1.0 - entry.own, 1e-7), x / max(entry.own, 1e-37), own);
-  let place = select(entry.other, entry.place, own);
-  let density = fetchLampTriangle(first + column + place - entry.place).density;
-  return ChosenTriangle(place, density, vec2f(min(rest, 1.0), u.y));
-}
-
-// How much the second and third vertex count at a uniform point: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
-fn weightsOnTriangle(u: vec2f) -> vec2f {
-  let low = 0.5 * min(u.x, u.y);
-  let high = max(u.x, u.y) - low;
-  return select(vec2f(high, low), vec2f(low, high), u.x < u.y);
-}
-
-// From the space of the mesh to the eye-relative world: the inverse of what the instance has, by Cramer's rule.
-fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
-  let q = p - vec3f(i.toMeshX.w, i.toMeshY.w, i.toMeshZ.w);
-  let x = cross(i.toMeshY.xyz, i.toMeshZ.xyz);
-  let y = cross(i.toMeshZ.xyz, i.toMeshX.xyz);
-  let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
-  return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
-}
-
-struct ChosenTriangle {
-  place: u32,
-  density: f32,
-  // Two random numbers that are left.
-  u: vec2f,
 }
 
 
@@ -2506,353 +1879,6 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
-
-fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
-  let most = select(-1.0, found.t, p.goesOn);
-  let lightMost = select(p.lightDistance, -1.0, found.blocked);
-  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost, p.number), p.left);
-  var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
-  if (hit.instance != noInstance) {
-    result.t = hit.t;
-    result.shape = rowOfInstance(hit.instance);
-    result.triangle = LeftTriangle(hit.instance, hit.triangle);
-  }
-  return result;
-}
-
-fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
-  var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
-  var toLight = !(rays.most > 0.0);
-  // Of the present ray.
-  var most = select(rays.most, rays.lightMost, toLight);
-  var instance = noInstance;
-  var nodes = 0u;
-  var triangles = 0u;
-  var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
-  var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
-  var top = 0u;
-  // Of the present instance; the leaf whose triangle may not be there, what is known of it, and whether it turned out not to be there.
-  var cover = 0u;
-  var doubted = noLeaf0;
-  var doubtedHit = MeshHit(0.0, noInstance, 0u, vec2f(0.0), false);
-  var missing = noLeaf0;
-  // The only instance needs no tree above it, and no way back.
-  let alone = frame.instanceCount == 1u;
-  let first = select(beginning, leafBit, alone);
-  var current = first;
-  if ((frame.instanceCount == 0u) | !(most > 0.0)) {
-    return found;
-  }
-  // Once, and once more for each triangle that may not be there: it is looked at when all rays side by side have come as far.
-  loop {
-    loop {
-      var pops = false;
-      if ((current & leafBit) == 0u) {
-        let node = nodes + current * nodeRows;
-        let r = geometryRow(node + childrenRow);
-        let t = enterChildren(node, slabs, r, most);
-        // Farthest first onto the stack: a sorting network of five exchanges.
-        let a = t.x < t.z;
-        let b = t.y < t.w;
-        let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
-        let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
-        let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
-        let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
-        let c = t0.x < t1.x;
-        let d = t0.y < t1.y;
-        let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
-        let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
-        let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
-        let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
-        let e = ta.y < tb.x;
-        let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
-        let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
-        if (ta.x < 1e30) {
-          stack[top] = ra.x;
-          top++;
-        }
-        if (tm.x < 1e30) {
-          stack[top] = rm.x;
-          top++;
-        }
-        if (tm.y < 1e30) {
-          stack[top] = rm.y;
-          top++;
-        }
-        pops = tb.y >= 1e30;
-        current = rb.y;
-      } else if ((instance == noInstance) | (current >= beginning)) {
-        // Into an instance, or back into the world.
-        let toWorld = current >= beginning;
-        pops = current == leaving;
-        instance = select(current & placeMask, noInstance, toWorld);
-        var o = rays.origin;
-        var d = select(rays.direction, rays.lightDirection, toLight);
-        nodes = 0u;
-        if (!toWorld) {
-          let i = fetchInstance(frame.instances + instance * instanceRows);
-          let p = vec4f(o, 1.0);
-          o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
-          d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
-          nodes = i.nodes;
-          triangles = i.triangles;
-          cover = i.cover;
-          if (!alone) {
-            stack[top] = leaving;
-            top++;
-          }
-        }
-        current = 0u;
-        slabs = slabRay(o, d);
-        ray = meshRay(o, d);
-      } else {
-        // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
-        let place = current & placeMask;
-        let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
-        let own = (instance == left.instance) & (place == left.triangle);
-        var nearer = (hit.t > rays.least) & (hit.t < most) & !own;
-        if (hasOneSided) {
-          nearer = nearer & (hit.front | ((cover & isOneSided) == 0u));
-        }
-        if (hasCutouts) {
-          nearer = nearer & (current != missing);
-          missing = noLeaf0;
-          if (nearer & ((cover & coverRow) != 0u)) {
-            doubted = current;
-            doubtedHit = MeshHit(hit.t, instance, place, hit.weights, false);
-            break;
-          }
-        }
-        current = current + 1u - (1u << countShift);
-        pops = ((current >> countShift) & 7u) == 0u;
-        if (nearer) {
-          if (toLight) {
-            found.blocked = true;
-            break;
-          }
-          most = hit.t;
-          found = MeshHit(hit.t, instance, place, hit.weights, false);
-        }
-      }
-      if (pops) {
-        if (top > 0u) {
-          top--;
-          current = stack[top];
-        } else {
-          if (toLight | !(rays.lightMost > 0.0)) {
-            break;
-          }
-          toLight = true;
-          most = rays.lightMost;
-          instance = noInstance;
-          current = first;
-        }
-      }
-    }
-    if (!hasCutouts) {
-      break;
-    }
-    if (doubted == noLeaf0) {
-      break;
-    }
-    // The ray comes back to the triangle: which is then not nearer, or missing.
-    let there = isThere(doubtedHit.instance, doubtedHit.triangle, doubtedHit.weights, rays.number + u32(toLight));
-    missing = select(doubted, noLeaf0, there);
-    doubted = noLeaf0;
-    if (there & toLight) {
-      found.blocked = true;
-      break;
-    }
-    if (there) {
-      most = doubtedHit.t;
-      found = doubtedHit;
-    }
-  }
-  return found;
-}
-
-struct MeshRays {
-  origin: vec3f,
-  direction: vec3f,
-  lightDirection: vec3f,
-  // What is nearer does not count.
-  least: f32,
-  // Nor what is farther; 0 or less: there is no such ray.
-  most: f32,
-  lightMost: f32,
-  // For what is there by chance: sampler.wesl, numberOfNext.
-  number: u32,
-}
-
-
-// Of the scene table.
-fn rowOfInstance(instance: u32) -> u32 {
-  return fetchInstance(frame.instances + instance * instanceRows).row;
-}
-
-struct MeshHit {
-  t: f32,
-  // noInstance: nothing met.
-  instance: u32,
-  triangle: u32,
-  // Of the triangle's second and third vertex.
-  weights: vec2f,
-  // Whether something is in the light's way.
-  blocked: bool,
-}
-
-
-// What the slabs of boxes are worked out with.
-struct SlabRay {
-  inverse: vec3f,
-  // -origin * inverse
-  offset: vec3f,
-  // From a node to the rows that hold the near planes.
-  near: vec3u,
-}
-
-
-// A ray in the space of a mesh.
-struct MeshRay {
-  origin: vec3f,
-  // The axis along which the direction is longest: 0, 1 or 2.
-  axis: u32,
-  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
-  shear: vec3f,
-}
-
-
-// No reference, as a leaf's.
-const noLeaf0 = 0u;
-
-// A ray begins, in the world.
-const beginning = 0xfffffffeu;
-
-// References: encode-wide-bvh.ts.
-const leafBit = 0x80000000u;
-
-// `number`: of the ray.
-fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
-  let i = fetchInstance(frame.instances + instance * instanceRows);
-  let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  let row = i.cover & coverRow;
-  let material = fetchMaterialTextures(row);
-  let share = vec3f(1.0 - weights.x - weights.y, weights);
-  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
-  var uv = vec4f(0.0);
-  var opacity = material.opacity;
-  if (i.vertexRows != 0u) {
-    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
-  }
-  if (i.vertexRows > vertexRows) {
-    let a = fetchVertexMore(rows.x + vertexRows);
-    let b = fetchVertexMore(rows.y + vertexRows);
-    let c = fetchVertexMore(rows.z + vertexRows);
-    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
-    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
-  }
-  if ((material.flags & hasOpacityTexture) != 0u) {
-    let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
-  }
-  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
-  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
-}
-
-// Rows of a node; from the rows of least to those of greatest places; and where the references are.
-const nodeRows = 7u;
-
-const childrenRow = 6u;
-
-// Where the ray enters each child, 1e30 where it does not.
-fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
-  // The row of the far planes is the other one of the two.
-  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  let entered = select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
-  return select(vec4f(1e30), entered, children != vec4u(0u));
-}
-
-// pack-geometry.ts refuses trees that need more.
-var<private> stack: array<u32, 64>;
-
-const leastToGreatest = 3u;
-
-fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
-  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
-}
-
-// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
-const slabRounding = 1.0 + 1e-6;
-
-// On the stack: here the ray leaves the instance.
-const leaving = 0xffffffffu;
-
-const placeMask = 0x0fffffffu;
-
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
-}
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
-fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
-  let a = turnedTo(ray.axis, triangle.a - ray.origin);
-  let b = turnedTo(ray.axis, triangle.b - ray.origin);
-  let c = turnedTo(ray.axis, triangle.c - ray.origin);
-  let pa = a.xy + a.z * ray.shear.xy;
-  let pb = b.xy + b.z * ray.shear.xy;
-  let pc = c.xy + c.z * ray.shear.xy;
-  let u = edge(pc, pb);
-  let v = edge(pa, pc);
-  let w = edge(pb, pa);
-  let sum = u + v + w;
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
-  let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
-  let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
-  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse, sum * ray.shear.z > 0.0);
-}
-
-// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
-override hasOneSided = false;
-
-override hasCutouts = false;
-
-const countShift = 28u;
-
-const isOneSided = 2147483648u;
-
-const coverRow = 2147483647u;
-
-fn edge(a: vec2f, b: vec2f) -> f32 {
-  let p = a.x * b.y;
-  let q = a.y * b.x;
-  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
-}
-
-struct TriangleHit {
-  // Below 0: missed.
-  t: f32,
-  // How much the second and third vertex count.
-  weights: vec2f,
-  // Whether it is met on the side from which its vertices go counter-clockwise.
-  front: bool,
-}
-
-
-const hasOpacityTexture = 2u;
 
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
 // GPU Rendering", JCGT 9(3), 2020.
