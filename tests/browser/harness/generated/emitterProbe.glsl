@@ -254,8 +254,10 @@ struct MeshRay {
     uint axis;
     vec3 shear;
 };
-struct TriangleHit {
-    float t;
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
     vec2 weights;
     bool front;
 };
@@ -323,17 +325,19 @@ const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint placeMask = 268435455u;
+const uint beginning = 2415919101u;
+const uint instances = 2147483648u;
+const uint ending = 2415919103u;
 const uint noLeaf0_ = 0u;
-const uint beginning = 4294967294u;
-const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
-const uint leaving = 4294967295u;
-const uint placeMask = 268435455u;
+const uint leaves = 2415919104u;
+const uint countShift = 28u;
 const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
-const uint countShift = 28u;
+const uint leaving = 2415919102u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
 const uint materialTexturesRows = 1u;
@@ -556,12 +560,12 @@ TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) 
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
         bool low = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own = pick(low, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float own_1 = pick(low, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
         float before = pick(low, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
-        choice.probability = (_e95 * (own / max(total_2, 1e-37)));
+        choice.probability = (_e95 * (own_1 / max(total_2, 1e-37)));
         choice.emitter = uint(pick(low, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
-        rest = clamp(((at_1 - before) / max(own, 1e-37)), 0.0, 0.99999994);
+        rest = clamp(((at_1 - before) / max(own_1, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node;
         node = (((4u * _e121) + 1u) + child);
         uint _e126 = level;
@@ -887,9 +891,9 @@ ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
     uint hash = (_e26 >> 8u);
     float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
     float x_10 = clamp((((u_8.x * e_10.triangles) - float(column)) + fine), 0.0, 0.99999994);
-    bool own_1 = (x_10 < _e18.own);
-    float rest_2 = pick(own_1, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
-    uint place_4 = pick(own_1, _e18.place, _e18.other);
+    bool own_2 = (x_10 < _e18.own);
+    float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_4 = pick(own_2, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first + column) + place_4) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_4, density, vec2(min(rest_2, 1.0), u_8.y));
@@ -989,11 +993,11 @@ ChosenCell chooseCell(vec2 u_13) {
     bool second = (_e9.whole.y >= rows);
     vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_1.y) - pick(second, rows, 0u)))), 0);
     vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own_2 = (x_12 < entry.x);
+    bool own_3 = (x_12 < entry.x);
     uint other = uint(entry.y);
     uint otherRow = (other / size_1.x);
-    uvec2 cell_1 = pick(own_2, _e9.whole, uvec2((other - (otherRow * size_1.x)), otherRow));
-    float rest_3 = pick(own_2, (x_12 / max(entry.x, 1e-37)), ((x_12 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    uvec2 cell_1 = pick(own_3, _e9.whole, uvec2((other - (otherRow * size_1.x)), otherRow));
+    float rest_3 = pick(own_3, (x_12 / max(entry.x, 1e-37)), ((x_12 - entry.x) / max((1.0 - entry.x), 1e-7)));
     return ChosenCell(cell_1, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
@@ -1137,18 +1141,18 @@ float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_1) {
-    bool own_3 = (i_7 == p_1.shape);
-    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t_1.x);
-    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_1.y);
+    bool own_4 = (i_7 == p_1.shape);
+    float pathT = pick(pick(own_4, !(p_1.inwards), false), 1e30, t_1.x);
+    float lightT = pick(pick(pick(own_4, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_1.y);
     bool nearer_1 = (pathT < found.t);
     return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_7, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_8) {
     Bounds _e3 = fetchBounds(i_8);
-    bool own_4 = (i_8 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
+    bool own_5 = (i_8 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.lightInwards, false));
     PairHit _e23 = meet(found_1, p_2, i_8, vec2(_e13, _e21));
     return _e23;
 }
@@ -1174,12 +1178,12 @@ float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_9) {
     Bounds _e3 = fetchBounds(i_9);
     Extent _e4 = fetchExtent(i_9);
-    bool own_5 = (i_9 == p_3.shape);
+    bool own_6 = (i_9 == p_3.shape);
     vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.inwards, false));
     vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.lightInwards, false));
     PairHit _e31 = meet(found_2, p_3, i_9, vec2(_e20, _e29));
     return _e31;
 }
@@ -1225,34 +1229,21 @@ vec4 planes(uint row_3, float inverse_, float offset_1) {
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
-vec4 enterChildren(uint node_1, SlabRay r, uvec4 children, float t_2) {
+vec4 enterChildren(uint node_1, SlabRay r, float t_2) {
     uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e17 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e25 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e34 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
-    vec4 _e45 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
-    vec4 _e52 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
-    vec4 _e60 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e45, _e52), _e60);
-    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
-    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
-}
-
-SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
-    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+    vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
 }
 
 vec3 turnedTo(uint axis_2, vec3 v_4) {
     return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
-}
-
-MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
-    vec3 size_4 = abs(direction_7);
-    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_5, direction_7);
-    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 float edge(vec2 a_1, vec2 b_2) {
@@ -1261,7 +1252,7 @@ float edge(vec2 a_1, vec2 b_2) {
     return ((a_1.x * b_2.y + -(q_7)) - (a_1.y * b_2.x + -(p_11)));
 }
 
-TriangleHit intersectTriangle(MeshRay ray, Triangle triangle) {
+Crossing crossTriangle(MeshRay ray, Triangle triangle) {
     vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
     vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
     vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
@@ -1272,10 +1263,22 @@ TriangleHit intersectTriangle(MeshRay ray, Triangle triangle) {
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
     float sum = ((_e35 + _e36) + _e37);
+    float side_2 = pick((sum < 0.0), -1.0, 1.0);
     bool within_2 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float inverse_3 = (1.0 / pick((sum == 0.0), 1.0, sum));
-    float t_12 = ((ray.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_3);
-    return TriangleHit(pick(pick(within_2, (sum != 0.0), false), t_12, -1.0), (vec2(_e36, _e37) * inverse_3), ((sum * ray.shear.z) > 0.0));
+    float depth = ((ray.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_2, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
+}
+
+SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
+    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
+    vec3 size_4 = abs(direction_7);
+    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_5, direction_7);
+    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 uvec4 texelRow(uint i_12) {
@@ -1422,50 +1425,51 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint instance_1 = noInstance;
     uint nodes = 0u;
     uint triangles = 0u;
+    uint cover = 0u;
+    uint own = placeMask;
     SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
     MeshRay ray_1 = MeshRay(vec3(0.0), 0u, vec3(0.0));
-    uint top = 0u;
-    uint cover = 0u;
-    uint doubted = noLeaf0_;
-    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
-    uint missing = noLeaf0_;
+    MeshHit doubted = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    uint top = 1u;
     uint current = 0u;
-    bool pops = false;
+    uint waiting = noLeaf0_;
+    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
-    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight_1 = !((rays.most > 0.0));
     bool _e17 = toLight_1;
     most = pick(_e17, rays.lightMost, rays.most);
-    uint _e59 = frame.instanceCount;
-    bool alone = (_e59 == 1u);
-    uint first_2 = pick(alone, leafBit, beginning);
-    current = first_2;
-    uint _e68 = frame.instanceCount;
-    float _e71 = most;
-    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
-        MeshHit _e76 = found_5;
-        return _e76;
+    MeshHit _e45 = found_5;
+    doubted = _e45;
+    uint _e49 = frame.instanceCount;
+    bool alone = (_e49 == 1u);
+    uint first_2 = pick(alone, instances, beginning);
+    uint _e57 = frame.instanceCount;
+    float _e60 = most;
+    if (pick((_e57 == 0u), true, !((_e60 > 0.0)))) {
+        MeshHit _e65 = found_5;
+        return _e65;
     }
+    stack[0] = ending;
+    current = first_2;
     while(true) {
         while(true) {
-            pops = false;
-            uint _e79 = current;
-            if (((_e79 & leafBit) == 0u)) {
-                uint _e84 = nodes;
-                uint _e85 = current;
-                uint node_2 = (_e84 + (_e85 * nodeRows));
-                uvec4 _e91 = geometryRow((node_2 + childrenRow));
-                SlabRay _e92 = slabs;
-                float _e93 = most;
-                vec4 _e94 = enterChildren(node_2, _e92, _e91, _e93);
-                bool a_4 = (_e94.x < _e94.z);
-                bool b_4 = (_e94.y < _e94.w);
-                vec2 t0_4 = pick(a_4, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
-                uvec2 r0_ = pick(a_4, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
-                vec2 t1_3 = pick(b_4, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
-                uvec2 r1_ = pick(b_4, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+            uint _e74 = current;
+            if ((_e74 < instances)) {
+                uint _e77 = nodes;
+                uint _e78 = current;
+                uint node_2 = (_e77 + (_e78 * nodeRows));
+                uvec4 _e84 = geometryRow((node_2 + childrenRow));
+                SlabRay _e85 = slabs;
+                float _e86 = most;
+                vec4 _e87 = enterChildren(node_2, _e85, _e86);
+                bool a_4 = (_e87.x < _e87.z);
+                bool b_4 = (_e87.y < _e87.w);
+                vec2 t0_4 = pick(a_4, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                uvec2 r0_ = pick(a_4, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
+                vec2 t1_3 = pick(b_4, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                uvec2 r1_ = pick(b_4, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
                 bool c_2 = (t0_4.x < t1_3.x);
                 bool d_3 = (t0_4.y < t1_3.y);
                 vec2 ta = pick(c_2, vec2(t1_3.x, t0_4.x), vec2(t0_4.x, t1_3.x));
@@ -1476,171 +1480,178 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
                 uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
-                    uint _e184 = top;
-                    stack[_e184] = ra.x;
-                    uint _e188 = top;
-                    top = (_e188 + 1u);
+                    uint _e177 = top;
+                    stack[_e177] = ra.x;
+                    uint _e181 = top;
+                    top = (_e181 + 1u);
                 }
                 if ((tm.x < 1e30)) {
-                    uint _e194 = top;
-                    stack[_e194] = rm.x;
-                    uint _e198 = top;
-                    top = (_e198 + 1u);
+                    uint _e187 = top;
+                    stack[_e187] = rm.x;
+                    uint _e191 = top;
+                    top = (_e191 + 1u);
                 }
                 if ((tm.y < 1e30)) {
-                    uint _e204 = top;
-                    stack[_e204] = rm.y;
-                    uint _e208 = top;
-                    top = (_e208 + 1u);
+                    uint _e197 = top;
+                    stack[_e197] = rm.y;
+                    uint _e201 = top;
+                    top = (_e201 + 1u);
                 }
-                pops = (tb.y >= 1e30);
                 current = rb.y;
-            } else {
-                uint _e214 = instance_1;
-                uint _e217 = current;
-                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
-                    uint _e221 = current;
-                    bool toWorld = (_e221 >= beginning);
-                    uint _e224 = current;
-                    pops = (_e224 == leaving);
-                    uint _e227 = current;
-                    instance_1 = pick(toWorld, noInstance, (_e227 & placeMask));
-                    o = rays.origin;
-                    bool _e236 = toLight_1;
-                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld)) {
-                        uint _e243 = frame.instances;
-                        uint _e244 = instance_1;
-                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
-                        vec3 _e249 = o;
-                        vec4 p_12 = vec4(_e249, 1.0);
-                        o = vec3(dot(_e248.toMeshX, p_12), dot(_e248.toMeshY, p_12), dot(_e248.toMeshZ, p_12));
-                        vec3 _e261 = d_1;
-                        vec3 _e265 = d_1;
-                        vec3 _e269 = d_1;
-                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
-                        nodes = _e248.nodes;
-                        triangles = _e248.triangles;
-                        cover = _e248.cover;
-                        if (!(alone)) {
-                            uint _e277 = top;
-                            stack[_e277] = leaving;
-                            uint _e281 = top;
-                            top = (_e281 + 1u);
-                        }
-                    }
-                    current = 0u;
-                    vec3 _e284 = o;
-                    vec3 _e285 = d_1;
-                    SlabRay _e286 = slabRay(_e284, _e285);
-                    slabs = _e286;
-                    vec3 _e287 = o;
-                    vec3 _e288 = d_1;
-                    MeshRay _e289 = meshRay(_e287, _e288);
-                    ray_1 = _e289;
-                } else {
-                    uint _e290 = current;
-                    uint place_6 = (_e290 & placeMask);
-                    MeshRay _e293 = ray_1;
-                    uint _e294 = triangles;
-                    Triangle _e298 = fetchTriangle((_e294 + (place_6 * triangleRows)));
-                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
-                    uint _e300 = instance_1;
-                    bool own_6 = pick((_e300 == left.instance), (place_6 == left.triangle), false);
-                    float _e310 = most;
-                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_6), false);
-                    const bool _e317 = hasOneSided;
-                    if (_e317) {
-                        bool _e318 = nearer;
-                        uint _e320 = cover;
-                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
-                    }
-                    const bool _e328 = hasCutouts;
-                    if (_e328) {
-                        bool _e329 = nearer;
-                        uint _e330 = current;
-                        uint _e331 = missing;
-                        nearer = pick(_e329, (_e330 != _e331), false);
-                        missing = noLeaf0_;
-                        bool _e335 = nearer;
-                        uint _e336 = cover;
-                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
-                            uint _e342 = current;
-                            doubted = _e342;
-                            uint _e344 = instance_1;
-                            doubtedHit = MeshHit(_e299.t, _e344, place_6, _e299.weights, false);
-                            break;
-                        }
-                    }
-                    uint _e348 = current;
-                    current = ((_e348 + 1u) - 268435456u);
-                    uint _e353 = current;
-                    pops = (((_e353 >> countShift) & 7u) == 0u);
-                    bool _e360 = nearer;
-                    if (_e360) {
-                        bool _e361 = toLight_1;
-                        if (_e361) {
-                            found_5.blocked = true;
-                            break;
-                        }
-                        most = _e299.t;
-                        uint _e366 = instance_1;
-                        found_5 = MeshHit(_e299.t, _e366, place_6, _e299.weights, false);
-                    }
+                if ((tb.y >= 1e30)) {
+                    uint _e208 = top;
+                    top = (_e208 - 1u);
+                    uint _e211 = top;
+                    uint _e213 = stack[_e211];
+                    current = _e213;
                 }
             }
-            bool _e370 = pops;
-            if (_e370) {
-                uint _e371 = top;
-                if ((_e371 > 0u)) {
-                    uint _e375 = top;
-                    top = (_e375 - 1u);
-                    uint _e378 = top;
-                    uint _e380 = stack[_e378];
-                    current = _e380;
-                } else {
-                    bool _e381 = toLight_1;
-                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+            uint _e214 = waiting;
+            uint _e217 = current;
+            if (pick((_e214 == noLeaf0_), (_e217 >= leaves), false)) {
+                uint _e221 = current;
+                waiting = _e221;
+                uint _e223 = top;
+                top = (_e223 - 1u);
+                uint _e226 = top;
+                uint _e228 = stack[_e226];
+                current = _e228;
+            }
+            uint _e229 = waiting;
+            if ((_e229 != noLeaf0_)) {
+                uint _e232 = waiting;
+                uint place_6 = (_e232 & placeMask);
+                uint _e235 = waiting;
+                waiting = ((_e235 + 1u) - 268435456u);
+                uint _e240 = waiting;
+                uint _e242 = waiting;
+                waiting = pick((_e242 < leaves), noLeaf0_, _e240);
+                MeshRay _e246 = ray_1;
+                uint _e247 = triangles;
+                Triangle _e251 = fetchTriangle((_e247 + (place_6 * triangleRows)));
+                Crossing _e252 = crossTriangle(_e246, _e251);
+                float _e261 = most;
+                uint _e266 = own;
+                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_6 != _e266), false);
+                const bool _e271 = hasOneSided;
+                if (_e271) {
+                    bool _e272 = nearer;
+                    uint _e274 = cover;
+                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+                }
+                bool _e281 = nearer;
+                if (_e281) {
+                    float inverse_3 = (1.0 / _e252.sum);
+                    uint _e287 = instance_1;
+                    MeshHit met = MeshHit((_e252.depth * inverse_3), _e287, place_6, (_e252.weights * inverse_3), false);
+                    const bool _e293 = hasCutouts;
+                    uint _e294 = cover;
+                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
+                        doubted = met;
                         break;
                     }
-                    toLight_1 = true;
-                    most = rays.lightMost;
-                    instance_1 = noInstance;
-                    current = first_2;
+                    bool _e300 = toLight_1;
+                    if (_e300) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = met.t;
+                    found_5 = met;
+                }
+            } else {
+                uint _e304 = current;
+                if ((_e304 >= instances)) {
+                    uint _e307 = current;
+                    if ((_e307 == ending)) {
+                        bool _e310 = toLight_1;
+                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                            break;
+                        }
+                        toLight_1 = true;
+                        most = rays.lightMost;
+                        top = 1u;
+                        current = first_2;
+                    }
+                    uint _e319 = current;
+                    bool toWorld = (_e319 >= beginning);
+                    uint _e322 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e322 & placeMask));
+                    o = rays.origin;
+                    bool _e331 = toLight_1;
+                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld)) {
+                        uint _e338 = frame.instances;
+                        uint _e339 = instance_1;
+                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
+                        vec3 _e344 = o;
+                        vec4 p_12 = vec4(_e344, 1.0);
+                        o = vec3(dot(_e343.toMeshX, p_12), dot(_e343.toMeshY, p_12), dot(_e343.toMeshZ, p_12));
+                        vec3 _e356 = d_1;
+                        vec3 _e360 = d_1;
+                        vec3 _e364 = d_1;
+                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
+                        nodes = _e343.nodes;
+                        triangles = _e343.triangles;
+                        cover = _e343.cover;
+                        uint _e372 = instance_1;
+                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        if (!(alone)) {
+                            uint _e378 = top;
+                            stack[_e378] = leaving;
+                            uint _e382 = top;
+                            top = (_e382 + 1u);
+                        }
+                    }
+                    vec3 _e384 = o;
+                    vec3 _e385 = d_1;
+                    SlabRay _e386 = slabRay(_e384, _e385);
+                    slabs = _e386;
+                    vec3 _e387 = o;
+                    vec3 _e388 = d_1;
+                    MeshRay _e389 = meshRay(_e387, _e388);
+                    ray_1 = _e389;
+                    uint _e390 = current;
+                    bool goesOn = (_e390 == leaving);
+                    current = 0u;
+                    if (goesOn) {
+                        uint _e395 = top;
+                        top = (_e395 - 1u);
+                        uint _e398 = top;
+                        uint _e400 = stack[_e398];
+                        current = _e400;
+                    }
                 }
             }
         }
-        const bool _e391 = hasCutouts;
-        if (!(_e391)) {
+        const bool _e402 = hasCutouts;
+        if (!(_e402)) {
             break;
         }
-        uint _e393 = doubted;
-        if ((_e393 == noLeaf0_)) {
+        uint _e405 = doubted.instance;
+        if ((_e405 == noInstance)) {
             break;
         }
-        uint _e397 = doubtedHit.instance;
-        uint _e399 = doubtedHit.triangle;
-        vec2 _e401 = doubtedHit.weights;
-        bool _e403 = toLight_1;
-        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
-        uint _e407 = doubted;
-        missing = pick(_e406, noLeaf0_, _e407);
-        doubted = noLeaf0_;
-        bool _e411 = toLight_1;
-        if (pick(_e406, _e411, false)) {
+        uint _e409 = doubted.instance;
+        uint _e411 = doubted.triangle;
+        vec2 _e413 = doubted.weights;
+        bool _e415 = toLight_1;
+        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
+        bool _e419 = toLight_1;
+        if (pick(_e418, _e419, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e406) {
-            float _e416 = doubtedHit.t;
-            most = _e416;
-            MeshHit _e417 = doubtedHit;
-            found_5 = _e417;
+        if (_e418) {
+            float _e424 = doubted.t;
+            most = _e424;
+            MeshHit _e425 = doubted;
+            found_5 = _e425;
         }
+        doubted.instance = noInstance;
     }
-    MeshHit _e418 = found_5;
-    return _e418;
+    MeshHit _e428 = found_5;
+    return _e428;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1774,9 +1785,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 normal_12 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
         vec3 smoothed = (turn_1 * normal_12);
         float size_5 = dot(smoothed, smoothed);
-        float side_2 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+        float side_3 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_5 > 0.0), false);
-        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_5, 1e-37)))), geometric);
+        p_8.shading = pick(useful, (smoothed * (side_3 * inversesqrt(max(size_5, 1e-37)))), geometric);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_8.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
@@ -1802,9 +1813,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e202 = fromOctahedral(_e58.tangent);
                 vec3 tangent = (((share_4.x * _e193) + (share_4.y * _e197)) + (share_4.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_8.normal = (smoothed * side_2);
-                p_8.tangent = ((turn_1 * tangent) * side_2);
-                p_8.bitangent = ((turn_1 * cross(normal_12, tangent)) * (hand * side_2));
+                p_8.normal = (smoothed * side_3);
+                p_8.tangent = ((turn_1 * tangent) * side_3);
+                p_8.bitangent = ((turn_1 * cross(normal_12, tangent)) * (hand * side_3));
             }
         }
     }
@@ -1966,11 +1977,11 @@ vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4,
     Slabs _e5 = boxSlabs(origin_10, direction_14, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_13 = pick(entering, _e5.near, _e5.far);
-    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
-    bool onX_1 = (crossed.x == t_13);
-    bool onY_1 = pick(!(onX_1), (crossed.y == t_13), false);
-    return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
+    float t_12 = pick(entering, _e5.near, _e5.far);
+    vec3 side_4 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
+    bool onX_1 = (crossed.x == t_12);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_12), false);
+    return (side_4 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
 vec3 outwardNormal(uint i_25, Ray ray_7, float t_5) {
