@@ -17,7 +17,7 @@ const MOST_OF_INSTANCE = 256;
 const MOST_OF_SHAPE = 1024;
 /**
  * A mesh whose area is a larger share than this of that of the sphere about it is one lamp, and one emitter: a tube ten times as long as
- * it is wide has a tenth. Cutting a compact lamp costs more time than it saves noise (docs/lights.md).
+ * it is wide has a tenth. Cutting a compact lamp costs more time than it saves noise.
  */
 const SPARSE = 0.05;
 

@@ -22,7 +22,7 @@ import { isOneSided } from './texture-slots.ts';
 
 /** What `frame.emitterCount` may be: a table of so many rows is a texture that every device has. */
 export const MOST_EMITTERS = 8192;
-/** Of more than these, the infinitely far ones not counted, a tree chooses. docs/lights.md says what was measured. */
+/** Of more than these, the infinitely far ones not counted, a tree chooses: docs/lights.md. */
 export const LISTED_EMITTERS = 16;
 /** Triangles of all lamps together: 64 MiB of tables. */
 const MOST_LAMP_TRIANGLES = 2 ** 22;
