@@ -46,10 +46,15 @@ function differences(ours: readonly Film[], others: readonly Film[]): number[] {
   return Array.from(a.mean, (mean, k) => (mean - b.mean[k]!) / Math.sqrt(a.variance[k]! + b.variance[k]!));
 }
 
-/** A lamp under a ceiling that is not there, over a floor with a ball on it. */
+/** A lamp in front of a wall, over a floor with a ball on it: there is light everywhere. */
 const roomWith = (lamp: Shape, mesh?: Mesh): Scene =>
   testScene(
-    { floor, lamp, ball: { type: 'sphere', center: [0.6, 0.5, 0], radius: 0.5, material: 'white' } },
+    {
+      floor,
+      wall: { type: 'quad', corner: [-50, 0, -2], u: [100, 0, 0], v: [0, 100, 0], material: 'white' },
+      lamp,
+      ball: { type: 'sphere', center: [0.6, 0.5, 0], radius: 0.5, material: 'white' },
+    },
     {},
     {
       materials,
