@@ -34,7 +34,14 @@ export type Feature = (typeof FEATURES)[number];
  * What only scenes with models ask for: meshes, glTF's materials, and lights by the hundred. Their programs are twice as long; so there are two texts of each, one
  * that knows nothing of these, and one of everything, which a page loads when such a scene comes (model-shaders.ts).
  */
-export const MODEL_FEATURES: readonly Feature[] = ['hasMeshes', 'hasTextures', 'hasOneSided', 'hasCutouts', 'hasMeshLamps', 'hasLightTree'];
+export const MODEL_FEATURES: readonly Feature[] = [
+  'hasMeshes',
+  'hasTextures',
+  'hasOneSided',
+  'hasCutouts',
+  'hasMeshLamps',
+  'hasLightTree',
+];
 
 export const drawsModels = (features: ReadonlySet<Feature>): boolean =>
   MODEL_FEATURES.some((feature) => features.has(feature));

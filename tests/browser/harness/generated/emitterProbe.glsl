@@ -578,70 +578,79 @@ TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) 
 }
 
 EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
+    bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest_1 = 0.0;
     uint i_2 = 0u;
-    const bool _e4 = hasLightTree;
-    uint _e7 = frame.lightTreeDepth;
-    bool hasTree = pick(_e4, (_e7 > 0u), false);
-    uint _e13 = frame.emitterCount;
-    uint _e16 = frame.farEmitters;
-    uint listed = pick(hasTree, _e16, _e13);
-    uint _e21 = frame.emitterCount;
-    choice_1 = EmitterChoice(0u, float(min(_e21, 1u)), Odds(1.0, 0.0));
-    const bool _e31 = hasManyLights;
-    uint _e34 = frame.emitterCount;
-    if (pick(_e31, (_e34 > 1u), false)) {
-        rest_1 = u_1;
-        while(true) {
-            uint _e47 = i_2;
-            Emitter _e48 = fetchEmitter(_e47);
-            float _e49 = estimatedIrradiance(_e48, point_3, normal_4);
-            uint _e50 = i_2;
-            float weight = pick((_e50 < listed), _e49, 0.0);
-            float _e54 = total_1;
-            total_1 = (_e54 + weight);
-            float _e56 = total_1;
-            float share_2 = (weight / max(_e56, 1e-37));
-            float _e60 = rest_1;
-            bool take = (_e60 < share_2);
-            uint _e62 = chosen;
-            uint _e63 = i_2;
-            chosen = pick(take, _e63, _e62);
-            float _e65 = chosenWeight;
-            chosenWeight = pick(take, weight, _e65);
-            float _e67 = rest_1;
-            float _e74 = rest_1;
-            rest_1 = pick(take, (_e74 / max(share_2, 1e-37)), ((_e67 - share_2) / max((1.0 - share_2), 1e-7)));
-            uint _e80 = i_2;
-            i_2 = (_e80 + 1u);
-            uint _e82 = i_2;
-            if ((_e82 >= listed)) {
-                break;
+    const bool _e6 = hasLightTree;
+    if (_e6) {
+        uint _e9 = frame.lightTreeDepth;
+        hasTree = (_e9 > 0u);
+    }
+    uint _e14 = frame.emitterCount;
+    uint _e17 = frame.farEmitters;
+    bool _e18 = hasTree;
+    uint listed = pick(_e18, _e17, _e14);
+    uint _e23 = frame.emitterCount;
+    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
+    const bool _e33 = hasManyLights;
+    if (_e33) {
+        uint _e36 = frame.emitterCount;
+        if ((_e36 > 1u)) {
+            rest_1 = u_1;
+            while(true) {
+                uint _e48 = i_2;
+                Emitter _e49 = fetchEmitter(_e48);
+                float _e50 = estimatedIrradiance(_e49, point_3, normal_4);
+                uint _e51 = i_2;
+                float weight = pick((_e51 < listed), _e50, 0.0);
+                float _e55 = total_1;
+                total_1 = (_e55 + weight);
+                float _e57 = total_1;
+                float share_2 = (weight / max(_e57, 1e-37));
+                float _e61 = rest_1;
+                bool take = (_e61 < share_2);
+                uint _e63 = chosen;
+                uint _e64 = i_2;
+                chosen = pick(take, _e64, _e63);
+                float _e66 = chosenWeight;
+                chosenWeight = pick(take, weight, _e66);
+                float _e68 = rest_1;
+                float _e75 = rest_1;
+                rest_1 = pick(take, (_e75 / max(share_2, 1e-37)), ((_e68 - share_2) / max((1.0 - share_2), 1e-7)));
+                uint _e81 = i_2;
+                i_2 = (_e81 + 1u);
+                uint _e83 = i_2;
+                if ((_e83 >= listed)) {
+                    break;
+                }
+            }
+            uint _e85 = chosen;
+            float _e86 = chosenWeight;
+            float _e87 = total_1;
+            float _e91 = total_1;
+            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
+            const bool _e96 = hasLightTree;
+            if (_e96) {
+                bool _e97 = hasTree;
+                if (_e97) {
+                    float _e98 = rest_1;
+                    float _e100 = total_1;
+                    TreeChoice _e101 = descend(point_3, normal_4, _e98, -1, _e100);
+                    choice_1.odds.tree = _e101.share;
+                    uint _e106 = chosen;
+                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
+                    float _e112 = choice_1.probability;
+                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
+                }
             }
         }
-        uint _e84 = chosen;
-        float _e85 = chosenWeight;
-        float _e86 = total_1;
-        float _e90 = total_1;
-        choice_1 = EmitterChoice(_e84, (_e85 / max(_e86, 1e-37)), Odds(_e90, 0.0));
-        const bool _e95 = hasLightTree;
-        if (pick(_e95, hasTree, false)) {
-            float _e97 = rest_1;
-            float _e99 = total_1;
-            TreeChoice _e100 = descend(point_3, normal_4, _e97, -1, _e99);
-            choice_1.odds.tree = _e100.share;
-            uint _e105 = chosen;
-            choice_1.index = pick(_e100.taken, _e100.emitter, _e105);
-            float _e111 = choice_1.probability;
-            choice_1.probability = pick(_e100.taken, (_e100.probability * _e100.share), (_e111 * (1.0 - _e100.share)));
-        }
     }
-    EmitterChoice _e121 = choice_1;
-    return _e121;
+    EmitterChoice _e122 = choice_1;
+    return _e122;
 }
 
 float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {
@@ -649,20 +658,24 @@ float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
-    uint _e15 = frame.emitterCount;
-    if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_2, point_4, normal_5);
-        probability = (_e19 / max(odds.total, 1e-37));
-        const bool _e25 = hasLightTree;
-        uint _e28 = frame.lightTreeDepth;
-        if (pick(_e25, (_e28 > 0u), false)) {
-            TreeChoice _e38 = descend(point_4, normal_5, 0.0, int(max(e_2.leaf, 0.0)), odds.total);
-            float _e39 = probability;
-            probability = pick((e_2.leaf >= 0.0), (_e38.probability * _e38.share), (_e39 * (1.0 - odds.tree)));
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_2, point_4, normal_5);
+            probability = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                uint _e27 = frame.lightTreeDepth;
+                if ((_e27 > 0u)) {
+                    TreeChoice _e36 = descend(point_4, normal_5, 0.0, int(max(e_2.leaf, 0.0)), odds.total);
+                    float _e37 = probability;
+                    probability = pick((e_2.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
+                }
+            }
         }
     }
-    float _e51 = probability;
-    return _e51;
+    float _e49 = probability;
+    return _e49;
 }
 
 SphereView viewSphere(Emitter e_3, vec3 point_5) {
@@ -1077,50 +1090,66 @@ LightSample sampleSky(vec2 u_16) {
 LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_17) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_15.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_15, point_14, u_17);
-        s_2 = _e20;
+    if (_e15) {
+        if ((e_15.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_15, point_14, u_17);
+            s_2 = _e19;
+        }
     }
-    const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_15.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_15, point_14, u_17);
-        s_2 = _e27;
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_15.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_15, point_14, u_17);
+            s_2 = _e25;
+        }
     }
-    const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_15.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_15, point_14, u_17);
-        s_2 = _e34;
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_15.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_15, point_14, u_17);
+            s_2 = _e31;
+        }
     }
-    const bool _e36 = hasMeshLamps;
-    if (pick(_e36, (e_15.kind == 7.0), false)) {
-        LightSample _e41 = sampleMesh(e_15, point_14, u_17);
-        s_2 = _e41;
+    const bool _e33 = hasMeshLamps;
+    if (_e33) {
+        if ((e_15.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_15, point_14, u_17);
+            s_2 = _e37;
+        }
     }
-    const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_15.kind == 3.0), false)) {
-        LightSample _e48 = samplePoint(e_15, point_14);
-        s_2 = _e48;
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_15.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_15, point_14);
+            s_2 = _e43;
+        }
     }
-    const bool _e50 = hasPointLights;
-    if (pick(_e50, (e_15.kind == 4.0), false)) {
-        LightSample _e55 = sampleSpot(e_15, point_14);
-        s_2 = _e55;
+    const bool _e45 = hasPointLights;
+    if (_e45) {
+        if ((e_15.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_15, point_14);
+            s_2 = _e49;
+        }
     }
-    const bool _e57 = hasSuns;
-    if (pick(_e57, (e_15.kind == 5.0), false)) {
-        LightSample _e62 = sampleDirectional(e_15, u_17);
-        s_2 = _e62;
+    const bool _e51 = hasSuns;
+    if (_e51) {
+        if ((e_15.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_15, u_17);
+            s_2 = _e55;
+        }
     }
-    const bool _e64 = hasSky;
-    if (pick(_e64, (e_15.kind == 6.0), false)) {
-        LightSample _e69 = sampleSky(u_17);
-        s_2 = _e69;
+    const bool _e57 = hasSky;
+    if (_e57) {
+        if ((e_15.kind == 6.0)) {
+            LightSample _e61 = sampleSky(u_17);
+            s_2 = _e61;
+        }
     }
-    float _e72 = s_2.pdf;
-    float _e74 = s_2.distance_;
-    s_2.pdf = pick((_e74 <= (1e-5 * length(point_14))), 0.0, _e72);
-    LightSample _e81 = s_2;
-    return _e81;
+    float _e64 = s_2.pdf;
+    float _e66 = s_2.distance_;
+    s_2.pdf = pick((_e66 <= (1e-5 * length(point_14))), 0.0, _e64);
+    LightSample _e73 = s_2;
+    return _e73;
 }
 
 Bounds fetchBounds(uint i_6) {
@@ -1545,13 +1574,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e287 = instance_1;
                     MeshHit met = MeshHit((_e252.depth * inverse_3), _e287, place_6, (_e252.weights * inverse_3), false);
                     const bool _e293 = hasCutouts;
-                    uint _e294 = cover;
-                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
-                        doubted = met;
-                        break;
+                    if (_e293) {
+                        uint _e294 = cover;
+                        if (((_e294 & coverRow) != 0u)) {
+                            doubted = met;
+                            break;
+                        }
                     }
-                    bool _e300 = toLight_1;
-                    if (_e300) {
+                    bool _e299 = toLight_1;
+                    if (_e299) {
                         found_5.blocked = true;
                         break;
                     }
@@ -1559,12 +1590,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     found_5 = met;
                 }
             } else {
-                uint _e304 = current;
-                if ((_e304 >= instances)) {
-                    uint _e307 = current;
-                    if ((_e307 == ending)) {
-                        bool _e310 = toLight_1;
-                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                uint _e303 = current;
+                if ((_e303 >= instances)) {
+                    uint _e306 = current;
+                    if ((_e306 == ending)) {
+                        bool _e309 = toLight_1;
+                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
                             break;
                         }
                         toLight_1 = true;
@@ -1572,86 +1603,86 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         top = 1u;
                         current = first_2;
                     }
-                    uint _e319 = current;
-                    bool toWorld = (_e319 >= beginning);
-                    uint _e322 = current;
-                    instance_1 = pick(toWorld, noInstance, (_e322 & placeMask));
+                    uint _e318 = current;
+                    bool toWorld = (_e318 >= beginning);
+                    uint _e321 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e321 & placeMask));
                     o = rays.origin;
-                    bool _e331 = toLight_1;
-                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    bool _e330 = toLight_1;
+                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
                     nodes = 0u;
                     if (!(toWorld)) {
-                        uint _e338 = frame.instances;
-                        uint _e339 = instance_1;
-                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
-                        vec3 _e344 = o;
-                        vec4 p_12 = vec4(_e344, 1.0);
-                        o = vec3(dot(_e343.toMeshX, p_12), dot(_e343.toMeshY, p_12), dot(_e343.toMeshZ, p_12));
-                        vec3 _e356 = d_1;
-                        vec3 _e360 = d_1;
-                        vec3 _e364 = d_1;
-                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
-                        nodes = _e343.nodes;
-                        triangles = _e343.triangles;
-                        cover = _e343.cover;
-                        uint _e372 = instance_1;
-                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        uint _e337 = frame.instances;
+                        uint _e338 = instance_1;
+                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
+                        vec3 _e343 = o;
+                        vec4 p_12 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_12), dot(_e342.toMeshY, p_12), dot(_e342.toMeshZ, p_12));
+                        vec3 _e355 = d_1;
+                        vec3 _e359 = d_1;
+                        vec3 _e363 = d_1;
+                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
+                        nodes = _e342.nodes;
+                        triangles = _e342.triangles;
+                        cover = _e342.cover;
+                        uint _e371 = instance_1;
+                        own = pick((_e371 == left.instance), left.triangle, placeMask);
                         if (!(alone)) {
-                            uint _e378 = top;
-                            stack[_e378] = leaving;
-                            uint _e382 = top;
-                            top = (_e382 + 1u);
+                            uint _e377 = top;
+                            stack[_e377] = leaving;
+                            uint _e381 = top;
+                            top = (_e381 + 1u);
                         }
                     }
-                    vec3 _e384 = o;
-                    vec3 _e385 = d_1;
-                    SlabRay _e386 = slabRay(_e384, _e385);
-                    slabs = _e386;
-                    vec3 _e387 = o;
-                    vec3 _e388 = d_1;
-                    MeshRay _e389 = meshRay(_e387, _e388);
-                    ray_1 = _e389;
-                    uint _e390 = current;
-                    bool goesOn = (_e390 == leaving);
+                    vec3 _e383 = o;
+                    vec3 _e384 = d_1;
+                    SlabRay _e385 = slabRay(_e383, _e384);
+                    slabs = _e385;
+                    vec3 _e386 = o;
+                    vec3 _e387 = d_1;
+                    MeshRay _e388 = meshRay(_e386, _e387);
+                    ray_1 = _e388;
+                    uint _e389 = current;
+                    bool goesOn = (_e389 == leaving);
                     current = 0u;
                     if (goesOn) {
-                        uint _e395 = top;
-                        top = (_e395 - 1u);
-                        uint _e398 = top;
-                        uint _e400 = stack[_e398];
-                        current = _e400;
+                        uint _e394 = top;
+                        top = (_e394 - 1u);
+                        uint _e397 = top;
+                        uint _e399 = stack[_e397];
+                        current = _e399;
                     }
                 }
             }
         }
-        const bool _e402 = hasCutouts;
-        if (!(_e402)) {
+        const bool _e401 = hasCutouts;
+        if (!(_e401)) {
             break;
         }
-        uint _e405 = doubted.instance;
-        if ((_e405 == noInstance)) {
+        uint _e404 = doubted.instance;
+        if ((_e404 == noInstance)) {
             break;
         }
-        uint _e409 = doubted.instance;
-        uint _e411 = doubted.triangle;
-        vec2 _e413 = doubted.weights;
-        bool _e415 = toLight_1;
-        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
-        bool _e419 = toLight_1;
-        if (pick(_e418, _e419, false)) {
+        uint _e408 = doubted.instance;
+        uint _e410 = doubted.triangle;
+        vec2 _e412 = doubted.weights;
+        bool _e414 = toLight_1;
+        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
+        bool _e418 = toLight_1;
+        if (pick(_e417, _e418, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e418) {
-            float _e424 = doubted.t;
-            most = _e424;
-            MeshHit _e425 = doubted;
-            found_5 = _e425;
+        if (_e417) {
+            float _e423 = doubted.t;
+            most = _e423;
+            MeshHit _e424 = doubted;
+            found_5 = _e424;
         }
         doubted.instance = noInstance;
     }
-    MeshHit _e428 = found_5;
-    return _e428;
+    MeshHit _e427 = found_5;
+    return _e427;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1681,77 +1712,85 @@ PairHit tracePair(RayPair p_7) {
     uint i_14 = 0u;
     uvec4 ends_2 = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_14;
-    if (pick(_e17, (_e18 < ends_2.x), false)) {
-        while(true) {
-            PairHit _e22 = found_7;
-            uint _e23 = i_14;
-            PairHit _e24 = meetSphere(_e22, p_7, _e23);
-            found_7 = _e24;
-            uint _e26 = i_14;
-            i_14 = (_e26 + 1u);
-            uint _e28 = i_14;
-            if ((_e28 >= ends_2.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_14;
+        if ((_e18 < ends_2.x)) {
+            while(true) {
+                PairHit _e21 = found_7;
+                uint _e22 = i_14;
+                PairHit _e23 = meetSphere(_e21, p_7, _e22);
+                found_7 = _e23;
+                uint _e25 = i_14;
+                i_14 = (_e25 + 1u);
+                uint _e27 = i_14;
+                if ((_e27 >= ends_2.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_14;
-    if (pick(_e32, (_e33 < ends_2.y), false)) {
-        while(true) {
-            PairHit _e37 = found_7;
-            uint _e38 = i_14;
-            PairHit _e39 = meetBox(_e37, p_7, _e38);
-            found_7 = _e39;
-            uint _e41 = i_14;
-            i_14 = (_e41 + 1u);
-            uint _e43 = i_14;
-            if ((_e43 >= ends_2.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_14;
+        if ((_e32 < ends_2.y)) {
+            while(true) {
+                PairHit _e35 = found_7;
+                uint _e36 = i_14;
+                PairHit _e37 = meetBox(_e35, p_7, _e36);
+                found_7 = _e37;
+                uint _e39 = i_14;
+                i_14 = (_e39 + 1u);
+                uint _e41 = i_14;
+                if ((_e41 >= ends_2.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_14;
-    if (pick(_e47, (_e48 < ends_2.z), false)) {
-        while(true) {
-            PairHit _e52 = found_7;
-            uint _e53 = i_14;
-            PairHit _e54 = meetQuad(_e52, p_7, _e53);
-            found_7 = _e54;
-            uint _e56 = i_14;
-            i_14 = (_e56 + 1u);
-            uint _e58 = i_14;
-            if ((_e58 >= ends_2.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_14;
+        if ((_e46 < ends_2.z)) {
+            while(true) {
+                PairHit _e49 = found_7;
+                uint _e50 = i_14;
+                PairHit _e51 = meetQuad(_e49, p_7, _e50);
+                found_7 = _e51;
+                uint _e53 = i_14;
+                i_14 = (_e53 + 1u);
+                uint _e55 = i_14;
+                if ((_e55 >= ends_2.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_14;
-    if (pick(_e62, (_e63 < ends_2.w), false)) {
-        while(true) {
-            PairHit _e67 = found_7;
-            uint _e68 = i_14;
-            PairHit _e69 = meetPlane(_e67, p_7, _e68);
-            found_7 = _e69;
-            uint _e71 = i_14;
-            i_14 = (_e71 + 1u);
-            uint _e73 = i_14;
-            if ((_e73 >= ends_2.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_14;
+        if ((_e60 < ends_2.w)) {
+            while(true) {
+                PairHit _e63 = found_7;
+                uint _e64 = i_14;
+                PairHit _e65 = meetPlane(_e63, p_7, _e64);
+                found_7 = _e65;
+                uint _e67 = i_14;
+                i_14 = (_e67 + 1u);
+                uint _e69 = i_14;
+                if ((_e69 >= ends_2.w)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e77 = hasMeshes;
-    if (_e77) {
-        PairHit _e78 = found_7;
-        PairHit _e79 = meetMeshes(_e78, p_7);
-        found_7 = _e79;
+    const bool _e73 = hasMeshes;
+    if (_e73) {
+        PairHit _e74 = found_7;
+        PairHit _e75 = meetMeshes(_e74, p_7);
+        found_7 = _e75;
     }
-    PairHit _e80 = found_7;
-    return _e80;
+    PairHit _e76 = found_7;
+    return _e76;
 }
 
 RayPair oneRay(vec3 origin_8, vec3 direction_8, uint number_1) {
@@ -1858,27 +1897,35 @@ float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, 
 float shapePdf(Emitter e_21, vec3 point_18, vec3 direction_12, float distance_5, vec3 normal_9, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
-    if (pick(_e9, (e_21.kind == 0.0), false)) {
-        float _e14 = spherePdf(e_21, point_18, direction_12);
-        pdf = _e14;
+    if (_e9) {
+        if ((e_21.kind == 0.0)) {
+            float _e13 = spherePdf(e_21, point_18, direction_12);
+            pdf = _e13;
+        }
     }
-    const bool _e16 = hasQuadLights;
-    if (pick(_e16, (e_21.kind == 1.0), false)) {
-        float _e21 = quadPdf(e_21, point_18, distance_5);
-        pdf = _e21;
+    const bool _e15 = hasQuadLights;
+    if (_e15) {
+        if ((e_21.kind == 1.0)) {
+            float _e19 = quadPdf(e_21, point_18, distance_5);
+            pdf = _e19;
+        }
     }
-    const bool _e23 = hasBoxLights;
-    if (pick(_e23, (e_21.kind == 2.0), false)) {
-        float _e28 = boxPdf(e_21, point_18, direction_12, distance_5, normal_9);
-        pdf = _e28;
+    const bool _e21 = hasBoxLights;
+    if (_e21) {
+        if ((e_21.kind == 2.0)) {
+            float _e25 = boxPdf(e_21, point_18, direction_12, distance_5, normal_9);
+            pdf = _e25;
+        }
     }
-    const bool _e30 = hasMeshLamps;
-    if (pick(_e30, (e_21.kind == 7.0), false)) {
-        float _e35 = meshPdf(e_21, direction_12, distance_5, normal_9, place_3);
-        pdf = _e35;
+    const bool _e27 = hasMeshLamps;
+    if (_e27) {
+        if ((e_21.kind == 7.0)) {
+            float _e31 = meshPdf(e_21, direction_12, distance_5, normal_9, place_3);
+            pdf = _e31;
+        }
     }
-    float _e36 = pdf;
-    return _e36;
+    float _e32 = pdf;
+    return _e32;
 }
 
 Start onSurface(vec3 point_19, uint shape, bool seenFromInside) {
@@ -2070,12 +2117,14 @@ FarLight farLight(Emitter e_24, vec3 direction_19) {
         far_2 = FarLight(pick(seen_1, e_24.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_24.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_19);
-        far_2 = FarLight(_e28.radiance, _e28.pdf);
+    if (_e23) {
+        if ((e_24.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_19);
+            far_2 = FarLight(_e27.radiance, _e27.pdf);
+        }
     }
-    FarLight _e32 = far_2;
-    return _e32;
+    FarLight _e31 = far_2;
+    return _e31;
 }
 
 void main() {

@@ -60,29 +60,45 @@ const choice = 4u;
 // lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    s = sampleSphere(e, point, u);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    s = sampleQuad(e, point, u);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    s = sampleBox(e, point, u);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
   }
-  if (hasMeshLamps & (e.kind == meshKind)) {
-    s = sampleMesh(e, point, u);
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      s = sampleMesh(e, point, u);
+    }
   }
-  if (hasPointLights & (e.kind == pointKind)) {
-    s = samplePoint(e, point);
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
   }
-  if (hasPointLights & (e.kind == spotKind)) {
-    s = sampleSpot(e, point);
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
   }
-  if (hasSuns & (e.kind == directionalKind)) {
-    s = sampleDirectional(e, u);
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
   }
-  if (hasSky & (e.kind == skyKind)) {
-    s = sampleSky(u);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
   }
   s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
   return s;
@@ -96,9 +112,11 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
     let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
     far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
   }
-  if (hasSky & (e.kind == skyKind)) {
-    let seen = skyLight(direction);
-    far = FarLight(seen.radiance, seen.pdf);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      let seen = skyLight(direction);
+      far = FarLight(seen.radiance, seen.pdf);
+    }
   }
   return far;
 }
@@ -106,34 +124,41 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  let hasTree = hasLightTree & (frame.lightTreeDepth > 0u);
+  var hasTree = false;
+  if (hasLightTree) {
+    hasTree = frame.lightTreeDepth > 0u;
+  }
   let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
   var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    var total = 0.0;
-    var chosen = 0u;
-    var chosenWeight = 0.0;
-    var rest = u;
-    var i = 0u;
-    loop {
-      let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
-      total += weight;
-      let share = weight / max(total, 1e-37);
-      let take = rest < share;
-      chosen = select(chosen, i, take);
-      chosenWeight = select(chosenWeight, weight, take);
-      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-      i++;
-      if (i >= listed) {
-        break;
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= listed) {
+          break;
+        }
       }
-    }
-    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
-    if (hasLightTree & hasTree) {
-      let down = descend(point, normal, rest, noLeaf, total);
-      choice.odds.tree = down.share;
-      choice.index = select(chosen, down.emitter, down.taken);
-      choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      if (hasLightTree) {
+        if (hasTree) {
+          let down = descend(point, normal, rest, noLeaf, total);
+          choice.odds.tree = down.share;
+          choice.index = select(chosen, down.emitter, down.taken);
+          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
+        }
+      }
     }
   }
   return choice;
@@ -142,11 +167,15 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
-    if (hasLightTree & (frame.lightTreeDepth > 0u)) {
-      let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
-      probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        if (frame.lightTreeDepth > 0u) {
+          let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
+          probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
+        }
+      }
     }
   }
   return probability;
@@ -163,8 +192,6 @@ fn fetchEmitter(i: u32) -> Emitter {
 }
 
 override hasLightTree = false;
-
-@group(0) @binding(0) var<uniform> frame: Frame;
 
 struct EmitterChoice {
   index: u32,
@@ -184,6 +211,82 @@ struct Odds {
 
 
 override hasManyLights = true;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // film pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // film pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // film columns where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
+  // threads that share the samples of a pixel
+  shares: u32,
+  // pixels of a workgroup
+  tile: vec2u,
+  // instances of meshes
+  instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
+}
+
 
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
@@ -422,118 +525,52 @@ fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
   return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
 }
 
-struct Frame {
-  // camera r times half the width of what is seen: camera.wesl
-  right: vec3f,
-  // film pixels
-  width: f32,
-  // camera u times half the height of what is seen
-  up: vec3f,
-  // film pixels
-  height: f32,
-  // camera f
-  forward: vec3f,
-  // lights in use
-  lightCount: u32,
-  // sky colour at the horizon; in paths the map of the sky is multiplied by it
-  horizon: vec3f,
-  // film sample, from 0
-  sampleIndex: u32,
-  // sky colour overhead; likewise
-  zenith: vec3f,
-  // of the random numbers
-  seed: u32,
-  // position inside the pixel, 0 to 1
-  jitter: vec2f,
-  // film columns where the second and third panel begin
-  dividers: vec2f,
-  // index past the last sphere, box, quad and plane
-  shapeEnds: vec4u,
-  // index past the last shape that may stand between a light and a point
-  occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
-  // emitters of the path integrator
-  emitterCount: u32,
-  // path segments from the camera on; 0xffffffff: no limit
-  maxDepth: u32,
-  // per panel: max reflections, light samples, unused, unused
-  panels: array<vec4u, 3>,
-  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
-  filterPieces: array<vec4f, 16>,
-  // 1: independent random numbers instead of the Sobol sequence
-  independent: u32,
-  // position in PROJECTIONS
-  projection: u32,
-  // radius of the lens, metres
-  aperture: f32,
-  // from the eye to the plane that is sharp, metres
-  focusDistance: f32,
-  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
-  planesCutView: u32,
-  // how far the map of the sky is turned about +Y, 0 to 1
-  environmentTurn: f32,
-  // columns and rows of the map of the sky
-  environmentSize: vec2f,
-  // film samples that this call adds, from sampleIndex on; 1 where passes draw
-  sampleCount: u32,
-  // row of the first instance of a mesh; the tree over them begins in row 0
-  instances: u32,
-  // threads that share the samples of a pixel
-  shares: u32,
-  // pixels of a workgroup
-  tile: vec2u,
-  // instances of meshes
-  instanceCount: u32,
-  // emitters that are infinitely far: they come first
-  farEmitters: u32,
-  // row of the root of the light tree
-  lightTree: u32,
-  // levels of it; 0: there is none, and all emitters are looked at
-  lightTreeDepth: u32,
-  // row of the geometry where the tables of lamps begin
-  lampTables: u32,
-}
-
-
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn tracePair(p: RayPair) -> PairHit {
   var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
-  if (hasSpheres & (i < ends.x)) {
-    loop {
-      found = meetSphere(found, p, i);
-      i++;
-      if (i >= ends.x) {
-        break;
+  if (hasSpheres) {
+    if (i < ends.x) {
+      loop {
+        found = meetSphere(found, p, i);
+        i++;
+        if (i >= ends.x) {
+          break;
+        }
       }
     }
   }
-  if (hasBoxes & (i < ends.y)) {
-    loop {
-      found = meetBox(found, p, i);
-      i++;
-      if (i >= ends.y) {
-        break;
+  if (hasBoxes) {
+    if (i < ends.y) {
+      loop {
+        found = meetBox(found, p, i);
+        i++;
+        if (i >= ends.y) {
+          break;
+        }
       }
     }
   }
-  if (hasQuads & (i < ends.z)) {
-    loop {
-      found = meetQuad(found, p, i);
-      i++;
-      if (i >= ends.z) {
-        break;
+  if (hasQuads) {
+    if (i < ends.z) {
+      loop {
+        found = meetQuad(found, p, i);
+        i++;
+        if (i >= ends.z) {
+          break;
+        }
       }
     }
   }
-  if (hasPlanes & (i < ends.w)) {
-    loop {
-      found = meetPlane(found, p, i);
-      i++;
-      if (i >= ends.w) {
-        break;
+  if (hasPlanes) {
+    if (i < ends.w) {
+      loop {
+        found = meetPlane(found, p, i);
+        i++;
+        if (i >= ends.w) {
+          break;
+        }
       }
     }
   }
@@ -605,17 +642,25 @@ fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
 // outward normal; of a mesh, the triangle at that place.
 fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
   var pdf = 0.0;
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    pdf = spherePdf(e, point, direction);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      pdf = spherePdf(e, point, direction);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    pdf = quadPdf(e, point, distance);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      pdf = quadPdf(e, point, distance);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    pdf = boxPdf(e, point, direction, distance, normal);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      pdf = boxPdf(e, point, direction, distance, normal);
+    }
   }
-  if (hasMeshLamps & (e.kind == meshKind)) {
-    pdf = meshPdf(e, direction, distance, normal, place);
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      pdf = meshPdf(e, direction, distance, normal, place);
+    }
   }
   return pdf;
 }
@@ -939,9 +984,11 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         if (nearer) {
           let inverse = 1.0 / hit.sum;
           let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
-          if (hasCutouts & ((cover & coverRow) != 0u)) {
-            doubted = met;
-            break;
+          if (hasCutouts) {
+            if ((cover & coverRow) != 0u) {
+              doubted = met;
+              break;
+            }
           }
           if (toLight) {
             found.blocked = true;
@@ -1474,12 +1521,10 @@ const hasTangents = 2u;
 // Kinds of light, and more than one of them.
 override hasSphereLights = true;
 
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
 override hasBoxLights = false;
 
-const boxKind = 2.0;
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
 
 // A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
 fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
@@ -1594,6 +1639,8 @@ fn arctangent(x: f32) -> f32 {
   let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
   return sign(x) * (base + (series * z * r + r));
 }
+
+const boxKind = 2.0;
 
 fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   let b = viewBox(e, point);
@@ -1787,8 +1834,6 @@ struct LightSample {
 }
 
 
-const pointKind = 3.0;
-
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
   let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
@@ -1951,6 +1996,8 @@ struct ChosenTriangle {
   u: vec2f,
 }
 
+
+const pointKind = 3.0;
 
 fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
   let toLight = e.position - point;

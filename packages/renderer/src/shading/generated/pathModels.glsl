@@ -693,18 +693,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_16);
-        float latitude = (1.5707964 * y_9);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level_1 = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level_1) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_16);
+            float latitude = (1.5707964 * y_9);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level_1 = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level_1) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray;
-    return _e108;
+    CameraRay _e107 = ray;
+    return _e107;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
@@ -1227,13 +1229,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e287 = instance_1;
                     MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_6, (_e252.weights * inverse_2), false);
                     const bool _e293 = hasCutouts;
-                    uint _e294 = cover;
-                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
-                        doubted = met;
-                        break;
+                    if (_e293) {
+                        uint _e294 = cover;
+                        if (((_e294 & coverRow) != 0u)) {
+                            doubted = met;
+                            break;
+                        }
                     }
-                    bool _e300 = toLight;
-                    if (_e300) {
+                    bool _e299 = toLight;
+                    if (_e299) {
                         found_5.blocked = true;
                         break;
                     }
@@ -1241,12 +1245,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     found_5 = met;
                 }
             } else {
-                uint _e304 = current;
-                if ((_e304 >= instances)) {
-                    uint _e307 = current;
-                    if ((_e307 == ending)) {
-                        bool _e310 = toLight;
-                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                uint _e303 = current;
+                if ((_e303 >= instances)) {
+                    uint _e306 = current;
+                    if ((_e306 == ending)) {
+                        bool _e309 = toLight;
+                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
                             break;
                         }
                         toLight = true;
@@ -1254,86 +1258,86 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         top = 1u;
                         current = first_1;
                     }
-                    uint _e319 = current;
-                    bool toWorld_1 = (_e319 >= beginning);
-                    uint _e322 = current;
-                    instance_1 = pick(toWorld_1, noInstance, (_e322 & placeMask));
+                    uint _e318 = current;
+                    bool toWorld_1 = (_e318 >= beginning);
+                    uint _e321 = current;
+                    instance_1 = pick(toWorld_1, noInstance, (_e321 & placeMask));
                     o = rays.origin;
-                    bool _e331 = toLight;
-                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    bool _e330 = toLight;
+                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
                     nodes = 0u;
                     if (!(toWorld_1)) {
-                        uint _e338 = frame.instances;
-                        uint _e339 = instance_1;
-                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
-                        vec3 _e344 = o;
-                        vec4 p_19 = vec4(_e344, 1.0);
-                        o = vec3(dot(_e343.toMeshX, p_19), dot(_e343.toMeshY, p_19), dot(_e343.toMeshZ, p_19));
-                        vec3 _e356 = d_1;
-                        vec3 _e360 = d_1;
-                        vec3 _e364 = d_1;
-                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
-                        nodes = _e343.nodes;
-                        triangles = _e343.triangles;
-                        cover = _e343.cover;
-                        uint _e372 = instance_1;
-                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        uint _e337 = frame.instances;
+                        uint _e338 = instance_1;
+                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
+                        vec3 _e343 = o;
+                        vec4 p_19 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_19), dot(_e342.toMeshY, p_19), dot(_e342.toMeshZ, p_19));
+                        vec3 _e355 = d_1;
+                        vec3 _e359 = d_1;
+                        vec3 _e363 = d_1;
+                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
+                        nodes = _e342.nodes;
+                        triangles = _e342.triangles;
+                        cover = _e342.cover;
+                        uint _e371 = instance_1;
+                        own = pick((_e371 == left.instance), left.triangle, placeMask);
                         if (!(alone)) {
-                            uint _e378 = top;
-                            stack[_e378] = leaving;
-                            uint _e382 = top;
-                            top = (_e382 + 1u);
+                            uint _e377 = top;
+                            stack[_e377] = leaving;
+                            uint _e381 = top;
+                            top = (_e381 + 1u);
                         }
                     }
-                    vec3 _e384 = o;
-                    vec3 _e385 = d_1;
-                    SlabRay _e386 = slabRay(_e384, _e385);
-                    slabs = _e386;
-                    vec3 _e387 = o;
-                    vec3 _e388 = d_1;
-                    MeshRay _e389 = meshRay(_e387, _e388);
-                    ray_2 = _e389;
-                    uint _e390 = current;
-                    bool goesOn = (_e390 == leaving);
+                    vec3 _e383 = o;
+                    vec3 _e384 = d_1;
+                    SlabRay _e385 = slabRay(_e383, _e384);
+                    slabs = _e385;
+                    vec3 _e386 = o;
+                    vec3 _e387 = d_1;
+                    MeshRay _e388 = meshRay(_e386, _e387);
+                    ray_2 = _e388;
+                    uint _e389 = current;
+                    bool goesOn = (_e389 == leaving);
                     current = 0u;
                     if (goesOn) {
-                        uint _e395 = top;
-                        top = (_e395 - 1u);
-                        uint _e398 = top;
-                        uint _e400 = stack[_e398];
-                        current = _e400;
+                        uint _e394 = top;
+                        top = (_e394 - 1u);
+                        uint _e397 = top;
+                        uint _e399 = stack[_e397];
+                        current = _e399;
                     }
                 }
             }
         }
-        const bool _e402 = hasCutouts;
-        if (!(_e402)) {
+        const bool _e401 = hasCutouts;
+        if (!(_e401)) {
             break;
         }
-        uint _e405 = doubted.instance;
-        if ((_e405 == noInstance)) {
+        uint _e404 = doubted.instance;
+        if ((_e404 == noInstance)) {
             break;
         }
-        uint _e409 = doubted.instance;
-        uint _e411 = doubted.triangle;
-        vec2 _e413 = doubted.weights;
-        bool _e415 = toLight;
-        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
-        bool _e419 = toLight;
-        if (pick(_e418, _e419, false)) {
+        uint _e408 = doubted.instance;
+        uint _e410 = doubted.triangle;
+        vec2 _e412 = doubted.weights;
+        bool _e414 = toLight;
+        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
+        bool _e418 = toLight;
+        if (pick(_e417, _e418, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e418) {
-            float _e424 = doubted.t;
-            most = _e424;
-            MeshHit _e425 = doubted;
-            found_5 = _e425;
+        if (_e417) {
+            float _e423 = doubted.t;
+            most = _e423;
+            MeshHit _e424 = doubted;
+            found_5 = _e424;
         }
         doubted.instance = noInstance;
     }
-    MeshHit _e428 = found_5;
-    return _e428;
+    MeshHit _e427 = found_5;
+    return _e427;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1363,77 +1367,85 @@ PairHit tracePair(RayPair p_7) {
     uint i_10 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_10;
-    if (pick(_e17, (_e18 < ends.x), false)) {
-        while(true) {
-            PairHit _e22 = found_7;
-            uint _e23 = i_10;
-            PairHit _e24 = meetSphere(_e22, p_7, _e23);
-            found_7 = _e24;
-            uint _e26 = i_10;
-            i_10 = (_e26 + 1u);
-            uint _e28 = i_10;
-            if ((_e28 >= ends.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_10;
+        if ((_e18 < ends.x)) {
+            while(true) {
+                PairHit _e21 = found_7;
+                uint _e22 = i_10;
+                PairHit _e23 = meetSphere(_e21, p_7, _e22);
+                found_7 = _e23;
+                uint _e25 = i_10;
+                i_10 = (_e25 + 1u);
+                uint _e27 = i_10;
+                if ((_e27 >= ends.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_10;
-    if (pick(_e32, (_e33 < ends.y), false)) {
-        while(true) {
-            PairHit _e37 = found_7;
-            uint _e38 = i_10;
-            PairHit _e39 = meetBox(_e37, p_7, _e38);
-            found_7 = _e39;
-            uint _e41 = i_10;
-            i_10 = (_e41 + 1u);
-            uint _e43 = i_10;
-            if ((_e43 >= ends.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_10;
+        if ((_e32 < ends.y)) {
+            while(true) {
+                PairHit _e35 = found_7;
+                uint _e36 = i_10;
+                PairHit _e37 = meetBox(_e35, p_7, _e36);
+                found_7 = _e37;
+                uint _e39 = i_10;
+                i_10 = (_e39 + 1u);
+                uint _e41 = i_10;
+                if ((_e41 >= ends.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_10;
-    if (pick(_e47, (_e48 < ends.z), false)) {
-        while(true) {
-            PairHit _e52 = found_7;
-            uint _e53 = i_10;
-            PairHit _e54 = meetQuad(_e52, p_7, _e53);
-            found_7 = _e54;
-            uint _e56 = i_10;
-            i_10 = (_e56 + 1u);
-            uint _e58 = i_10;
-            if ((_e58 >= ends.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_10;
+        if ((_e46 < ends.z)) {
+            while(true) {
+                PairHit _e49 = found_7;
+                uint _e50 = i_10;
+                PairHit _e51 = meetQuad(_e49, p_7, _e50);
+                found_7 = _e51;
+                uint _e53 = i_10;
+                i_10 = (_e53 + 1u);
+                uint _e55 = i_10;
+                if ((_e55 >= ends.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_10;
-    if (pick(_e62, (_e63 < ends.w), false)) {
-        while(true) {
-            PairHit _e67 = found_7;
-            uint _e68 = i_10;
-            PairHit _e69 = meetPlane(_e67, p_7, _e68);
-            found_7 = _e69;
-            uint _e71 = i_10;
-            i_10 = (_e71 + 1u);
-            uint _e73 = i_10;
-            if ((_e73 >= ends.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_10;
+        if ((_e60 < ends.w)) {
+            while(true) {
+                PairHit _e63 = found_7;
+                uint _e64 = i_10;
+                PairHit _e65 = meetPlane(_e63, p_7, _e64);
+                found_7 = _e65;
+                uint _e67 = i_10;
+                i_10 = (_e67 + 1u);
+                uint _e69 = i_10;
+                if ((_e69 >= ends.w)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e77 = hasMeshes;
-    if (_e77) {
-        PairHit _e78 = found_7;
-        PairHit _e79 = meetMeshes(_e78, p_7);
-        found_7 = _e79;
+    const bool _e73 = hasMeshes;
+    if (_e73) {
+        PairHit _e74 = found_7;
+        PairHit _e75 = meetMeshes(_e74, p_7);
+        found_7 = _e75;
     }
-    PairHit _e80 = found_7;
-    return _e80;
+    PairHit _e76 = found_7;
+    return _e76;
 }
 
 bool isPlane(uint i_11) {
@@ -1664,29 +1676,31 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     Surface _e5 = fetchSurface(shape);
     p_10 = SurfacePoint(_e5, _e4, _e4);
     const bool _e9 = hasMeshes;
-    if (pick(_e9, (hit.triangle.instance != noInstance), false)) {
-        MeshPoint _e20 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        p_10.geometric = _e20.geometric;
-        p_10.shading = _e20.shading;
-        const bool _e26 = hasTextures;
-        if (_e26) {
-            vec3 _e31 = takeUpTextures(p_10.surface, _e20.uv, _e20.color.xyz);
-            if (any(notEqual(_e31, vec3(0.0, 0.0, 1.0)))) {
-                vec3 _e53 = validNormal(_e20.geometric, rays_1.direction, (((_e31.x * _e20.tangent) + (_e31.y * _e20.bitangent)) + (_e31.z * _e20.normal)), _e20.shading);
-                p_10.shading = _e53;
+    if (_e9) {
+        if ((hit.triangle.instance != noInstance)) {
+            MeshPoint _e19 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            p_10.geometric = _e19.geometric;
+            p_10.shading = _e19.shading;
+            const bool _e25 = hasTextures;
+            if (_e25) {
+                vec3 _e30 = takeUpTextures(p_10.surface, _e19.uv, _e19.color.xyz);
+                if (any(notEqual(_e30, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e52 = validNormal(_e19.geometric, rays_1.direction, (((_e30.x * _e19.tangent) + (_e30.y * _e19.bitangent)) + (_e30.z * _e19.normal)), _e19.shading);
+                    p_10.shading = _e52;
+                }
             }
+            vec3 _e54 = p_10.geometric;
+            vec3 _e60 = p_10.shading;
+            bool agree = ((dot(_e54, rays_1.direction) > 0.0) == (dot(_e60, rays_1.direction) > 0.0));
+            vec3 _e68 = p_10.shading;
+            vec3 _e70 = p_10.geometric;
+            float _e73 = p_10.surface.code;
+            bool _e75 = isDielectric(uint(_e73));
+            p_10.shading = pick(pick(_e75, !(agree), false), _e70, _e68);
         }
-        vec3 _e55 = p_10.geometric;
-        vec3 _e61 = p_10.shading;
-        bool agree = ((dot(_e55, rays_1.direction) > 0.0) == (dot(_e61, rays_1.direction) > 0.0));
-        vec3 _e69 = p_10.shading;
-        vec3 _e71 = p_10.geometric;
-        float _e74 = p_10.surface.code;
-        bool _e76 = isDielectric(uint(_e74));
-        p_10.shading = pick(pick(_e76, !(agree), false), _e71, _e69);
     }
-    SurfacePoint _e80 = p_10;
-    return _e80;
+    SurfacePoint _e79 = p_10;
+    return _e79;
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -1824,12 +1838,14 @@ FarLight farLight(Emitter e_3, vec3 direction_15) {
         far = FarLight(pick(seen, e_3.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_3.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_15);
-        far = FarLight(_e28.radiance, _e28.pdf);
+    if (_e23) {
+        if ((e_3.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_15);
+            far = FarLight(_e27.radiance, _e27.pdf);
+        }
     }
-    FarLight _e32 = far;
-    return _e32;
+    FarLight _e31 = far;
+    return _e31;
 }
 
 SphereView viewSphere(Emitter e_4, vec3 point) {
@@ -1941,27 +1957,35 @@ float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_3, 
 float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, vec3 normal_4, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
-    if (pick(_e9, (e_11.kind == 0.0), false)) {
-        float _e14 = spherePdf(e_11, point_6, direction_19);
-        pdf = _e14;
+    if (_e9) {
+        if ((e_11.kind == 0.0)) {
+            float _e13 = spherePdf(e_11, point_6, direction_19);
+            pdf = _e13;
+        }
     }
-    const bool _e16 = hasQuadLights;
-    if (pick(_e16, (e_11.kind == 1.0), false)) {
-        float _e21 = quadPdf(e_11, point_6, distance_5);
-        pdf = _e21;
+    const bool _e15 = hasQuadLights;
+    if (_e15) {
+        if ((e_11.kind == 1.0)) {
+            float _e19 = quadPdf(e_11, point_6, distance_5);
+            pdf = _e19;
+        }
     }
-    const bool _e23 = hasBoxLights;
-    if (pick(_e23, (e_11.kind == 2.0), false)) {
-        float _e28 = boxPdf(e_11, point_6, direction_19, distance_5, normal_4);
-        pdf = _e28;
+    const bool _e21 = hasBoxLights;
+    if (_e21) {
+        if ((e_11.kind == 2.0)) {
+            float _e25 = boxPdf(e_11, point_6, direction_19, distance_5, normal_4);
+            pdf = _e25;
+        }
     }
-    const bool _e30 = hasMeshLamps;
-    if (pick(_e30, (e_11.kind == 7.0), false)) {
-        float _e35 = meshPdf(e_11, direction_19, distance_5, normal_4, place_3);
-        pdf = _e35;
+    const bool _e27 = hasMeshLamps;
+    if (_e27) {
+        if ((e_11.kind == 7.0)) {
+            float _e31 = meshPdf(e_11, direction_19, distance_5, normal_4, place_3);
+            pdf = _e31;
+        }
     }
-    float _e36 = pdf;
-    return _e36;
+    float _e32 = pdf;
+    return _e32;
 }
 
 float spotFalloff(Emitter e_12, vec3 toLight_1) {
@@ -2131,20 +2155,24 @@ float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_8, Odds odds) {
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
-    uint _e15 = frame.emitterCount;
-    if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_14, point_10, normal_8);
-        probability = (_e19 / max(odds.total, 1e-37));
-        const bool _e25 = hasLightTree;
-        uint _e28 = frame.lightTreeDepth;
-        if (pick(_e25, (_e28 > 0u), false)) {
-            TreeChoice _e38 = descend(point_10, normal_8, 0.0, int(max(e_14.leaf, 0.0)), odds.total);
-            float _e39 = probability;
-            probability = pick((e_14.leaf >= 0.0), (_e38.probability * _e38.share), (_e39 * (1.0 - odds.tree)));
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_14, point_10, normal_8);
+            probability = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                uint _e27 = frame.lightTreeDepth;
+                if ((_e27 > 0u)) {
+                    TreeChoice _e36 = descend(point_10, normal_8, 0.0, int(max(e_14.leaf, 0.0)), odds.total);
+                    float _e37 = probability;
+                    probability = pick((e_14.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
+                }
+            }
         }
     }
-    float _e51 = probability;
-    return _e51;
+    float _e49 = probability;
+    return _e49;
 }
 
 float misWeight(float own_1, float other) {
@@ -2167,38 +2195,49 @@ vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
         found_8 = vec3(0.0);
         i_20 = pick(escaped, 0u, uint(max(_e21, 0)));
         const bool _e47 = hasMeshLamps;
-        if (pick(_e47, (hit_1.triangle.instance != noInstance), false)) {
-            uint _e53 = i_20;
-            uint _e54 = i_20;
-            Emitter _e55 = emitterAt(_e54, only_1);
-            uint _e57 = emitterOfTriangle(_e55, hit_1.triangle);
-            i_20 = (_e53 + _e57);
+        if (_e47) {
+            if ((hit_1.triangle.instance != noInstance)) {
+                uint _e52 = i_20;
+                uint _e53 = i_20;
+                Emitter _e54 = emitterAt(_e53, only_1);
+                uint _e56 = emitterOfTriangle(_e54, hit_1.triangle);
+                i_20 = (_e52 + _e56);
+            }
         }
         while(true) {
-            uint _e59 = i_20;
-            Emitter _e60 = emitterAt(_e59, only_1);
-            FarLight _e61 = farLight(_e60, direction_20);
-            float _e67 = shapePdf(_e60, p_11.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
-            float density = pick(escaped, _e61.pdf, _e67);
-            float _e74 = probabilityOf(_e60, p_11.rays.point, p_11.litSide, p_11.odds);
-            float pdf_3 = (density * _e74);
-            vec3 radiance = pick(escaped, _e61.radiance, emission);
-            vec3 _e78 = found_8;
-            float _e80 = misWeight(p_11.pdf, pdf_3);
-            found_8 = (_e78 + (radiance * pick((p_11.pdf <= 0.0), 1.0, _e80)));
-            uint _e89 = i_20;
-            i_20 = (_e89 + 1u);
-            const bool _e92 = hasSky;
-            const bool _e94 = hasSuns;
-            uint _e99 = i_20;
-            uint _e102 = frame.farEmitters;
-            if (pick(pick(!(pick(_e92, true, _e94)), true, !(escaped)), true, (_e99 >= _e102))) {
+            uint _e58 = i_20;
+            Emitter _e59 = emitterAt(_e58, only_1);
+            FarLight _e60 = farLight(_e59, direction_20);
+            float _e66 = shapePdf(_e59, p_11.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
+            float density = pick(escaped, _e60.pdf, _e66);
+            float _e73 = probabilityOf(_e59, p_11.rays.point, p_11.litSide, p_11.odds);
+            float pdf_3 = (density * _e73);
+            vec3 radiance = pick(escaped, _e60.radiance, emission);
+            vec3 _e77 = found_8;
+            float _e79 = misWeight(p_11.pdf, pdf_3);
+            found_8 = (_e77 + (radiance * pick((p_11.pdf <= 0.0), 1.0, _e79)));
+            uint _e88 = i_20;
+            i_20 = (_e88 + 1u);
+            const bool _e91 = hasManyLights;
+            if (!(_e91)) {
+                break;
+            }
+            const bool _e94 = hasSky;
+            if (!(_e94)) {
+                const bool _e97 = hasSuns;
+                if (!(_e97)) {
+                    break;
+                }
+            }
+            uint _e100 = i_20;
+            uint _e103 = frame.farEmitters;
+            if (pick(!(escaped), true, (_e100 >= _e103))) {
                 break;
             }
         }
     }
-    vec3 _e105 = found_8;
-    return _e105;
+    vec3 _e106 = found_8;
+    return _e106;
 }
 
 uint pascalW2_(uint x_13) {
@@ -2227,70 +2266,79 @@ vec3 next3d(inout Sampler s_8) {
 }
 
 EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
+    bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest_1 = 0.0;
     uint i_21 = 0u;
-    const bool _e4 = hasLightTree;
-    uint _e7 = frame.lightTreeDepth;
-    bool hasTree = pick(_e4, (_e7 > 0u), false);
-    uint _e13 = frame.emitterCount;
-    uint _e16 = frame.farEmitters;
-    uint listed = pick(hasTree, _e16, _e13);
-    uint _e21 = frame.emitterCount;
-    choice_1 = EmitterChoice(0u, float(min(_e21, 1u)), Odds(1.0, 0.0));
-    const bool _e31 = hasManyLights;
-    uint _e34 = frame.emitterCount;
-    if (pick(_e31, (_e34 > 1u), false)) {
-        rest_1 = u_5;
-        while(true) {
-            uint _e47 = i_21;
-            Emitter _e48 = fetchEmitter(_e47);
-            float _e49 = estimatedIrradiance(_e48, point_11, normal_9);
-            uint _e50 = i_21;
-            float weight_1 = pick((_e50 < listed), _e49, 0.0);
-            float _e54 = total_1;
-            total_1 = (_e54 + weight_1);
-            float _e56 = total_1;
-            float share_5 = (weight_1 / max(_e56, 1e-37));
-            float _e60 = rest_1;
-            bool take = (_e60 < share_5);
-            uint _e62 = chosen;
-            uint _e63 = i_21;
-            chosen = pick(take, _e63, _e62);
-            float _e65 = chosenWeight;
-            chosenWeight = pick(take, weight_1, _e65);
-            float _e67 = rest_1;
-            float _e74 = rest_1;
-            rest_1 = pick(take, (_e74 / max(share_5, 1e-37)), ((_e67 - share_5) / max((1.0 - share_5), 1e-7)));
-            uint _e80 = i_21;
-            i_21 = (_e80 + 1u);
-            uint _e82 = i_21;
-            if ((_e82 >= listed)) {
-                break;
+    const bool _e6 = hasLightTree;
+    if (_e6) {
+        uint _e9 = frame.lightTreeDepth;
+        hasTree = (_e9 > 0u);
+    }
+    uint _e14 = frame.emitterCount;
+    uint _e17 = frame.farEmitters;
+    bool _e18 = hasTree;
+    uint listed = pick(_e18, _e17, _e14);
+    uint _e23 = frame.emitterCount;
+    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
+    const bool _e33 = hasManyLights;
+    if (_e33) {
+        uint _e36 = frame.emitterCount;
+        if ((_e36 > 1u)) {
+            rest_1 = u_5;
+            while(true) {
+                uint _e48 = i_21;
+                Emitter _e49 = fetchEmitter(_e48);
+                float _e50 = estimatedIrradiance(_e49, point_11, normal_9);
+                uint _e51 = i_21;
+                float weight_1 = pick((_e51 < listed), _e50, 0.0);
+                float _e55 = total_1;
+                total_1 = (_e55 + weight_1);
+                float _e57 = total_1;
+                float share_5 = (weight_1 / max(_e57, 1e-37));
+                float _e61 = rest_1;
+                bool take = (_e61 < share_5);
+                uint _e63 = chosen;
+                uint _e64 = i_21;
+                chosen = pick(take, _e64, _e63);
+                float _e66 = chosenWeight;
+                chosenWeight = pick(take, weight_1, _e66);
+                float _e68 = rest_1;
+                float _e75 = rest_1;
+                rest_1 = pick(take, (_e75 / max(share_5, 1e-37)), ((_e68 - share_5) / max((1.0 - share_5), 1e-7)));
+                uint _e81 = i_21;
+                i_21 = (_e81 + 1u);
+                uint _e83 = i_21;
+                if ((_e83 >= listed)) {
+                    break;
+                }
+            }
+            uint _e85 = chosen;
+            float _e86 = chosenWeight;
+            float _e87 = total_1;
+            float _e91 = total_1;
+            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
+            const bool _e96 = hasLightTree;
+            if (_e96) {
+                bool _e97 = hasTree;
+                if (_e97) {
+                    float _e98 = rest_1;
+                    float _e100 = total_1;
+                    TreeChoice _e101 = descend(point_11, normal_9, _e98, -1, _e100);
+                    choice_1.odds.tree = _e101.share;
+                    uint _e106 = chosen;
+                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
+                    float _e112 = choice_1.probability;
+                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
+                }
             }
         }
-        uint _e84 = chosen;
-        float _e85 = chosenWeight;
-        float _e86 = total_1;
-        float _e90 = total_1;
-        choice_1 = EmitterChoice(_e84, (_e85 / max(_e86, 1e-37)), Odds(_e90, 0.0));
-        const bool _e95 = hasLightTree;
-        if (pick(_e95, hasTree, false)) {
-            float _e97 = rest_1;
-            float _e99 = total_1;
-            TreeChoice _e100 = descend(point_11, normal_9, _e97, -1, _e99);
-            choice_1.odds.tree = _e100.share;
-            uint _e105 = chosen;
-            choice_1.index = pick(_e100.taken, _e100.emitter, _e105);
-            float _e111 = choice_1.probability;
-            choice_1.probability = pick(_e100.taken, (_e100.probability * _e100.share), (_e111 * (1.0 - _e100.share)));
-        }
     }
-    EmitterChoice _e121 = choice_1;
-    return _e121;
+    EmitterChoice _e122 = choice_1;
+    return _e122;
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_5) {
@@ -2543,50 +2591,66 @@ LightSample sampleSky(vec2 u_20) {
 LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_21) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_24.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_24, point_18, u_21);
-        s_11 = _e20;
+    if (_e15) {
+        if ((e_24.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_24, point_18, u_21);
+            s_11 = _e19;
+        }
     }
-    const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_24.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_24, point_18, u_21);
-        s_11 = _e27;
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_24.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_24, point_18, u_21);
+            s_11 = _e25;
+        }
     }
-    const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_24.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_24, point_18, u_21);
-        s_11 = _e34;
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_24.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_24, point_18, u_21);
+            s_11 = _e31;
+        }
     }
-    const bool _e36 = hasMeshLamps;
-    if (pick(_e36, (e_24.kind == 7.0), false)) {
-        LightSample _e41 = sampleMesh(e_24, point_18, u_21);
-        s_11 = _e41;
+    const bool _e33 = hasMeshLamps;
+    if (_e33) {
+        if ((e_24.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_24, point_18, u_21);
+            s_11 = _e37;
+        }
     }
-    const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_24.kind == 3.0), false)) {
-        LightSample _e48 = samplePoint(e_24, point_18);
-        s_11 = _e48;
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_24.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_24, point_18);
+            s_11 = _e43;
+        }
     }
-    const bool _e50 = hasPointLights;
-    if (pick(_e50, (e_24.kind == 4.0), false)) {
-        LightSample _e55 = sampleSpot(e_24, point_18);
-        s_11 = _e55;
+    const bool _e45 = hasPointLights;
+    if (_e45) {
+        if ((e_24.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_24, point_18);
+            s_11 = _e49;
+        }
     }
-    const bool _e57 = hasSuns;
-    if (pick(_e57, (e_24.kind == 5.0), false)) {
-        LightSample _e62 = sampleDirectional(e_24, u_21);
-        s_11 = _e62;
+    const bool _e51 = hasSuns;
+    if (_e51) {
+        if ((e_24.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_24, u_21);
+            s_11 = _e55;
+        }
     }
-    const bool _e64 = hasSky;
-    if (pick(_e64, (e_24.kind == 6.0), false)) {
-        LightSample _e69 = sampleSky(u_21);
-        s_11 = _e69;
+    const bool _e57 = hasSky;
+    if (_e57) {
+        if ((e_24.kind == 6.0)) {
+            LightSample _e61 = sampleSky(u_21);
+            s_11 = _e61;
+        }
     }
-    float _e72 = s_11.pdf;
-    float _e74 = s_11.distance_;
-    s_11.pdf = pick((_e74 <= (1e-5 * length(point_18))), 0.0, _e72);
-    LightSample _e81 = s_11;
-    return _e81;
+    float _e64 = s_11.pdf;
+    float _e66 = s_11.distance_;
+    s_11.pdf = pick((_e66 <= (1e-5 * length(point_18))), 0.0, _e64);
+    LightSample _e73 = s_11;
+    return _e73;
 }
 
 bool isConductor(uint code_6) {
@@ -2995,62 +3059,64 @@ void meetSurface(inout Path p_13, PairHit hit_2) {
     vec3 _e64 = foundLight(_e62, hit_2, surface, _e10.geometric, _e57);
     p_13.radiance = (_e59 + (_e61 * _e64));
     const bool _e68 = hasMeshes;
-    if (pick(_e68, escaped_1, false)) {
-        p_13.alive = false;
-        return;
+    if (_e68) {
+        if (escaped_1) {
+            p_13.alive = false;
+            return;
+        }
     }
     vec3 litSide = pick(_e14, vec3(0.0), _e29.normal);
-    vec3 _e77 = next3d(p_13.sampler_);
-    vec3 _e79 = next3d(p_13.sampler_);
-    EmitterChoice _e81 = chooseEmitter(point_19, litSide, _e77.z);
-    Emitter _e83 = emitterAt(_e81.index, _e57);
-    LightSample _e85 = sampleEmitter(_e83, point_19, _e77.xy);
-    float lightPdf = (_e85.pdf * _e81.probability);
-    Outgoing _e89 = outgoing(surface, _e32);
-    const bool _e91 = hasMeshes;
-    bool opaque = pick(_e91, !(_e14), false);
-    bool _e98 = crosses(_e10.geometric, _e85.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e98, false);
-    vec3 _e101 = toLocal(_e29, _e85.direction);
-    vec4 _e102 = evaluateBsdf(surface, _e89, _e101);
-    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e102);
-    bool alone_1 = pick(_e85.delta, true, pick((_e83.shape < 0.0), (_e85.distance_ < 1e30), false));
-    float _e116 = misWeight(lightPdf, toLight_7.w);
-    float lightWeight = (pick(alone_1, 1.0, _e116) / lightPdf);
-    BsdfSample _e120 = sampleLobe(surface, _e89, _e79);
-    vec4 _e122 = evaluateBsdf(surface, _e89, _e120.direction);
-    BsdfSample _e123 = completed(_e120, _e122);
-    vec3 _e125 = toWorld(_e29, _e123.direction);
-    bool _e129 = crosses(_e10.geometric, _e125, -(rays_2.direction));
-    bool leaks = pick(opaque, _e129, false);
-    uint _e133 = p_13.depth;
-    uint _e136 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e133 != _e136), false);
-    vec3 _e140 = p_13.throughput;
-    vec3 contribution = (((_e140 * toLight_7.xyz) * _e85.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e85.radiance), vec3(0.0))), false);
+    vec3 _e76 = next3d(p_13.sampler_);
+    vec3 _e78 = next3d(p_13.sampler_);
+    EmitterChoice _e80 = chooseEmitter(point_19, litSide, _e76.z);
+    Emitter _e82 = emitterAt(_e80.index, _e57);
+    LightSample _e84 = sampleEmitter(_e82, point_19, _e76.xy);
+    float lightPdf = (_e84.pdf * _e80.probability);
+    Outgoing _e88 = outgoing(surface, _e32);
+    const bool _e90 = hasMeshes;
+    bool opaque = pick(_e90, !(_e14), false);
+    bool _e97 = crosses(_e10.geometric, _e84.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e97, false);
+    vec3 _e100 = toLocal(_e29, _e84.direction);
+    vec4 _e101 = evaluateBsdf(surface, _e88, _e100);
+    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e101);
+    bool alone_1 = pick(_e84.delta, true, pick((_e82.shape < 0.0), (_e84.distance_ < 1e30), false));
+    float _e115 = misWeight(lightPdf, toLight_7.w);
+    float lightWeight = (pick(alone_1, 1.0, _e115) / lightPdf);
+    BsdfSample _e119 = sampleLobe(surface, _e88, _e78);
+    vec4 _e121 = evaluateBsdf(surface, _e88, _e119.direction);
+    BsdfSample _e122 = completed(_e119, _e121);
+    vec3 _e124 = toWorld(_e29, _e122.direction);
+    bool _e128 = crosses(_e10.geometric, _e124, -(rays_2.direction));
+    bool leaks = pick(opaque, _e128, false);
+    uint _e132 = p_13.depth;
+    uint _e135 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e132 != _e135), false);
+    vec3 _e139 = p_13.throughput;
+    vec3 contribution = (((_e139 * toLight_7.xyz) * _e84.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e84.radiance), vec3(0.0))), false);
     p_13.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e162 = p_13.throughput;
-    vec3 throughput = (_e162 * _e123.weight);
-    float _e165 = max3_(throughput);
-    uint _e171 = p_13.depth;
-    float survival = pick((_e171 < rouletteDepth), 1.0, min((_e165 / 0.33333334), 0.95));
-    float _e183 = max3_(throughput);
-    float _e188 = nextHash(p_13.sampler_);
-    p_13.alive = pick(pick(pick(pick(goesOn_1, (_e123.pdf > 0.0), false), !(leaks), false), (_e183 > 0.0), false), (_e188 < survival), false);
+    vec3 _e161 = p_13.throughput;
+    vec3 throughput = (_e161 * _e122.weight);
+    float _e164 = max3_(throughput);
+    uint _e170 = p_13.depth;
+    float survival = pick((_e170 < rouletteDepth), 1.0, min((_e164 / 0.33333334), 0.95));
+    float _e182 = max3_(throughput);
+    float _e187 = nextHash(p_13.sampler_);
+    p_13.alive = pick(pick(pick(pick(goesOn_1, (_e122.pdf > 0.0), false), !(leaks), false), (_e182 > 0.0), false), (_e187 < survival), false);
     p_13.throughput = (throughput / vec3(survival));
-    uint _e196 = p_13.depth;
-    p_13.depth = (_e196 + 1u);
-    p_13.pdf = pick(_e123.delta, 0.0, _e123.pdf);
+    uint _e195 = p_13.depth;
+    p_13.depth = (_e195 + 1u);
+    p_13.pdf = pick(_e122.delta, 0.0, _e122.pdf);
     p_13.litSide = litSide;
-    p_13.odds = _e81.odds;
-    bool _e206 = isFlat(shape_1);
-    bool solid = !(_e206);
-    uint lightShape = pick((_e83.shape >= 0.0), uint(max(_e83.shape, 0.0)), noShape);
-    bool _e223 = p_13.alive;
-    Sampler _e238 = p_13.sampler_;
-    uint _e239 = numberOfNext(_e238);
-    p_13.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e223, _e125, pick(solid, (dot(_e125, outward_1) < 0.0), false), _e85.direction, pick(solid, (dot(_e85.direction, outward_1) < 0.0), false), pick(lit_2, _e85.distance_, -1.0), lightShape, _e239);
+    p_13.odds = _e80.odds;
+    bool _e205 = isFlat(shape_1);
+    bool solid = !(_e205);
+    uint lightShape = pick((_e82.shape >= 0.0), uint(max(_e82.shape, 0.0)), noShape);
+    bool _e222 = p_13.alive;
+    Sampler _e237 = p_13.sampler_;
+    uint _e238 = numberOfNext(_e237);
+    p_13.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e222, _e124, pick(solid, (dot(_e124, outward_1) < 0.0), false), _e84.direction, pick(solid, (dot(_e84.direction, outward_1) < 0.0), false), pick(lit_2, _e84.distance_, -1.0), lightShape, _e238);
     return;
 }
 
