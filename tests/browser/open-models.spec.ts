@@ -282,7 +282,7 @@ test('from a file, a folder is opened, with nothing from the network; the panel 
     await page.keyboard.press('Escape');
     await page.getByLabel('Animation', { exact: true }).selectOption('None');
     await soon(() => page.evaluate(() => window.mirrorball.renderer!.scene!.clip ?? null)).toBeNull();
-    await page.getByText('1 thing not taken').click();
+    await page.getByText('Import report: 1 note').click();
     await expect(page.locator('#import-report')).toContainText('VENDOR_unknown');
   });
 
