@@ -90,7 +90,9 @@ const pictureOptions = (command: Command): Command =>
 
 function addRender(program: Command, actions: Actions): void {
   const command = program.command('render').description('render a scene file (or a built-in scene by its name)');
-  command.argument('<scene>', 'scene.json, or cube-room, mirror-blocks, moving-shadows, materials').addOption(output());
+  command
+    .argument('<scene>', 'scene.json, - (standard input), or cube-room, mirror-blocks, moving-shadows, materials')
+    .addOption(output());
   const option = (flags: string, about: string) => new Option(flags, about);
   command
     .addOption(option('--spp <n>', 'samples a pixel (default: 64)').argParser(whole(1, MOST_SAMPLES)))

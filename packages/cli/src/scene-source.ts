@@ -2,9 +2,10 @@
 import { readFile, stat } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { builtInScenes } from 'mirrorball/built-in';
+import { nearest } from 'mirrorball/headless';
 import type { Scene } from 'mirrorball/scene';
 import { loadFiles, parseScene } from 'mirrorball/scene-file';
-import { type BadScene, BadSceneError, usage } from './exit-codes.ts';
+import { BadFilesError, type BadScene, usage } from './exit-codes.ts';
 import type { Terminal } from './terminal.ts';
 
 export interface GoodScene {
@@ -41,16 +42,34 @@ export async function readScene(file: string): Promise<SceneSource> {
   if (isModel(file)) return readModel(file);
   let text: string;
   try {
-    text = await readFile(file, 'utf8');
+    text = file === STDIN ? await readStdin(process.stdin) : await readFile(file, 'utf8');
   } catch (error) {
     const builtIn = builtInScenes.find(({ id }) => id === file);
     if (builtIn) return { file, scene: builtIn.scene, notes: [] };
-    throw usage(`The scene ${file} cannot be read: ${(error as Error).message}`);
+    throw usage(whyUnreadable(file, error as NodeJS.ErrnoException));
   }
   const parsed = parseScene(text);
   if (!parsed.ok) return { file, problems: parsed.problems };
   const loaded = await loadFiles(parsed.scene, (name) => readBeside(file, name));
   return loaded.ok ? { file, scene: loaded.scene, notes: loaded.notes } : { file, problems: loaded.problems };
+}
+
+/** The scene comes on standard input; files that it names are looked for in the working folder. */
+const STDIN = '-';
+
+const readStdin = async (stream: NodeJS.ReadableStream): Promise<string> => {
+  const chunks: Buffer[] = [];
+  for await (const chunk of stream) chunks.push(Buffer.from(chunk));
+  return Buffer.concat(chunks).toString('utf8');
+};
+
+/** What is neither a file nor the name of a built-in scene may have been meant to be one. */
+export function whyUnreadable(file: string, { code, message }: NodeJS.ErrnoException): string {
+  if (code !== 'ENOENT') return `The scene ${file} cannot be read: ${message}.`;
+  const ids = builtInScenes.map(({ id }) => id);
+  const meant = nearest(file, ids);
+  const hint = meant === null ? '' : ` Did you mean ${meant}?`;
+  return `There is no file ${file}, and no built-in scene of this name: these are ${ids.join(', ')}.${hint}`;
 }
 
 /** A file that is larger than this has more texels or triangles than anybody can use, bytes. */
@@ -70,7 +89,7 @@ async function readBeside(sceneFile: string, name: string): Promise<Uint8Array> 
 
 export async function requireSceneFile(file: string, terminal: Terminal): Promise<Scene> {
   const source = await readScene(file);
-  if ('problems' in source) throw new BadSceneError([source]);
+  if ('problems' in source) throw new BadFilesError([source]);
   for (const note of source.notes) terminal.note(note);
   return source.scene;
 }

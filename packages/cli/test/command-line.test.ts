@@ -93,7 +93,7 @@ describe('meshes', () => {
     put('cubes.json', meshScene({ file: 'cube.ply' }));
     expect(await mirrorball('validate cubes.json')).toMatchObject({
       code: 0,
-      stdout: 'cubes.json: good, with 12 triangles of 8 vertices.\n',
+      stdout: 'cubes.json: valid, with 12 triangles of 8 vertices.\n',
     });
     const facts = (await mirrorball('info cubes.json --json')).events[0]!;
     expect(facts).toMatchObject({ vertices: 8, triangles: 12, shapes: { mesh: 1 } });
@@ -146,6 +146,7 @@ describe('exit codes', () => {
     ['render cube-room -o none/x.exr', 2],
     ['render none.json -o x.exr', 2],
     ['render cube-room -o x.exr --resume --size 4x4 --region 0,0,9,9', 2],
+    ['render cube-room -o x.exr --integrator path --backend cpu', 2],
     ['merge none.part -o x.exr', 2],
     ['compare none.exr none.exr', 2],
     ['info none.exr', 2],
@@ -176,7 +177,14 @@ test('a bad scene: all problems, each with file and JSON path, for people and fo
     'bad.json#/materials/a/roughness',
     'bad.json#/shapes',
   ]);
-  expect(plain.stdout).toBe('cube-room: good.\n');
+  expect(plain.stdout).toBe('cube-room: valid.\n');
+  const some = await mirrorball('validate bad.json none.json cube-room');
+  expect([some.code, some.stdout]).toEqual([4, 'cube-room: valid.\n']);
+  expect(some.stderr).toContain('There is no file none.json');
+  expect(some.stderr).toContain('4 problems in bad.json. 1 file cannot be read.');
+  const facts = await mirrorball('info none.exr cube-room none.json');
+  expect([facts.code, facts.stdout]).toEqual([2, expect.stringContaining('Cube room')]);
+  expect(facts.stderr.trim().split('\n')).toHaveLength(3);
   const { events } = await mirrorball('render bad.json -o x.exr --json');
   expect(events.map(({ event, file, path }) => [event, file, path])).toEqual([
     ['problem', 'bad.json', '/version'],
