@@ -304,6 +304,6 @@ function report(
   const rate = (part.film.pixels * (samples - held)) / Math.max(seconds, 1e-3) / 1e6;
   const told = ending === 'all samples' ? '' : ` (${ending})`;
   terminal.result(
-    `${frame.output}: ${samples} samples a pixel${told}, error ${percent(error)}, ${duration(seconds)}, ${rate.toPrecision(3)} million samples/s`,
+    `${frame.output}: ${samples} ${samples === 1 ? 'sample' : 'samples'} a pixel${told}, error ${percent(error)}, ${duration(seconds)}, ${rate.toPrecision(3)} million samples/s`,
   );
 }
