@@ -189,7 +189,12 @@ export const brokenShapes: readonly BrokenScene[] = [
     ['/lights/spot/direction'],
   ],
   ['1 as visible', (s) => (s.lights.lamp.visible = 1), ['/lights/lamp/visible']],
-  ['too many lights', (s) => Object.assign(s.lights, many(16, s.lights.lamp)), ['/lights']],
+  [
+    'too many lights',
+    (s) => Object.assign(s.lights, many(4096, { type: 'point', position: [0, 9, 0], intensity: 1 })),
+    ['/lights'],
+  ],
+  ['too many lights with a surface', (s) => Object.assign(s.lights, many(64, s.lights.lamp)), ['/lights']],
   ['null as lights', (s) => (s.lights = null), ['/lights']],
   ['too many reflections', (s) => (s.render = { maxReflections: 65 }), ['/render/maxReflections']],
   ['paths without a segment', (s) => (s.render = { maxDepth: 0 }), ['/render/maxDepth']],
