@@ -82,6 +82,32 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['an unknown material', (s) => (s.shapes.ball.material = 'Clay'), ['/shapes/ball/material']],
   ['a material that objects inherit', (s) => (s.shapes.ball.material = 'toString'), ['/shapes/ball/material']],
   ['a negative radius', (s) => (s.shapes.ball.radius = -1), ['/shapes/ball/radius']],
+  [
+    'a negative radius and an unknown material',
+    (s) => Object.assign(s.shapes.ball, { radius: -1, material: 'nope' }),
+    ['/shapes/ball/radius', '/shapes/ball/material'],
+  ],
+  ['a material without a name', (s) => (s.shapes.ball.material = ''), ['/shapes/ball/material']],
+  [
+    'a scale of zero and an unknown mesh',
+    (s) => Object.assign(s.shapes.stone, { scale: 0, mesh: 'nope' }),
+    ['/shapes/stone/scale', '/shapes/stone/mesh'],
+  ],
+  [
+    'a lamp without radius on an unknown node',
+    (s) => Object.assign(s.lights.lamp, { radius: 0, node: 'nope' }),
+    ['/lights/lamp/radius', '/lights/lamp/node'],
+  ],
+  [
+    'a camera without height on an unknown node',
+    (s) => Object.assign(s.camera, { viewHeight: 0, node: 'nope' }),
+    ['/camera/viewHeight', '/camera/node'],
+  ],
+  [
+    'a material with two mistakes',
+    (s) => Object.assign(s.materials.clay, { roughness: 7, baseColorTexture: { texture: 'nope' } }),
+    ['/materials/clay/roughness', '/materials/clay/baseColorTexture'],
+  ],
   ['a radius of zero', (s) => (s.shapes.ball.radius = 0), ['/shapes/ball/radius']],
   ['NaN as radius', (s) => (s.shapes.ball.radius = Number.NaN), ['/shapes/ball/radius']],
   ['an infinite radius', (s) => (s.shapes.ball.radius = Number.POSITIVE_INFINITY), ['/shapes/ball/radius']],
