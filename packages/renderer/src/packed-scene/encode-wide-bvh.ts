@@ -9,7 +9,7 @@
 import { type Bvh, firstChild, firstPlace, halfArea, leafCount, secondChild } from '../bvh/bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 
-const WIDTH = 4;
+export const WIDTH = 4;
 const LEAF = 0x80000000;
 const COUNT_SHIFT = 28;
 export const MOST_IN_LEAF = 7;
@@ -21,15 +21,13 @@ export interface WideBvh {
   readonly words: Uint32Array<ArrayBuffer>;
   /** What waits at most on a kernel's stack on the way through. */
   readonly stackNeed: number;
-  /** Which node of the binary tree each of a node's four children is; NONE: there is no such child. */
-  readonly sources: Uint32Array;
 }
 
-const NODE_WORDS = geometryRows('WideNode') * GEOMETRY_ROW;
+export const NODE_WORDS = geometryRows('WideNode') * GEOMETRY_ROW;
 const LEAST = fieldOffset('WideNode', 'minX') / 4;
 const GREATEST = fieldOffset('WideNode', 'maxX') / 4;
 const CHILDREN = fieldOffset('WideNode', 'children') / 4;
-const NONE = 0xffffffff;
+export const NONE = 0xffffffff;
 
 /** Throws a `RangeError` when a leaf has more than MOST_IN_LEAF primitives. */
 export function encodeWideBvh(bvh: Bvh): WideBvh {
@@ -37,11 +35,7 @@ export function encodeWideBvh(bvh: Bvh): WideBvh {
   // Each wide node stands for at least one inner node, and a tree that is one leaf needs a node about it.
   const words = new Uint32Array(Math.max(bvh.nodeCount, 1) * NODE_WORDS);
   const { nodeCount, stackNeed } = encoder.encode(bvh, words, new Float32Array(words.buffer));
-  return {
-    words: words.slice(0, nodeCount * NODE_WORDS),
-    stackNeed,
-    sources: encoder.sources.slice(0, nodeCount * WIDTH),
-  };
+  return { words: words.slice(0, nodeCount * NODE_WORDS), stackNeed };
 }
 
 /** Encodes one tree after the other and keeps its arrays. */
@@ -49,7 +43,7 @@ export class WideEncoder {
   /** Of the tree before; at least one, a root without children. */
   nodeCount = 0;
   stackNeed = 0;
-  /** As in `WideBvh`. */
+  /** Which node of the binary tree each of a node's four children is; NONE: there is no such child. */
   sources = new Uint32Array(WIDTH);
   #bvh!: Bvh;
   #words!: Uint32Array;
@@ -151,6 +145,13 @@ export function writeBoxes(sources: Uint32Array, nodeCount: number, bvh: Bvh, fl
       }
     }
 }
+
+/** Of a node's child; 0: there is none. */
+export const referenceAt = (words: Uint32Array, node: number, child: number): number =>
+  words[node * NODE_WORDS + CHILDREN + child]!;
+export const isLeaf = (reference: number): boolean => reference >= LEAF;
+export const placeOf = (leaf: number): number => leaf & (MOST_PRIMITIVES - 1);
+export const countOf = (leaf: number): number => (leaf >>> COUNT_SHIFT) & MOST_IN_LEAF;
 
 export function leafReference(first: number, count: number): number {
   if (count > MOST_IN_LEAF || first + count > MOST_PRIMITIVES)

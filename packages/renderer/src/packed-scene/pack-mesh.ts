@@ -12,14 +12,6 @@ import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 import { packVertices } from './pack-vertices.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
-/** A packed mesh with the tree that its words were made of. */
-export interface TreeOfMesh {
-  readonly packed: PackedMesh;
-  readonly bvh: Bvh;
-  /** As in `WideBvh`. */
-  readonly sources: Uint32Array;
-}
-
 const TRIANGLE_WORDS = geometryRows('Triangle') * GEOMETRY_ROW;
 const PLACES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
 const NUMBERS = (['vertexA', 'vertexB', 'vertexC'] as const).map((field) => fieldOffset('Triangle', field) / 4);
@@ -29,19 +21,14 @@ const known = new WeakMap<Mesh, PackedMesh>();
 
 export function packMesh(mesh: Mesh): PackedMesh {
   let packed = known.get(mesh);
-  if (!packed) known.set(mesh, (packed = packWithTree(mesh, treeFor(mesh)).packed));
+  if (!packed) known.set(mesh, (packed = packWithTree(mesh, buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF }))));
   return packed;
 }
 
-/** The tree that kernels take. */
-export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh =>
-  buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF });
-
-export function packWithTree(mesh: Mesh, bvh: Bvh): TreeOfMesh {
-  const { words: nodes, stackNeed, sources } = encodeWideBvh(bvh);
+function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
+  const { words: nodes, stackNeed } = encodeWideBvh(bvh);
   const triangles = trianglesOf(mesh, bvh.order);
-  const packed = { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };
-  return { packed, bvh, sources };
+  return { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };
 }
 
 function trianglesOf({ positions, indices }: Mesh, order: Uint32Array): Uint32Array<ArrayBuffer> {

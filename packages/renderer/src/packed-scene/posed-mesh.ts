@@ -7,24 +7,26 @@ import type { Bvh } from '../bvh/bvh.ts';
 import { planRefit, type RefitPlan, refit } from '../bvh/refit.ts';
 import type { Deformed } from '../scene/deform.ts';
 import type { Mesh } from '../scene/mesh.ts';
+import { type DecodedBvh, decodeWideBvh } from './decode-wide-bvh.ts';
 import { writeBoxes } from './encode-wide-bvh.ts';
-import { packWithTree, type TreeOfMesh, treeFor, writePlaces } from './pack-mesh.ts';
+import { packMesh, writePlaces } from './pack-mesh.ts';
 import { type PackedVertices, writeForm } from './pack-vertices.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
-interface Planned extends TreeOfMesh {
-  readonly plan: RefitPlan;
+/** What follows from a packed mesh: its tree, and the vertices of each leaf. */
+interface Plan extends DecodedBvh {
+  readonly vertices: RefitPlan;
 }
-/** Bodies that share a mesh share its tree. */
-const known = new WeakMap<Mesh, Planned>();
+/** Bodies that share a mesh share it. */
+const known = new WeakMap<PackedMesh, Plan>();
 
-function treeOf(mesh: Mesh): Planned {
-  let tree = known.get(mesh);
-  if (!tree) {
-    const bvh = treeFor(mesh);
-    known.set(mesh, (tree = { ...packWithTree(mesh, bvh), plan: planRefit(bvh, mesh) }));
+function planOf(packed: PackedMesh, mesh: Mesh): Plan {
+  let plan = known.get(packed);
+  if (!plan) {
+    const decoded = decodeWideBvh(packed.nodes, packed.order);
+    known.set(packed, (plan = { ...decoded, vertices: planRefit(decoded.bvh, mesh) }));
   }
-  return tree;
+  return plan;
 }
 
 export class PosedMesh implements PackedMesh {
@@ -36,27 +38,27 @@ export class PosedMesh implements PackedMesh {
   revision = 0;
   /** With bounds of its own. */
   readonly bvh: Bvh;
-  readonly #tree: Planned;
+  readonly #plan: Plan;
   readonly #nodeFloats: Float32Array;
   readonly #triangleFloats: Float32Array;
 
   constructor(mesh: Mesh) {
-    const tree = treeOf(mesh);
-    this.#tree = tree;
-    this.nodes = tree.packed.nodes.slice();
-    this.triangles = tree.packed.triangles.slice();
-    this.vertices = { ...tree.packed.vertices, words: tree.packed.vertices.words.slice() };
-    this.order = tree.packed.order;
-    this.stackNeed = tree.packed.stackNeed;
-    this.bvh = { ...tree.bvh, bounds: tree.bvh.bounds.slice() };
+    const packed = packMesh(mesh);
+    this.#plan = planOf(packed, mesh);
+    this.nodes = packed.nodes.slice();
+    this.triangles = packed.triangles.slice();
+    this.vertices = { ...packed.vertices, words: packed.vertices.words.slice() };
+    this.order = packed.order;
+    this.stackNeed = packed.stackNeed;
+    this.bvh = { ...this.#plan.bvh, bounds: this.#plan.bvh.bounds.slice() };
     this.#nodeFloats = new Float32Array(this.nodes.buffer);
     this.#triangleFloats = new Float32Array(this.triangles.buffer);
   }
 
   /** Takes another form. Throws a RangeError when a place in it is not finite. */
   pose(form: Deformed): void {
-    const { plan, sources } = this.#tree;
-    refit(this.bvh, form.positions, plan);
+    const { vertices, sources } = this.#plan;
+    refit(this.bvh, form.positions, vertices);
     writeBoxes(sources, sources.length / 4, this.bvh, this.#nodeFloats);
     writePlaces(this.triangles, this.#triangleFloats, form.positions);
     writeForm(this.vertices, form);
