@@ -79,7 +79,7 @@ export function packGeometry(
 /** A body and its mesh in the geometry. */
 class PackedBody implements InstancedMesh {
   readonly box = new Float64Array(6);
-  boxChanged = true;
+  boxChanged = false;
   rowChanged = true;
   readonly shared = new Uint32Array(SHARED.length);
   #formRevision = -1;
@@ -126,6 +126,7 @@ class GeometryOfScene implements PackedGeometry {
   #time = Number.NaN;
   #bodyRows: BodyRows | null = null;
   readonly #packed: readonly PackedBody[];
+  readonly #bent: readonly PackedBody[];
   /** Of each instance. */
   readonly #meshOf: readonly PackedBody[];
   readonly #instanceRows: InstanceRows;
@@ -145,6 +146,7 @@ class GeometryOfScene implements PackedGeometry {
       return shared.get(mesh)!;
     };
     this.#packed = bodies.all.map((body) => new PackedBody(body, meshOf(body)));
+    this.#bent = this.#packed.filter(({ body }) => body.form !== null);
     this.#meshOf = this.#packed.flatMap((packed) => new Array<PackedBody>(packed.body.count).fill(packed));
     this.meshes = [...new Set(this.#packed.map(({ mesh }) => mesh))];
     this.#deepest = this.meshes.reduce((most, { stackNeed }) => Math.max(most, stackNeed), 0);
@@ -188,11 +190,12 @@ class GeometryOfScene implements PackedGeometry {
   update(time: number, bodyRows: BodyRows, eye: Vec3): void {
     if (time !== this.#time) this.#bodies.goTo(time);
     this.#time = time;
-    for (const packed of this.#packed) packed.update();
-    if (bodyRows !== this.#bodyRows) this.#take(bodyRows);
+    for (const packed of this.#bent) packed.update();
+    const otherRows = bodyRows !== this.#bodyRows;
+    if (otherRows) this.#take(bodyRows);
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
-    for (const packed of this.#packed) packed.rowChanged = false;
+    if (otherRows) for (const packed of this.#packed) packed.rowChanged = false;
     if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
     if (news !== 'nothing' || !this.#tree) this.#growTree(news);
     this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;

@@ -3,7 +3,6 @@
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Moment } from '../scene/motion.ts';
-import { meshShapes } from '../scene/placed.ts';
 import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { geometryOf, texturesOf } from './geometry-packer.ts';
 import { COVER } from './layout.ts';
@@ -36,37 +35,53 @@ export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = 
 }
 
 function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
-  refuseUndrawn(scene);
+  const { reuse } = options;
+  // The same scene again: then nothing but the eye has moved, which meshes are not made of.
+  const before = reuse?.source.surfaces && reuse.source.scene === scene ? reuse : null;
+  if (!before) refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
-  const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS, meshes: true });
-  const { table, shapeNames } = packed;
+  const keepMeshes = before !== null;
+  const packed = packScene(lamps.scene, eye, { ...options, keepMeshes, leastRows: MOST_EMITTERS, meshes: true });
+  const { table, shapeNames, shapeEnds } = packed;
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
   const { emitters, emitterOfShape } = emittersOf(lamps, eye, (name) => rows.get(name)!);
   const lampOf = (name: string): Lamp | null => {
     const emitter = emitterOfShape.get(name);
     return emitter === undefined ? null : { emitter, oneSided: emitters[emitter]!.oneSided === 1 };
   };
-  const { shapes } = lamps.scene;
-  const materialOf = (name: string) => lamps.scene.materials[shapes[name]!.material]!;
-  const onMeshes = shapeNames.filter((name) => shapes[name]!.type === 'mesh').map(materialOf);
-  const { textures, rowOf } = texturesOf(scene, onMeshes);
-  const coverOf = ({ mesh }: MeshShape, material: Material) =>
-    (mayBeMissing(material, scene.meshes?.[mesh]?.data) ? rowOf.get(material)! : 0) +
-    (isOneSided(material) ? COVER.isOneSided : 0);
-  shapeNames.forEach((name, row) => {
-    const material = materialOf(name);
-    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name), rowOf.get(material)));
+  shapeNames.slice(0, shapeEnds[3]).forEach((name, row) => {
+    writeRow(table, 'Surface', row, surfaceValues(materialOf(lamps.scene, name), lampOf(name)));
   });
   emitters.forEach((values, row) => {
     writeRow(table, 'Emitter', row, values);
   });
-  const covers = meshShapes(lamps.scene).map(([name, shape]) => coverOf(shape, materialOf(name)));
   return {
     ...packed,
     ...skyOf(scene.sky),
     source: { ...packed.source, scene, surfaces: true },
-    bodies: { first: packed.shapeEnds[3], covers },
-    textures,
+    ...(before ? { bodies: before.bodies, textures: before.textures } : packMeshSurfaces(lamps.scene, packed)),
     emitterCount: emitters.length,
   };
+}
+
+const materialOf = ({ shapes, materials }: Scene, name: string): Material => materials[shapes[name]!.material]!;
+
+/** What meshes are made of, and the textures that it names. */
+function packMeshSurfaces(scene: Scene, { table, shapeNames, shapeEnds }: PackedScene) {
+  const first = shapeEnds[3];
+  const names = shapeNames.slice(first);
+  const { textures, rowOf } = texturesOf(
+    scene,
+    names.map((name) => materialOf(scene, name)),
+  );
+  const coverOf = (name: string): number => {
+    const material = materialOf(scene, name);
+    const mesh = scene.meshes?.[(scene.shapes[name] as MeshShape).mesh]?.data;
+    return (mayBeMissing(material, mesh) ? rowOf.get(material)! : 0) + (isOneSided(material) ? COVER.isOneSided : 0);
+  };
+  names.forEach((name, i) => {
+    const material = materialOf(scene, name);
+    writeRow(table, 'Surface', first + i, surfaceValues(material, null, rowOf.get(material)));
+  });
+  return { bodies: { first, covers: names.map(coverOf) }, textures };
 }

@@ -6,7 +6,11 @@ export class UntraceableSceneError extends Error {
   override readonly name = 'UntraceableSceneError';
 }
 
-export const hasMeshes = ({ shapes }: Scene): boolean => Object.values(shapes).some(({ type }) => type === 'mesh');
+/** Asked in every frame, so without a list of a thousand shapes. */
+export function hasMeshes({ shapes }: Scene): boolean {
+  for (const name in shapes) if (Object.hasOwn(shapes, name) && shapes[name]!.type === 'mesh') return true;
+  return false;
+}
 
 export function refuseMeshes({ shapes }: Scene): void {
   const mesh = Object.entries(shapes).find(([, { type }]) => type === 'mesh');

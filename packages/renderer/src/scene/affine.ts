@@ -96,11 +96,19 @@ export function determinant(m: Numbers, at = 0): number {
 
 /** Whether it keeps three dimensions, so that there is a way back. */
 export function isSolid(m: Numbers, at = 0): boolean {
-  const [a, b, c] = [m[at]!, m[at + 1]!, m[at + 2]!];
-  const [d, e, f] = [m[at + 4]!, m[at + 5]!, m[at + 6]!];
-  const [g, h, i] = [m[at + 8]!, m[at + 9]!, m[at + 10]!];
-  const [x, y, z] = [Math.sqrt(a * a + d * d + g * g), Math.sqrt(b * b + e * e + h * h), Math.sqrt(c * c + f * f + i * i)]; // biome-ignore format: columns
-  if (!(Math.min(x, y, z) >= SHORTEST)) return false;
+  const a = m[at]!;
+  const b = m[at + 1]!;
+  const c = m[at + 2]!;
+  const d = m[at + 4]!;
+  const e = m[at + 5]!;
+  const f = m[at + 6]!;
+  const g = m[at + 8]!;
+  const h = m[at + 9]!;
+  const i = m[at + 10]!;
+  const x = Math.sqrt(a * a + d * d + g * g);
+  const y = Math.sqrt(b * b + e * e + h * h);
+  const z = Math.sqrt(c * c + f * f + i * i);
+  if (!(x >= SHORTEST && y >= SHORTEST && z >= SHORTEST)) return false;
   const volume = (a / x) * (e * i - f * h) + (b / x) * (f * g - d * i) + (c / x) * (d * h - e * g);
   return Math.abs(volume) >= SMALLEST_SINE * y * z;
 }
