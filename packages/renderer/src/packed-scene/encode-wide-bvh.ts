@@ -75,6 +75,7 @@ export class WideEncoder {
   #node(source: number): number {
     const bvh = this.#bvh;
     const node = this.nodeCount++;
+    this.#words.fill(0, node * NODE_WORDS, (node + 1) * NODE_WORDS);
     const count = this.#open(source, node * WIDTH);
     let deepest = 0;
     for (let k = 0; k < WIDTH; k++) {
@@ -133,17 +134,30 @@ export function writeBoxes(sources: Uint32Array, nodeCount: number, bvh: Bvh, fl
   const { bounds } = bvh;
   let most = 0;
   for (let i = 0; bvh.nodeCount > 0 && i < 6; i++) most = Math.max(most, Math.abs(bounds[i]!));
-  const padding = PADDING * most;
-  for (let node = 0; node < nodeCount; node++)
-    for (let k = 0; k < WIDTH; k++) {
-      const source = sources[node * WIDTH + k]!;
-      const at = node * NODE_WORDS + k;
-      const there = source !== NONE;
-      for (let axis = 0; axis < 3; axis++) {
-        floats[at + LEAST + axis * WIDTH] = there ? bounds[6 * source + axis]! - padding : 0;
-        floats[at + GREATEST + axis * WIDTH] = there ? bounds[6 * source + 3 + axis]! + padding : 0;
-      }
-    }
+  writePadded(sources, nodeCount * WIDTH, bounds, PADDING * most, floats);
+}
+
+function writePadded(
+  sources: Uint32Array,
+  slots: number,
+  bounds: Float32Array,
+  padding: number,
+  floats: Float32Array,
+): void {
+  const least = LEAST | 0;
+  const greatest = GREATEST | 0;
+  const words = NODE_WORDS | 0;
+  for (let slot = 0; slot < slots; slot++) {
+    const from = sources[slot]! * 6;
+    if (from >= bounds.length) continue; // NONE
+    const at = (slot >> 2) * words + (slot & 3);
+    floats[at + least] = bounds[from]! - padding;
+    floats[at + least + 4] = bounds[from + 1]! - padding;
+    floats[at + least + 8] = bounds[from + 2]! - padding;
+    floats[at + greatest] = bounds[from + 3]! + padding;
+    floats[at + greatest + 4] = bounds[from + 4]! + padding;
+    floats[at + greatest + 8] = bounds[from + 5]! + padding;
+  }
 }
 
 /** Of a node's child; 0: there is none. */

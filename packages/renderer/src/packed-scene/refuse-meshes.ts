@@ -6,10 +6,13 @@ export class UntraceableSceneError extends Error {
   override readonly name = 'UntraceableSceneError';
 }
 
-/** Asked in every frame, so without a list of a thousand shapes. */
+/** Asked in every frame; a scene may have a thousand shapes, and it does not change. */
+const known = new WeakMap<Scene['shapes'], boolean>();
+
 export function hasMeshes({ shapes }: Scene): boolean {
-  for (const name in shapes) if (Object.hasOwn(shapes, name) && shapes[name]!.type === 'mesh') return true;
-  return false;
+  let found = known.get(shapes);
+  if (found === undefined) known.set(shapes, (found = Object.values(shapes).some(({ type }) => type === 'mesh')));
+  return found;
 }
 
 export function refuseMeshes({ shapes }: Scene): void {
