@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
+import { shaderText } from './shader-text.mjs';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
 const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
@@ -31,6 +32,12 @@ const PARTS = [
     importer: 'packed-scene/geometry-packer.ts',
     asked: './pack-geometry.ts',
     entry: join(source, 'packed-scene/pack-geometry.ts'),
+  },
+  {
+    name: 'model-shaders',
+    importer: 'shading/program-text.ts',
+    asked: './model-shaders.ts',
+    entry: join(source, 'shading/model-shaders.ts'),
   },
   {
     name: 'mesh-files',
@@ -188,7 +195,7 @@ async function buildPart(part, as, written, without) {
     configFile: false,
     root: dirname(part.entry),
     logLevel: 'error',
-    plugins: [partImports(as, written, without)],
+    plugins: [shaderText(), partImports(as, written, without)],
     build: {
       write: false,
       target: 'es2022',
