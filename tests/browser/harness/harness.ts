@@ -14,6 +14,7 @@ import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
+import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
@@ -45,6 +46,8 @@ export const harness = {
   parity,
   pathFilm,
   pictureOf,
+  playedFilms,
+  playFrames,
   probeSampler,
   probeChoices,
   probeEnvironments,
@@ -55,6 +58,7 @@ export const harness = {
   probeWildLamps,
   lightCases,
   shadeMean,
+  switchMovingScenes,
   texturedSights,
   tiltedLight,
   treesFromWorker,
