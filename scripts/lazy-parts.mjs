@@ -45,6 +45,18 @@ const PARTS = [
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
   },
+  {
+    name: 'images',
+    importer: 'scene-file/load-files.ts',
+    asked: './load-images.ts',
+    entry: join(source, 'scene-file/load-images.ts'),
+  },
+  {
+    name: 'models',
+    importer: 'scene-file/load-files.ts',
+    asked: './load-models.ts',
+    entry: join(source, 'scene-file/load-models.ts'),
+  },
   { name: 'gltf', importer: 'gltf/index.ts', asked: './read-gltf.ts', entry: join(source, 'gltf/read-gltf.ts') },
   {
     name: 'ktx2',

@@ -4,7 +4,8 @@
  * what else was measured.
  *
  * A reference is a node's number, from 1 on since the root is nobody's child; or, with the highest bit, a leaf: 3 bits with the number of
- * primitives, 1 … 7, and 28 bits with the first one's place.
+ * triangles, 1 … 7, and 28 bits with the first one's place. A leaf of the tree over instances has the number 0 and names the instance.
+ * Where there is no child, its box is one that no ray enters.
  */
 import { type Bvh, firstChild, firstPlace, halfArea, leafCount, secondChild } from '../bvh/bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
@@ -16,6 +17,8 @@ export const MOST_IN_LEAF = 7;
 export const MOST_PRIMITIVES = 2 ** COUNT_SHIFT;
 /** Boxes grow by this share of the greatest coordinate: more than rounding does to a ray's distance from them. */
 const PADDING = 4e-7;
+/** Beyond all, on the wrong side; times 1e18, as for a ray along an axis, it is still a number. */
+const FAR = 1e19;
 
 export interface WideBvh {
   readonly words: Uint32Array<ArrayBuffer>;
@@ -67,7 +70,7 @@ export class WideEncoder {
   #empty(): number {
     this.nodeCount = 1;
     this.sources.fill(NONE, 0, WIDTH);
-    this.#words.fill(0, 0, NODE_WORDS);
+    this.#words.fill(0, CHILDREN, NODE_WORDS);
     return 0;
   }
 
@@ -75,7 +78,6 @@ export class WideEncoder {
   #node(source: number): number {
     const bvh = this.#bvh;
     const node = this.nodeCount++;
-    this.#words.fill(0, node * NODE_WORDS, (node + 1) * NODE_WORDS);
     const count = this.#open(source, node * WIDTH);
     let deepest = 0;
     for (let k = 0; k < WIDTH; k++) {
@@ -95,7 +97,7 @@ export class WideEncoder {
   }
 
   #leaf(place: number, count: number): number {
-    return leafReference(this.#named ? this.#bvh.order[place]! : place, count);
+    return this.#named ? leafReference(this.#bvh.order[place]!, 0) : leafReference(place, count);
   }
 
   /** Two children, of which the largest that are no leaves are opened until there are four. Gives how many there are. */
@@ -118,12 +120,15 @@ export class WideEncoder {
   }
 
   #largest(at: number, count: number): number {
-    let [found, largest] = [-1, -1];
+    let found = -1;
+    let largest = -1;
     for (let k = 0; k < count; k++) {
       const child = this.sources[at + k]!;
-      if (leafCount(this.#bvh, child) > 0 || halfArea(this.#bvh, child) <= largest) continue;
+      if (leafCount(this.#bvh, child) > 0) continue;
+      const area = halfArea(this.#bvh, child);
+      if (area <= largest) continue;
       found = k;
-      largest = halfArea(this.#bvh, child);
+      largest = area;
     }
     return found;
   }
@@ -147,16 +152,18 @@ function writePadded(
   const least = LEAST | 0;
   const greatest = GREATEST | 0;
   const words = NODE_WORDS | 0;
+  const far = FAR;
   for (let slot = 0; slot < slots; slot++) {
     const from = sources[slot]! * 6;
-    if (from >= bounds.length) continue; // NONE
     const at = (slot >> 2) * words + (slot & 3);
-    floats[at + least] = bounds[from]! - padding;
-    floats[at + least + 4] = bounds[from + 1]! - padding;
-    floats[at + least + 8] = bounds[from + 2]! - padding;
-    floats[at + greatest] = bounds[from + 3]! + padding;
-    floats[at + greatest + 4] = bounds[from + 4]! + padding;
-    floats[at + greatest + 8] = bounds[from + 5]! + padding;
+    // There is a child, or NONE, which is a number beyond all of them.
+    const there = from < bounds.length;
+    floats[at + least] = there ? bounds[from]! - padding : far;
+    floats[at + least + 4] = there ? bounds[from + 1]! - padding : far;
+    floats[at + least + 8] = there ? bounds[from + 2]! - padding : far;
+    floats[at + greatest] = there ? bounds[from + 3]! + padding : -far;
+    floats[at + greatest + 4] = there ? bounds[from + 4]! + padding : -far;
+    floats[at + greatest + 8] = there ? bounds[from + 5]! + padding : -far;
   }
 }
 

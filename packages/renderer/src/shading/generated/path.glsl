@@ -250,6 +250,7 @@ const uint metallicRoughness = 1u;
 const bool hasMeshes = false;
 const uint diffuse0_ = 0u;
 const uint rouletteDepth = 5u;
+const uint instances = 2147483648u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 

@@ -254,6 +254,9 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
+  // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
+  
+
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(basis.normal, vec3f(0.0), isGlass);
   let uLight = next3d(&(*p).sampler);
@@ -357,6 +360,9 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
   return found;
 }
 
+// Triangle meshes, and such with shading normals of their own.
+const hasMeshes = false;
+
 fn next3d(s: ptr<function, Sampler>) -> vec3f {
   let g = nextGroup(s);
   let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
@@ -444,9 +450,6 @@ fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
   }
   return o;
 }
-
-// Triangle meshes, and such with shading normals of their own.
-const hasMeshes = false;
 
 // Whether one of two directions away from a surface points into it and the other out of it.
 fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
@@ -1852,6 +1855,9 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
+
+// References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
+const instances = 0x80000000u;
 
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
 // GPU Rendering", JCGT 9(3), 2020.

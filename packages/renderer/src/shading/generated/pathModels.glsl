@@ -142,6 +142,21 @@ struct MeshRay {
     uint axis;
     vec3 shear;
 };
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
+};
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
 struct Instance {
     vec4 toMeshX;
     vec4 toMeshY;
@@ -154,19 +169,6 @@ struct Instance {
     uint vertexRows;
     uint vertexFlags;
     uint spare0_;
-};
-struct Triangle {
-    vec3 a;
-    uint vertexA;
-    vec3 b;
-    uint vertexB;
-    vec3 c;
-    uint vertexC;
-};
-struct TriangleHit {
-    float t;
-    vec2 weights;
-    bool front;
 };
 struct MaterialTextures {
     uint count;
@@ -335,19 +337,21 @@ struct BsdfSample {
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint placeMask = 268435455u;
+const uint beginning = 2415919101u;
+const uint instances = 2147483648u;
+const uint ending = 2415919103u;
 const uint noLeaf = 0u;
-const uint beginning = 4294967294u;
-const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
-const uint leaving = 4294967295u;
-const uint placeMask = 268435455u;
-const uint instanceRows = 5u;
+const uint leaves = 2415919104u;
+const uint countShift = 28u;
 const uint triangleRows = 3u;
 const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
-const uint countShift = 28u;
+const uint instanceRows = 5u;
+const uint leaving = 2415919102u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
 const uint materialTexturesRows = 1u;
@@ -395,9 +399,9 @@ const bool hasPlanes = true;
 
 const bool hasMeshes = false;
 
-uniform highp usampler2D geometry;
-
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+uniform highp usampler2D geometry;
 
 const bool hasOneSided = false;
 
@@ -597,9 +601,9 @@ Group nextGroup(inout Sampler s) {
     uint _e18 = s.place;
     uint _e19 = scramble(_e18, b_6);
     uint _e21 = s.sample_;
-    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own_1), _e8);
+    uint _e30 = scramble((_e28 ^ own_2), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
     return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_6 >> 16u) | (b_6 << 16u)));
@@ -732,18 +736,18 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
-    bool own_2 = (i_1 == p_1.shape);
-    float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+    bool own_3 = (i_1 == p_1.shape);
+    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
     return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_3 = (i_2 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    bool own_4 = (i_2 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
     PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
     return _e23;
 }
@@ -794,12 +798,12 @@ float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_4 = (i_4 == p_3.shape);
+    bool own_5 = (i_4 == p_3.shape);
     vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.inwards, false));
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
     vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.lightInwards, false));
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
     PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
     return _e31;
 }
@@ -850,43 +854,21 @@ vec4 planes(uint row, float inverse_, float offset_2) {
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
 }
 
-vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+vec4 enterChildren(uint node, SlabRay r, float t_1) {
     uvec3 far_2 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
-    vec4 _e45 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
-    vec4 _e52 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
-    vec4 _e60 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e45, _e52), _e60);
-    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
-    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
-}
-
-Instance fetchInstance(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    uvec4 _e12 = geometryRow((row_1 + 3u));
-    uvec4 _e15 = geometryRow((row_1 + 4u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_2) {
     return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 float edge(vec2 a, vec2 b) {
@@ -895,7 +877,7 @@ float edge(vec2 a, vec2 b) {
     return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
 }
 
-TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
     vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
     vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
@@ -906,17 +888,38 @@ TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
     float sum = ((_e35 + _e36) + _e37);
+    float side = pick((sum < 0.0), -1.0, 1.0);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
-    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2), ((sum * ray_1.shear.z) > 0.0));
+    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
 }
 
-Triangle fetchTriangle(uint row_2) {
+Triangle fetchTriangle(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+Instance fetchInstance(uint row_2) {
     uvec4 _e3 = geometryRow((row_2 + 0u));
     uvec4 _e6 = geometryRow((row_2 + 1u));
     uvec4 _e9 = geometryRow((row_2 + 2u));
-    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+    uvec4 _e12 = geometryRow((row_2 + 3u));
+    uvec4 _e15 = geometryRow((row_2 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 uvec4 texelRow(uint i_8) {
@@ -1057,50 +1060,51 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint instance_1 = noInstance;
     uint nodes = 0u;
     uint triangles = 0u;
+    uint cover = 0u;
+    uint own = placeMask;
     SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
     MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
-    uint top = 0u;
-    uint cover = 0u;
-    uint doubted = noLeaf;
-    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
-    uint missing = noLeaf;
+    MeshHit doubted = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    uint top = 1u;
     uint current = 0u;
-    bool pops = false;
+    uint waiting = noLeaf;
+    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
-    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight = !((rays.most > 0.0));
     bool _e17 = toLight;
     most = pick(_e17, rays.lightMost, rays.most);
-    uint _e59 = frame.instanceCount;
-    bool alone = (_e59 == 1u);
-    uint first_1 = pick(alone, leafBit, beginning);
-    current = first_1;
-    uint _e68 = frame.instanceCount;
-    float _e71 = most;
-    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
-        MeshHit _e76 = found_5;
-        return _e76;
+    MeshHit _e45 = found_5;
+    doubted = _e45;
+    uint _e49 = frame.instanceCount;
+    bool alone = (_e49 == 1u);
+    uint first_1 = pick(alone, instances, beginning);
+    uint _e57 = frame.instanceCount;
+    float _e60 = most;
+    if (pick((_e57 == 0u), true, !((_e60 > 0.0)))) {
+        MeshHit _e65 = found_5;
+        return _e65;
     }
+    stack[0] = ending;
+    current = first_1;
     while(true) {
         while(true) {
-            pops = false;
-            uint _e79 = current;
-            if (((_e79 & leafBit) == 0u)) {
-                uint _e84 = nodes;
-                uint _e85 = current;
-                uint node_1 = (_e84 + (_e85 * nodeRows));
-                uvec4 _e91 = geometryRow((node_1 + childrenRow));
-                SlabRay _e92 = slabs;
-                float _e93 = most;
-                vec4 _e94 = enterChildren(node_1, _e92, _e91, _e93);
-                bool a_3 = (_e94.x < _e94.z);
-                bool b_7 = (_e94.y < _e94.w);
-                vec2 t0_2 = pick(a_3, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
-                uvec2 r0_ = pick(a_3, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
-                vec2 t1_1 = pick(b_7, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
-                uvec2 r1_ = pick(b_7, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+            uint _e74 = current;
+            if ((_e74 < instances)) {
+                uint _e77 = nodes;
+                uint _e78 = current;
+                uint node_1 = (_e77 + (_e78 * nodeRows));
+                uvec4 _e84 = geometryRow((node_1 + childrenRow));
+                SlabRay _e85 = slabs;
+                float _e86 = most;
+                vec4 _e87 = enterChildren(node_1, _e85, _e86);
+                bool a_3 = (_e87.x < _e87.z);
+                bool b_7 = (_e87.y < _e87.w);
+                vec2 t0_2 = pick(a_3, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                uvec2 r0_ = pick(a_3, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
+                vec2 t1_1 = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                uvec2 r1_ = pick(b_7, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
                 bool c_3 = (t0_2.x < t1_1.x);
                 bool d_2 = (t0_2.y < t1_1.y);
                 vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
@@ -1111,171 +1115,178 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
                 uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
-                    uint _e184 = top;
-                    stack[_e184] = ra.x;
-                    uint _e188 = top;
-                    top = (_e188 + 1u);
+                    uint _e177 = top;
+                    stack[_e177] = ra.x;
+                    uint _e181 = top;
+                    top = (_e181 + 1u);
                 }
                 if ((tm.x < 1e30)) {
-                    uint _e194 = top;
-                    stack[_e194] = rm.x;
-                    uint _e198 = top;
-                    top = (_e198 + 1u);
+                    uint _e187 = top;
+                    stack[_e187] = rm.x;
+                    uint _e191 = top;
+                    top = (_e191 + 1u);
                 }
                 if ((tm.y < 1e30)) {
-                    uint _e204 = top;
-                    stack[_e204] = rm.y;
-                    uint _e208 = top;
-                    top = (_e208 + 1u);
+                    uint _e197 = top;
+                    stack[_e197] = rm.y;
+                    uint _e201 = top;
+                    top = (_e201 + 1u);
                 }
-                pops = (tb.y >= 1e30);
                 current = rb.y;
-            } else {
-                uint _e214 = instance_1;
-                uint _e217 = current;
-                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
-                    uint _e221 = current;
-                    bool toWorld_1 = (_e221 >= beginning);
-                    uint _e224 = current;
-                    pops = (_e224 == leaving);
-                    uint _e227 = current;
-                    instance_1 = pick(toWorld_1, noInstance, (_e227 & placeMask));
-                    o = rays.origin;
-                    bool _e236 = toLight;
-                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld_1)) {
-                        uint _e243 = frame.instances;
-                        uint _e244 = instance_1;
-                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
-                        vec3 _e249 = o;
-                        vec4 p_18 = vec4(_e249, 1.0);
-                        o = vec3(dot(_e248.toMeshX, p_18), dot(_e248.toMeshY, p_18), dot(_e248.toMeshZ, p_18));
-                        vec3 _e261 = d_1;
-                        vec3 _e265 = d_1;
-                        vec3 _e269 = d_1;
-                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
-                        nodes = _e248.nodes;
-                        triangles = _e248.triangles;
-                        cover = _e248.cover;
-                        if (!(alone)) {
-                            uint _e277 = top;
-                            stack[_e277] = leaving;
-                            uint _e281 = top;
-                            top = (_e281 + 1u);
-                        }
-                    }
-                    current = 0u;
-                    vec3 _e284 = o;
-                    vec3 _e285 = d_1;
-                    SlabRay _e286 = slabRay(_e284, _e285);
-                    slabs = _e286;
-                    vec3 _e287 = o;
-                    vec3 _e288 = d_1;
-                    MeshRay _e289 = meshRay(_e287, _e288);
-                    ray_2 = _e289;
-                } else {
-                    uint _e290 = current;
-                    uint place_4 = (_e290 & placeMask);
-                    MeshRay _e293 = ray_2;
-                    uint _e294 = triangles;
-                    Triangle _e298 = fetchTriangle((_e294 + (place_4 * triangleRows)));
-                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
-                    uint _e300 = instance_1;
-                    bool own_5 = pick((_e300 == left.instance), (place_4 == left.triangle), false);
-                    float _e310 = most;
-                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_5), false);
-                    const bool _e317 = hasOneSided;
-                    if (_e317) {
-                        bool _e318 = nearer;
-                        uint _e320 = cover;
-                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
-                    }
-                    const bool _e328 = hasCutouts;
-                    if (_e328) {
-                        bool _e329 = nearer;
-                        uint _e330 = current;
-                        uint _e331 = missing;
-                        nearer = pick(_e329, (_e330 != _e331), false);
-                        missing = noLeaf;
-                        bool _e335 = nearer;
-                        uint _e336 = cover;
-                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
-                            uint _e342 = current;
-                            doubted = _e342;
-                            uint _e344 = instance_1;
-                            doubtedHit = MeshHit(_e299.t, _e344, place_4, _e299.weights, false);
-                            break;
-                        }
-                    }
-                    uint _e348 = current;
-                    current = ((_e348 + 1u) - 268435456u);
-                    uint _e353 = current;
-                    pops = (((_e353 >> countShift) & 7u) == 0u);
-                    bool _e360 = nearer;
-                    if (_e360) {
-                        bool _e361 = toLight;
-                        if (_e361) {
-                            found_5.blocked = true;
-                            break;
-                        }
-                        most = _e299.t;
-                        uint _e366 = instance_1;
-                        found_5 = MeshHit(_e299.t, _e366, place_4, _e299.weights, false);
-                    }
+                if ((tb.y >= 1e30)) {
+                    uint _e208 = top;
+                    top = (_e208 - 1u);
+                    uint _e211 = top;
+                    uint _e213 = stack[_e211];
+                    current = _e213;
                 }
             }
-            bool _e370 = pops;
-            if (_e370) {
-                uint _e371 = top;
-                if ((_e371 > 0u)) {
-                    uint _e375 = top;
-                    top = (_e375 - 1u);
-                    uint _e378 = top;
-                    uint _e380 = stack[_e378];
-                    current = _e380;
-                } else {
-                    bool _e381 = toLight;
-                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+            uint _e214 = waiting;
+            uint _e217 = current;
+            if (pick((_e214 == noLeaf), (_e217 >= leaves), false)) {
+                uint _e221 = current;
+                waiting = _e221;
+                uint _e223 = top;
+                top = (_e223 - 1u);
+                uint _e226 = top;
+                uint _e228 = stack[_e226];
+                current = _e228;
+            }
+            uint _e229 = waiting;
+            if ((_e229 != noLeaf)) {
+                uint _e232 = waiting;
+                uint place_4 = (_e232 & placeMask);
+                uint _e235 = waiting;
+                waiting = ((_e235 + 1u) - 268435456u);
+                uint _e240 = waiting;
+                uint _e242 = waiting;
+                waiting = pick((_e242 < leaves), noLeaf, _e240);
+                MeshRay _e246 = ray_2;
+                uint _e247 = triangles;
+                Triangle _e251 = fetchTriangle((_e247 + (place_4 * triangleRows)));
+                Crossing _e252 = crossTriangle(_e246, _e251);
+                float _e261 = most;
+                uint _e266 = own;
+                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_4 != _e266), false);
+                const bool _e271 = hasOneSided;
+                if (_e271) {
+                    bool _e272 = nearer;
+                    uint _e274 = cover;
+                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+                }
+                bool _e281 = nearer;
+                if (_e281) {
+                    float inverse_2 = (1.0 / _e252.sum);
+                    uint _e287 = instance_1;
+                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
+                    const bool _e293 = hasCutouts;
+                    uint _e294 = cover;
+                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
+                        doubted = met;
                         break;
                     }
-                    toLight = true;
-                    most = rays.lightMost;
-                    instance_1 = noInstance;
-                    current = first_1;
+                    bool _e300 = toLight;
+                    if (_e300) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = met.t;
+                    found_5 = met;
+                }
+            } else {
+                uint _e304 = current;
+                if ((_e304 >= instances)) {
+                    uint _e307 = current;
+                    if ((_e307 == ending)) {
+                        bool _e310 = toLight;
+                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                            break;
+                        }
+                        toLight = true;
+                        most = rays.lightMost;
+                        top = 1u;
+                        current = first_1;
+                    }
+                    uint _e319 = current;
+                    bool toWorld_1 = (_e319 >= beginning);
+                    uint _e322 = current;
+                    instance_1 = pick(toWorld_1, noInstance, (_e322 & placeMask));
+                    o = rays.origin;
+                    bool _e331 = toLight;
+                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld_1)) {
+                        uint _e338 = frame.instances;
+                        uint _e339 = instance_1;
+                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
+                        vec3 _e344 = o;
+                        vec4 p_18 = vec4(_e344, 1.0);
+                        o = vec3(dot(_e343.toMeshX, p_18), dot(_e343.toMeshY, p_18), dot(_e343.toMeshZ, p_18));
+                        vec3 _e356 = d_1;
+                        vec3 _e360 = d_1;
+                        vec3 _e364 = d_1;
+                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
+                        nodes = _e343.nodes;
+                        triangles = _e343.triangles;
+                        cover = _e343.cover;
+                        uint _e372 = instance_1;
+                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        if (!(alone)) {
+                            uint _e378 = top;
+                            stack[_e378] = leaving;
+                            uint _e382 = top;
+                            top = (_e382 + 1u);
+                        }
+                    }
+                    vec3 _e384 = o;
+                    vec3 _e385 = d_1;
+                    SlabRay _e386 = slabRay(_e384, _e385);
+                    slabs = _e386;
+                    vec3 _e387 = o;
+                    vec3 _e388 = d_1;
+                    MeshRay _e389 = meshRay(_e387, _e388);
+                    ray_2 = _e389;
+                    uint _e390 = current;
+                    bool goesOn = (_e390 == leaving);
+                    current = 0u;
+                    if (goesOn) {
+                        uint _e395 = top;
+                        top = (_e395 - 1u);
+                        uint _e398 = top;
+                        uint _e400 = stack[_e398];
+                        current = _e400;
+                    }
                 }
             }
         }
-        const bool _e391 = hasCutouts;
-        if (!(_e391)) {
+        const bool _e402 = hasCutouts;
+        if (!(_e402)) {
             break;
         }
-        uint _e393 = doubted;
-        if ((_e393 == noLeaf)) {
+        uint _e405 = doubted.instance;
+        if ((_e405 == noInstance)) {
             break;
         }
-        uint _e397 = doubtedHit.instance;
-        uint _e399 = doubtedHit.triangle;
-        vec2 _e401 = doubtedHit.weights;
-        bool _e403 = toLight;
-        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
-        uint _e407 = doubted;
-        missing = pick(_e406, noLeaf, _e407);
-        doubted = noLeaf;
-        bool _e411 = toLight;
-        if (pick(_e406, _e411, false)) {
+        uint _e409 = doubted.instance;
+        uint _e411 = doubted.triangle;
+        vec2 _e413 = doubted.weights;
+        bool _e415 = toLight;
+        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
+        bool _e419 = toLight;
+        if (pick(_e418, _e419, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e406) {
-            float _e416 = doubtedHit.t;
-            most = _e416;
-            MeshHit _e417 = doubtedHit;
-            found_5 = _e417;
+        if (_e418) {
+            float _e424 = doubted.t;
+            most = _e424;
+            MeshHit _e425 = doubted;
+            found_5 = _e425;
         }
+        doubted.instance = noInstance;
     }
-    MeshHit _e418 = found_5;
-    return _e418;
+    MeshHit _e428 = found_5;
+    return _e428;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1388,11 +1399,11 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
-    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+    float t_10 = pick(entering, _e5.near, _e5.far);
+    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 turnedBack(vec4 q_2, vec3 v_3) {
@@ -1481,9 +1492,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 normal_8 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
         vec3 smoothed = (turn * normal_8);
         float size_2 = dot(smoothed, smoothed);
-        float side_1 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
+        float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_9.shading = pick(useful, (smoothed * (side_1 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
+        p_9.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_9.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
@@ -1509,9 +1520,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e202 = fromOctahedral(_e58.tangent);
                 vec3 tangent = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_9.normal = (smoothed * side_1);
-                p_9.tangent = ((turn * tangent) * side_1);
-                p_9.bitangent = ((turn * cross(normal_8, tangent)) * (hand * side_1));
+                p_9.normal = (smoothed * side_2);
+                p_9.tangent = ((turn * tangent) * side_2);
+                p_9.bitangent = ((turn * cross(normal_8, tangent)) * (hand * side_2));
             }
         }
     }
@@ -1585,9 +1596,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_3 = dot(mapped, mapped);
     vec3 n_3 = pick((size_3 > 0.0), (mapped * inversesqrt(max(size_3, 1e-37))), otherwise);
-    float side_2 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_2 * geometric), -(direction_9), (side_2 * n_3));
-    return (side_2 * _e21);
+    float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_3));
+    return (side_3 * _e21);
 }
 
 uint kindOf(uint code_2) {
@@ -1632,10 +1643,10 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
 }
 
 Basis basisAbout(vec3 n_1) {
-    float side_3 = pick((n_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (side_3 + n_1.z));
+    float side_4 = pick((n_1.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (side_4 + n_1.z));
     float b_9 = ((n_1.x * n_1.y) * a_5);
-    return Basis(vec3((1.0 + (((side_3 * n_1.x) * n_1.x) * a_5)), (side_3 * b_9), (-(side_3) * n_1.x)), vec3(b_9, (side_3 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+    return Basis(vec3((1.0 + (((side_4 * n_1.x) * n_1.x) * a_5)), (side_4 * b_9), (-(side_4) * n_1.x)), vec3(b_9, (side_4 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
 }
 
 vec3 toLocal(Basis b_1, vec3 v_4) {
@@ -1906,8 +1917,8 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     const bool _e65 = hasQuadLights;
     if (_e65) {
         float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_2)) / max(e_11.area, 1e-30));
-        float side_4 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_4 > 0.0), ((side_4 + e_11.reach) / grown), 0.0);
+        float side_5 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_11.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
@@ -1940,8 +1951,8 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
     return _e23;
 }
 
-float misWeight(float own, float other) {
-    float ratio_5 = (other / own);
+float misWeight(float own_1, float other) {
+    float ratio_5 = (other / own_1);
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
@@ -2225,10 +2236,10 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 cell_3 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_7.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_12 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_12), mix(_e6.b.w, _e6.d.w, t_12));
+    float t_11 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_11), mix(_e6.b.w, _e6.d.w, t_11));
     bool isLower_1 = ((2.0 * cell_3.y) > size_7.y);
-    float fromPole_1 = pick(isLower_1, ((size_7.y - cell_3.y) + (0.5 - t_12)), (cell_3.y + (t_12 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_7.y - cell_3.y) + (0.5 - t_11)), (cell_3.y + (t_11 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_7.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_7.x) - _e85));
@@ -2238,7 +2249,7 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_12), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
     return EnvironmentSample(direction_21, _e119);
 }
 
@@ -2570,9 +2581,9 @@ vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_19) {
 }
 
 vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_20) {
-    float side_5 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_5), max(alpha_5, 0.001), o_5.bound, u_20);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_5);
+    float side_6 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_6), max(alpha_5, 0.001), o_5.bound, u_20);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_6);
 }
 
 vec3 refracted(vec3 wo_3, vec3 h_3, float ratio_3) {
@@ -2708,58 +2719,63 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     Path _e62 = p_12;
     vec3 _e64 = foundLight(_e62, hit_2, surface, _e10.geometric, _e57);
     p_12.radiance = (_e59 + (_e61 * _e64));
+    const bool _e68 = hasMeshes;
+    if (pick(_e68, escaped_1, false)) {
+        p_12.alive = false;
+        return;
+    }
     vec3 litSide = pick(_e14, vec3(0.0), _e29.normal);
-    vec3 _e72 = next3d(p_12.sampler_);
-    vec3 _e74 = next3d(p_12.sampler_);
-    EmitterChoice _e76 = chooseEmitter(point_16, litSide, _e72.z);
-    Emitter _e78 = emitterAt(_e76.index, _e57);
-    LightSample _e80 = sampleEmitter(_e78, point_16, _e72.xy);
-    float lightPdf = (_e80.pdf * _e76.probability);
-    Outgoing _e84 = outgoing(surface, _e32);
-    const bool _e86 = hasMeshes;
-    bool opaque = pick(_e86, !(_e14), false);
-    bool _e93 = crosses(_e10.geometric, _e80.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e93, false);
-    vec3 _e96 = toLocal(_e29, _e80.direction);
-    vec4 _e97 = evaluateBsdf(surface, _e84, _e96);
-    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e97);
-    bool alone_1 = pick(_e80.delta, true, pick((_e78.shape < 0.0), (_e80.distance_ < 1e30), false));
-    float _e111 = misWeight(lightPdf, toLight_6.w);
-    float lightWeight = (pick(alone_1, 1.0, _e111) / lightPdf);
-    BsdfSample _e115 = sampleLobe(surface, _e84, _e74);
-    vec4 _e117 = evaluateBsdf(surface, _e84, _e115.direction);
-    BsdfSample _e118 = completed(_e115, _e117);
-    vec3 _e120 = toWorld(_e29, _e118.direction);
-    bool _e124 = crosses(_e10.geometric, _e120, -(rays_2.direction));
-    bool leaks = pick(opaque, _e124, false);
-    uint _e128 = p_12.depth;
-    uint _e131 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e128 != _e131), false);
-    vec3 _e135 = p_12.throughput;
-    vec3 contribution = (((_e135 * toLight_6.xyz) * _e80.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e80.radiance), vec3(0.0))), false);
+    vec3 _e77 = next3d(p_12.sampler_);
+    vec3 _e79 = next3d(p_12.sampler_);
+    EmitterChoice _e81 = chooseEmitter(point_16, litSide, _e77.z);
+    Emitter _e83 = emitterAt(_e81.index, _e57);
+    LightSample _e85 = sampleEmitter(_e83, point_16, _e77.xy);
+    float lightPdf = (_e85.pdf * _e81.probability);
+    Outgoing _e89 = outgoing(surface, _e32);
+    const bool _e91 = hasMeshes;
+    bool opaque = pick(_e91, !(_e14), false);
+    bool _e98 = crosses(_e10.geometric, _e85.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e98, false);
+    vec3 _e101 = toLocal(_e29, _e85.direction);
+    vec4 _e102 = evaluateBsdf(surface, _e89, _e101);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e102);
+    bool alone_1 = pick(_e85.delta, true, pick((_e83.shape < 0.0), (_e85.distance_ < 1e30), false));
+    float _e116 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone_1, 1.0, _e116) / lightPdf);
+    BsdfSample _e120 = sampleLobe(surface, _e89, _e79);
+    vec4 _e122 = evaluateBsdf(surface, _e89, _e120.direction);
+    BsdfSample _e123 = completed(_e120, _e122);
+    vec3 _e125 = toWorld(_e29, _e123.direction);
+    bool _e129 = crosses(_e10.geometric, _e125, -(rays_2.direction));
+    bool leaks = pick(opaque, _e129, false);
+    uint _e133 = p_12.depth;
+    uint _e136 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e133 != _e136), false);
+    vec3 _e140 = p_12.throughput;
+    vec3 contribution = (((_e140 * toLight_6.xyz) * _e85.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e85.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e157 = p_12.throughput;
-    vec3 throughput = (_e157 * _e118.weight);
-    float _e160 = max3_(throughput);
-    uint _e166 = p_12.depth;
-    float survival = pick((_e166 < rouletteDepth), 1.0, min((_e160 / 0.33333334), 0.95));
-    float _e178 = max3_(throughput);
-    float _e183 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn, (_e118.pdf > 0.0), false), !(leaks), false), (_e178 > 0.0), false), (_e183 < survival), false);
+    vec3 _e162 = p_12.throughput;
+    vec3 throughput = (_e162 * _e123.weight);
+    float _e165 = max3_(throughput);
+    uint _e171 = p_12.depth;
+    float survival = pick((_e171 < rouletteDepth), 1.0, min((_e165 / 0.33333334), 0.95));
+    float _e183 = max3_(throughput);
+    float _e188 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e123.pdf > 0.0), false), !(leaks), false), (_e183 > 0.0), false), (_e188 < survival), false);
     p_12.throughput = (throughput / vec3(survival));
-    uint _e191 = p_12.depth;
-    p_12.depth = (_e191 + 1u);
-    p_12.pdf = pick(_e118.delta, 0.0, _e118.pdf);
+    uint _e196 = p_12.depth;
+    p_12.depth = (_e196 + 1u);
+    p_12.pdf = pick(_e123.delta, 0.0, _e123.pdf);
     p_12.litSide = litSide;
-    p_12.total = _e76.total;
-    bool _e201 = isFlat(shape_1);
-    bool solid = !(_e201);
-    uint lightShape = pick((_e78.shape >= 0.0), uint(max(_e78.shape, 0.0)), noShape);
-    bool _e218 = p_12.alive;
-    Sampler _e233 = p_12.sampler_;
-    uint _e234 = numberOfNext(_e233);
-    p_12.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e218, _e120, pick(solid, (dot(_e120, outward_1) < 0.0), false), _e80.direction, pick(solid, (dot(_e80.direction, outward_1) < 0.0), false), pick(lit_1, _e80.distance_, -1.0), lightShape, _e234);
+    p_12.total = _e81.total;
+    bool _e206 = isFlat(shape_1);
+    bool solid = !(_e206);
+    uint lightShape = pick((_e83.shape >= 0.0), uint(max(_e83.shape, 0.0)), noShape);
+    bool _e223 = p_12.alive;
+    Sampler _e238 = p_12.sampler_;
+    uint _e239 = numberOfNext(_e238);
+    p_12.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e223, _e125, pick(solid, (dot(_e125, outward_1) < 0.0), false), _e85.direction, pick(solid, (dot(_e85.direction, outward_1) < 0.0), false), pick(lit_1, _e85.distance_, -1.0), lightShape, _e239);
     return;
 }
 
