@@ -38,6 +38,8 @@ const { values } = parseArgs({
   },
 });
 const frames = Number(values.frames);
+/** Longest that a scene plays before it is measured, milliseconds: engines take their time to compile. */
+const WARM_UP = 3000;
 /** Of the scene's time, seconds. */
 const STEP = 1 / 60;
 
@@ -93,7 +95,8 @@ function cpuCost(scene: Scene, step: number): Cost {
     packed = packPathScene(motion.at(time), eye, { reuse: packed });
     geometry.hold(packed.geometry!);
   };
-  for (let i = 0; i < frames; i++) frame();
+  const warmUntil = performance.now() + WARM_UP;
+  for (let i = 0; i < 5 * frames && performance.now() < warmUntil; i++) frame();
   counter.bytes = 0;
   globalThis.gc?.();
   const before = process.memoryUsage().heapUsed;

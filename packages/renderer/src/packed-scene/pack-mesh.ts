@@ -25,7 +25,7 @@ export function packMesh(mesh: Mesh): PackedMesh {
   return packed;
 }
 
-function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
+export function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
   const { words: nodes, stackNeed } = encodeWideBvh(bvh);
   const triangles = trianglesOf(mesh, bvh.order);
   return { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };

@@ -1,17 +1,24 @@
 /**
  * A mesh that joints and weights bend. Its tree is built once, for the form that the scene gives it; for every other form the boxes are
  * fitted to the triangles and written over the old ones. Triangles keep their places, so that the same form is the same words whatever
- * came before it.
+ * came before it. Only where the tree becomes a bad one, as that of triangles which all began at one place, another is built for the form
+ * of the moment, a step in each frame. Rays hit the same triangles in any tree.
  */
-import type { Bvh } from '../bvh/bvh.ts';
+import { buildInSteps } from '../bvh/build-bvh.ts';
+import { type Bvh, sahCost } from '../bvh/bvh.ts';
 import { planRefit, type RefitPlan, refit } from '../bvh/refit.ts';
 import type { Deformed } from '../scene/deform.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { type DecodedBvh, decodeWideBvh } from './decode-wide-bvh.ts';
-import { writeBoxes } from './encode-wide-bvh.ts';
-import { packMesh, writePlaces } from './pack-mesh.ts';
+import { MOST_IN_LEAF, writeBoxes } from './encode-wide-bvh.ts';
+import { packMesh, packWithTree, writePlaces } from './pack-mesh.ts';
 import { type PackedVertices, writeForm } from './pack-vertices.ts';
 import type { PackedMesh } from './packed-mesh.ts';
+
+/** A tree is built anew when it costs so many times what it did at first: docs/motion.md says what meshes come to. */
+const WORN = 2;
+/** The new one is taken if it costs at most this share of the other. */
+const WORTH = 0.9;
 
 /** What follows from a packed mesh: its tree, and the vertices of each leaf. */
 interface Plan extends DecodedBvh {
@@ -42,8 +49,16 @@ export class PosedMesh implements PackedMesh {
   readonly #nodeFloats: Float32Array;
   readonly #triangleFloats: Float32Array;
 
-  constructor(mesh: Mesh) {
-    const packed = packMesh(mesh);
+  readonly #mesh: Mesh;
+  /** What the tree cost when it was built. */
+  #firstCost: number;
+  #cost = 0;
+  /** Of the next tree, and the form that it is built for. */
+  #building: { readonly steps: Generator<number, Bvh, void>; readonly positions: Float32Array } | null = null;
+
+  /** `packed`: for the mesh in the form of `positions`. */
+  constructor(mesh: Mesh, packed = packMesh(mesh), positions = mesh.positions) {
+    this.#mesh = mesh;
     this.#plan = planOf(packed, mesh);
     this.nodes = packed.nodes.slice();
     this.triangles = packed.triangles.slice();
@@ -53,6 +68,8 @@ export class PosedMesh implements PackedMesh {
     this.bvh = { ...this.#plan.bvh, bounds: this.#plan.bvh.bounds.slice() };
     this.#nodeFloats = new Float32Array(this.nodes.buffer);
     this.#triangleFloats = new Float32Array(this.triangles.buffer);
+    refit(this.bvh, positions, this.#plan.vertices);
+    this.#firstCost = sahCost(this.bvh);
   }
 
   /** Takes another form. Throws a RangeError when a place in it is not finite. */
@@ -62,7 +79,29 @@ export class PosedMesh implements PackedMesh {
     writeBoxes(sources, sources.length / 4, this.bvh, this.#nodeFloats);
     writePlaces(this.triangles, this.#triangleFloats, form.positions);
     writeForm(this.vertices, form);
+    this.#cost = sahCost(this.bvh);
     this.revision++;
+  }
+
+  /** Call it after `pose`: gives another mesh in the same form once there is one with a better tree, and else null. */
+  renewed(form: Deformed): PosedMesh | null {
+    if (!this.#building && this.#cost <= WORN * this.#firstCost) return null;
+    this.#building ??= this.#startBuilding(form.positions.slice());
+    const { done, value } = this.#building.steps.next();
+    if (!done) return null;
+    const { positions } = this.#building;
+    this.#building = null;
+    const next = new PosedMesh(this.#mesh, packWithTree({ ...this.#mesh, positions }, value), positions);
+    next.pose(form);
+    if (next.#cost <= WORTH * this.#cost) return next;
+    // Forms like this one have no better tree.
+    this.#firstCost = this.#cost;
+    return null;
+  }
+
+  #startBuilding(positions: Float32Array) {
+    const { indices } = this.#mesh;
+    return { steps: buildInSteps({ positions, indices }, { maxLeafSize: MOST_IN_LEAF }), positions };
   }
 
   /** The box around its triangles, six numbers: least x, y, z, greatest x, y, z. */
