@@ -100,9 +100,11 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         if (nearer) {
           let inverse = 1.0 / hit.sum;
           let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
-          if (hasCutouts & ((cover & coverRow) != 0u)) {
-            doubted = met;
-            break;
+          if (hasCutouts) {
+            if ((cover & coverRow) != 0u) {
+              doubted = met;
+              break;
+            }
           }
           if (toLight) {
             found.blocked = true;

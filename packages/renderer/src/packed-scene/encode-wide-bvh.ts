@@ -50,6 +50,7 @@ export class WideEncoder {
   sources = new Uint32Array(WIDTH);
   #bvh!: Bvh;
   #words!: Uint32Array;
+  #floats!: Float32Array;
   #named = false;
 
   /**
@@ -61,6 +62,7 @@ export class WideEncoder {
     this.#named = named;
     this.#words = words;
     if (this.sources.length < bvh.nodeCount * WIDTH) this.sources = new Uint32Array(bvh.nodeCount * WIDTH);
+    this.#floats = floats;
     this.nodeCount = 0;
     this.stackNeed = bvh.nodeCount === 0 ? this.#empty() : this.#node(0);
     writeBoxes(this.sources, this.nodeCount, bvh, floats);
@@ -70,7 +72,7 @@ export class WideEncoder {
   #empty(): number {
     this.nodeCount = 1;
     this.sources.fill(NONE, 0, WIDTH);
-    this.#words.fill(0, CHILDREN, NODE_WORDS);
+    for (let k = 0; k < WIDTH; k++) this.#leaveOut(0, k);
     return 0;
   }
 
@@ -81,19 +83,27 @@ export class WideEncoder {
     const count = this.#open(source, node * WIDTH);
     let deepest = 0;
     for (let k = 0; k < WIDTH; k++) {
-      const child = this.sources[node * WIDTH + k]!;
-      let reference = 0;
-      if (k < count) {
-        const primitives = leafCount(bvh, child);
-        if (primitives > 0) reference = this.#leaf(firstPlace(bvh, child), primitives);
-        else {
-          reference = this.nodeCount;
-          deepest = Math.max(deepest, this.#node(child));
-        }
+      if (k >= count) {
+        this.#leaveOut(node, k);
+        continue;
       }
+      const child = this.sources[node * WIDTH + k]!;
+      const primitives = leafCount(bvh, child);
+      const reference = primitives > 0 ? this.#leaf(firstPlace(bvh, child), primitives) : this.nodeCount;
       this.#words[node * NODE_WORDS + CHILDREN + k] = reference;
+      if (primitives === 0) deepest = Math.max(deepest, this.#node(child));
     }
     return count - 1 + deepest;
+  }
+
+  /** Where there is no child. */
+  #leaveOut(node: number, k: number): void {
+    const at = node * NODE_WORDS + k;
+    this.#words[at + CHILDREN] = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      this.#floats[at + LEAST + axis * WIDTH] = FAR;
+      this.#floats[at + GREATEST + axis * WIDTH] = -FAR;
+    }
   }
 
   #leaf(place: number, count: number): number {
@@ -152,18 +162,17 @@ function writePadded(
   const least = LEAST | 0;
   const greatest = GREATEST | 0;
   const words = NODE_WORDS | 0;
-  const far = FAR;
   for (let slot = 0; slot < slots; slot++) {
     const from = sources[slot]! * 6;
+    // NONE is a number beyond all nodes; the box that no ray enters stands there since it was encoded.
+    if (from >= bounds.length) continue;
     const at = (slot >> 2) * words + (slot & 3);
-    // There is a child, or NONE, which is a number beyond all of them.
-    const there = from < bounds.length;
-    floats[at + least] = there ? bounds[from]! - padding : far;
-    floats[at + least + 4] = there ? bounds[from + 1]! - padding : far;
-    floats[at + least + 8] = there ? bounds[from + 2]! - padding : far;
-    floats[at + greatest] = there ? bounds[from + 3]! + padding : -far;
-    floats[at + greatest + 4] = there ? bounds[from + 4]! + padding : -far;
-    floats[at + greatest + 8] = there ? bounds[from + 5]! + padding : -far;
+    floats[at + least] = bounds[from]! - padding;
+    floats[at + least + 4] = bounds[from + 1]! - padding;
+    floats[at + least + 8] = bounds[from + 2]! - padding;
+    floats[at + greatest] = bounds[from + 3]! + padding;
+    floats[at + greatest + 4] = bounds[from + 4]! + padding;
+    floats[at + greatest + 8] = bounds[from + 5]! + padding;
   }
 }
 

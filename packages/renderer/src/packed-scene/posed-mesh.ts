@@ -4,14 +4,13 @@
  * came before it. Only where the tree becomes a bad one, as that of triangles which all began at one place, another is built for the form
  * of the moment, a step in each frame. Rays hit the same triangles in any tree.
  */
-import { buildInSteps } from '../bvh/build-bvh.ts';
 import { type Bvh, sahCost } from '../bvh/bvh.ts';
 import { planRefit, type RefitPlan, refit } from '../bvh/refit.ts';
 import type { Deformed } from '../scene/deform.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { type DecodedBvh, decodeWideBvh } from './decode-wide-bvh.ts';
-import { MOST_IN_LEAF, writeBoxes } from './encode-wide-bvh.ts';
-import { packMesh, packWithTree, writePlaces } from './pack-mesh.ts';
+import { writeBoxes } from './encode-wide-bvh.ts';
+import { packInSteps, packMesh, writePlaces } from './pack-mesh.ts';
 import { type PackedVertices, writeForm } from './pack-vertices.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
@@ -53,8 +52,8 @@ export class PosedMesh implements PackedMesh {
   /** What the tree cost when it was built. */
   #firstCost: number;
   #cost = 0;
-  /** Of the next tree, and the form that it is built for. */
-  #building: { readonly steps: Generator<number, Bvh, void>; readonly positions: Float32Array } | null = null;
+  /** The next one, and the form that its tree is built for. */
+  #building: { readonly steps: Generator<number, PackedMesh, void>; readonly positions: Float32Array } | null = null;
 
   /** `packed`: for the mesh in the form of `positions`. */
   constructor(mesh: Mesh, packed = packMesh(mesh), positions = mesh.positions) {
@@ -91,7 +90,7 @@ export class PosedMesh implements PackedMesh {
     if (!done) return null;
     const { positions } = this.#building;
     this.#building = null;
-    const next = new PosedMesh(this.#mesh, packWithTree({ ...this.#mesh, positions }, value), positions);
+    const next = new PosedMesh(this.#mesh, value, positions);
     next.pose(form);
     if (next.#cost <= WORTH * this.#cost) return next;
     // Forms like this one have no better tree.
@@ -100,8 +99,7 @@ export class PosedMesh implements PackedMesh {
   }
 
   #startBuilding(positions: Float32Array) {
-    const { indices } = this.#mesh;
-    return { steps: buildInSteps({ positions, indices }, { maxLeafSize: MOST_IN_LEAF }), positions };
+    return { steps: packInSteps({ ...this.#mesh, positions }), positions };
   }
 
   /** The box around its triangles, six numbers: least x, y, z, greatest x, y, z. */

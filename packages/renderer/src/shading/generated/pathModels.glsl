@@ -646,18 +646,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_16);
-        float latitude = (1.5707964 * y_9);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_16);
+            float latitude = (1.5707964 * y_9);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray;
-    return _e108;
+    CameraRay _e107 = ray;
+    return _e107;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
@@ -1180,13 +1182,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e287 = instance_1;
                     MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
                     const bool _e293 = hasCutouts;
-                    uint _e294 = cover;
-                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
-                        doubted = met;
-                        break;
+                    if (_e293) {
+                        uint _e294 = cover;
+                        if (((_e294 & coverRow) != 0u)) {
+                            doubted = met;
+                            break;
+                        }
                     }
-                    bool _e300 = toLight;
-                    if (_e300) {
+                    bool _e299 = toLight;
+                    if (_e299) {
                         found_5.blocked = true;
                         break;
                     }
@@ -1194,12 +1198,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     found_5 = met;
                 }
             } else {
-                uint _e304 = current;
-                if ((_e304 >= instances)) {
-                    uint _e307 = current;
-                    if ((_e307 == ending)) {
-                        bool _e310 = toLight;
-                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                uint _e303 = current;
+                if ((_e303 >= instances)) {
+                    uint _e306 = current;
+                    if ((_e306 == ending)) {
+                        bool _e309 = toLight;
+                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
                             break;
                         }
                         toLight = true;
@@ -1207,86 +1211,86 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         top = 1u;
                         current = first_1;
                     }
-                    uint _e319 = current;
-                    bool toWorld_1 = (_e319 >= beginning);
-                    uint _e322 = current;
-                    instance_1 = pick(toWorld_1, noInstance, (_e322 & placeMask));
+                    uint _e318 = current;
+                    bool toWorld_1 = (_e318 >= beginning);
+                    uint _e321 = current;
+                    instance_1 = pick(toWorld_1, noInstance, (_e321 & placeMask));
                     o = rays.origin;
-                    bool _e331 = toLight;
-                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    bool _e330 = toLight;
+                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
                     nodes = 0u;
                     if (!(toWorld_1)) {
-                        uint _e338 = frame.instances;
-                        uint _e339 = instance_1;
-                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
-                        vec3 _e344 = o;
-                        vec4 p_18 = vec4(_e344, 1.0);
-                        o = vec3(dot(_e343.toMeshX, p_18), dot(_e343.toMeshY, p_18), dot(_e343.toMeshZ, p_18));
-                        vec3 _e356 = d_1;
-                        vec3 _e360 = d_1;
-                        vec3 _e364 = d_1;
-                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
-                        nodes = _e343.nodes;
-                        triangles = _e343.triangles;
-                        cover = _e343.cover;
-                        uint _e372 = instance_1;
-                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        uint _e337 = frame.instances;
+                        uint _e338 = instance_1;
+                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
+                        vec3 _e343 = o;
+                        vec4 p_18 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_18), dot(_e342.toMeshY, p_18), dot(_e342.toMeshZ, p_18));
+                        vec3 _e355 = d_1;
+                        vec3 _e359 = d_1;
+                        vec3 _e363 = d_1;
+                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
+                        nodes = _e342.nodes;
+                        triangles = _e342.triangles;
+                        cover = _e342.cover;
+                        uint _e371 = instance_1;
+                        own = pick((_e371 == left.instance), left.triangle, placeMask);
                         if (!(alone)) {
-                            uint _e378 = top;
-                            stack[_e378] = leaving;
-                            uint _e382 = top;
-                            top = (_e382 + 1u);
+                            uint _e377 = top;
+                            stack[_e377] = leaving;
+                            uint _e381 = top;
+                            top = (_e381 + 1u);
                         }
                     }
-                    vec3 _e384 = o;
-                    vec3 _e385 = d_1;
-                    SlabRay _e386 = slabRay(_e384, _e385);
-                    slabs = _e386;
-                    vec3 _e387 = o;
-                    vec3 _e388 = d_1;
-                    MeshRay _e389 = meshRay(_e387, _e388);
-                    ray_2 = _e389;
-                    uint _e390 = current;
-                    bool goesOn = (_e390 == leaving);
+                    vec3 _e383 = o;
+                    vec3 _e384 = d_1;
+                    SlabRay _e385 = slabRay(_e383, _e384);
+                    slabs = _e385;
+                    vec3 _e386 = o;
+                    vec3 _e387 = d_1;
+                    MeshRay _e388 = meshRay(_e386, _e387);
+                    ray_2 = _e388;
+                    uint _e389 = current;
+                    bool goesOn = (_e389 == leaving);
                     current = 0u;
                     if (goesOn) {
-                        uint _e395 = top;
-                        top = (_e395 - 1u);
-                        uint _e398 = top;
-                        uint _e400 = stack[_e398];
-                        current = _e400;
+                        uint _e394 = top;
+                        top = (_e394 - 1u);
+                        uint _e397 = top;
+                        uint _e399 = stack[_e397];
+                        current = _e399;
                     }
                 }
             }
         }
-        const bool _e402 = hasCutouts;
-        if (!(_e402)) {
+        const bool _e401 = hasCutouts;
+        if (!(_e401)) {
             break;
         }
-        uint _e405 = doubted.instance;
-        if ((_e405 == noInstance)) {
+        uint _e404 = doubted.instance;
+        if ((_e404 == noInstance)) {
             break;
         }
-        uint _e409 = doubted.instance;
-        uint _e411 = doubted.triangle;
-        vec2 _e413 = doubted.weights;
-        bool _e415 = toLight;
-        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
-        bool _e419 = toLight;
-        if (pick(_e418, _e419, false)) {
+        uint _e408 = doubted.instance;
+        uint _e410 = doubted.triangle;
+        vec2 _e412 = doubted.weights;
+        bool _e414 = toLight;
+        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
+        bool _e418 = toLight;
+        if (pick(_e417, _e418, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e418) {
-            float _e424 = doubted.t;
-            most = _e424;
-            MeshHit _e425 = doubted;
-            found_5 = _e425;
+        if (_e417) {
+            float _e423 = doubted.t;
+            most = _e423;
+            MeshHit _e424 = doubted;
+            found_5 = _e424;
         }
         doubted.instance = noInstance;
     }
-    MeshHit _e428 = found_5;
-    return _e428;
+    MeshHit _e427 = found_5;
+    return _e427;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1316,77 +1320,85 @@ PairHit tracePair(RayPair p_7) {
     uint i_10 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_10;
-    if (pick(_e17, (_e18 < ends.x), false)) {
-        while(true) {
-            PairHit _e22 = found_7;
-            uint _e23 = i_10;
-            PairHit _e24 = meetSphere(_e22, p_7, _e23);
-            found_7 = _e24;
-            uint _e26 = i_10;
-            i_10 = (_e26 + 1u);
-            uint _e28 = i_10;
-            if ((_e28 >= ends.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_10;
+        if ((_e18 < ends.x)) {
+            while(true) {
+                PairHit _e21 = found_7;
+                uint _e22 = i_10;
+                PairHit _e23 = meetSphere(_e21, p_7, _e22);
+                found_7 = _e23;
+                uint _e25 = i_10;
+                i_10 = (_e25 + 1u);
+                uint _e27 = i_10;
+                if ((_e27 >= ends.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_10;
-    if (pick(_e32, (_e33 < ends.y), false)) {
-        while(true) {
-            PairHit _e37 = found_7;
-            uint _e38 = i_10;
-            PairHit _e39 = meetBox(_e37, p_7, _e38);
-            found_7 = _e39;
-            uint _e41 = i_10;
-            i_10 = (_e41 + 1u);
-            uint _e43 = i_10;
-            if ((_e43 >= ends.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_10;
+        if ((_e32 < ends.y)) {
+            while(true) {
+                PairHit _e35 = found_7;
+                uint _e36 = i_10;
+                PairHit _e37 = meetBox(_e35, p_7, _e36);
+                found_7 = _e37;
+                uint _e39 = i_10;
+                i_10 = (_e39 + 1u);
+                uint _e41 = i_10;
+                if ((_e41 >= ends.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_10;
-    if (pick(_e47, (_e48 < ends.z), false)) {
-        while(true) {
-            PairHit _e52 = found_7;
-            uint _e53 = i_10;
-            PairHit _e54 = meetQuad(_e52, p_7, _e53);
-            found_7 = _e54;
-            uint _e56 = i_10;
-            i_10 = (_e56 + 1u);
-            uint _e58 = i_10;
-            if ((_e58 >= ends.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_10;
+        if ((_e46 < ends.z)) {
+            while(true) {
+                PairHit _e49 = found_7;
+                uint _e50 = i_10;
+                PairHit _e51 = meetQuad(_e49, p_7, _e50);
+                found_7 = _e51;
+                uint _e53 = i_10;
+                i_10 = (_e53 + 1u);
+                uint _e55 = i_10;
+                if ((_e55 >= ends.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_10;
-    if (pick(_e62, (_e63 < ends.w), false)) {
-        while(true) {
-            PairHit _e67 = found_7;
-            uint _e68 = i_10;
-            PairHit _e69 = meetPlane(_e67, p_7, _e68);
-            found_7 = _e69;
-            uint _e71 = i_10;
-            i_10 = (_e71 + 1u);
-            uint _e73 = i_10;
-            if ((_e73 >= ends.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_10;
+        if ((_e60 < ends.w)) {
+            while(true) {
+                PairHit _e63 = found_7;
+                uint _e64 = i_10;
+                PairHit _e65 = meetPlane(_e63, p_7, _e64);
+                found_7 = _e65;
+                uint _e67 = i_10;
+                i_10 = (_e67 + 1u);
+                uint _e69 = i_10;
+                if ((_e69 >= ends.w)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e77 = hasMeshes;
-    if (_e77) {
-        PairHit _e78 = found_7;
-        PairHit _e79 = meetMeshes(_e78, p_7);
-        found_7 = _e79;
+    const bool _e73 = hasMeshes;
+    if (_e73) {
+        PairHit _e74 = found_7;
+        PairHit _e75 = meetMeshes(_e74, p_7);
+        found_7 = _e75;
     }
-    PairHit _e80 = found_7;
-    return _e80;
+    PairHit _e76 = found_7;
+    return _e76;
 }
 
 bool isPlane(uint i_11) {
@@ -1617,29 +1629,31 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     Surface _e5 = fetchSurface(shape);
     p_10 = SurfacePoint(_e5, _e4, _e4);
     const bool _e9 = hasMeshes;
-    if (pick(_e9, (hit.triangle.instance != noInstance), false)) {
-        MeshPoint _e20 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        p_10.geometric = _e20.geometric;
-        p_10.shading = _e20.shading;
-        const bool _e26 = hasTextures;
-        if (_e26) {
-            vec3 _e31 = takeUpTextures(p_10.surface, _e20.uv, _e20.color.xyz);
-            if (any(notEqual(_e31, vec3(0.0, 0.0, 1.0)))) {
-                vec3 _e53 = validNormal(_e20.geometric, rays_1.direction, (((_e31.x * _e20.tangent) + (_e31.y * _e20.bitangent)) + (_e31.z * _e20.normal)), _e20.shading);
-                p_10.shading = _e53;
+    if (_e9) {
+        if ((hit.triangle.instance != noInstance)) {
+            MeshPoint _e19 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            p_10.geometric = _e19.geometric;
+            p_10.shading = _e19.shading;
+            const bool _e25 = hasTextures;
+            if (_e25) {
+                vec3 _e30 = takeUpTextures(p_10.surface, _e19.uv, _e19.color.xyz);
+                if (any(notEqual(_e30, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e52 = validNormal(_e19.geometric, rays_1.direction, (((_e30.x * _e19.tangent) + (_e30.y * _e19.bitangent)) + (_e30.z * _e19.normal)), _e19.shading);
+                    p_10.shading = _e52;
+                }
             }
+            vec3 _e54 = p_10.geometric;
+            vec3 _e60 = p_10.shading;
+            bool agree = ((dot(_e54, rays_1.direction) > 0.0) == (dot(_e60, rays_1.direction) > 0.0));
+            vec3 _e68 = p_10.shading;
+            vec3 _e70 = p_10.geometric;
+            float _e73 = p_10.surface.code;
+            bool _e75 = isDielectric(uint(_e73));
+            p_10.shading = pick(pick(_e75, !(agree), false), _e70, _e68);
         }
-        vec3 _e55 = p_10.geometric;
-        vec3 _e61 = p_10.shading;
-        bool agree = ((dot(_e55, rays_1.direction) > 0.0) == (dot(_e61, rays_1.direction) > 0.0));
-        vec3 _e69 = p_10.shading;
-        vec3 _e71 = p_10.geometric;
-        float _e74 = p_10.surface.code;
-        bool _e76 = isDielectric(uint(_e74));
-        p_10.shading = pick(pick(_e76, !(agree), false), _e71, _e69);
     }
-    SurfacePoint _e80 = p_10;
-    return _e80;
+    SurfacePoint _e79 = p_10;
+    return _e79;
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -1772,12 +1786,14 @@ FarLight farLight(Emitter e_2, vec3 direction_15) {
         far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_2.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_15);
-        far = FarLight(_e28.radiance, _e28.pdf);
+    if (_e23) {
+        if ((e_2.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_15);
+            far = FarLight(_e27.radiance, _e27.pdf);
+        }
     }
-    FarLight _e32 = far;
-    return _e32;
+    FarLight _e31 = far;
+    return _e31;
 }
 
 SphereView viewSphere(Emitter e_3, vec3 point) {
@@ -1876,22 +1892,28 @@ float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_17, float distance_3, vec
 float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, vec3 normal_3) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
-    if (pick(_e8, (e_9.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_9, point_6, direction_18);
-        pdf = _e13;
+    if (_e8) {
+        if ((e_9.kind == 0.0)) {
+            float _e12 = spherePdf(e_9, point_6, direction_18);
+            pdf = _e12;
+        }
     }
-    const bool _e15 = hasQuadLights;
-    if (pick(_e15, (e_9.kind == 1.0), false)) {
-        float _e20 = quadPdf(e_9, point_6, distance_4);
-        pdf = _e20;
+    const bool _e14 = hasQuadLights;
+    if (_e14) {
+        if ((e_9.kind == 1.0)) {
+            float _e18 = quadPdf(e_9, point_6, distance_4);
+            pdf = _e18;
+        }
     }
-    const bool _e22 = hasBoxLights;
-    if (pick(_e22, (e_9.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_9, point_6, direction_18, distance_4, normal_3);
-        pdf = _e27;
+    const bool _e20 = hasBoxLights;
+    if (_e20) {
+        if ((e_9.kind == 2.0)) {
+            float _e24 = boxPdf(e_9, point_6, direction_18, distance_4, normal_3);
+            pdf = _e24;
+        }
     }
-    float _e28 = pdf;
-    return _e28;
+    float _e25 = pdf;
+    return _e25;
 }
 
 float spotFalloff(Emitter e_10, vec3 toLight_1) {
@@ -1942,13 +1964,15 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
-    uint _e15 = frame.emitterCount;
-    if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_12, point_8, normal_5);
-        probability = (_e19 / max(total, 1e-37));
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_12, point_8, normal_5);
+            probability = (_e18 / max(total, 1e-37));
+        }
     }
-    float _e23 = probability;
-    return _e23;
+    float _e22 = probability;
+    return _e22;
 }
 
 float misWeight(float own_1, float other) {
@@ -1984,17 +2008,26 @@ vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
             found_8 = (_e63 + (radiance * pick((p_11.pdf <= 0.0), 1.0, _e65)));
             uint _e74 = i_19;
             i_19 = (_e74 + 1u);
-            const bool _e77 = hasSky;
-            const bool _e79 = hasSuns;
-            uint _e84 = i_19;
-            uint _e87 = frame.emitterCount;
-            if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
+            const bool _e77 = hasManyLights;
+            if (!(_e77)) {
+                break;
+            }
+            const bool _e80 = hasSky;
+            if (!(_e80)) {
+                const bool _e83 = hasSuns;
+                if (!(_e83)) {
+                    break;
+                }
+            }
+            uint _e86 = i_19;
+            uint _e89 = frame.emitterCount;
+            if (pick(!(escaped), true, (_e86 >= _e89))) {
                 break;
             }
         }
     }
-    vec3 _e90 = found_8;
-    return _e90;
+    vec3 _e92 = found_8;
+    return _e92;
 }
 
 uint pascalW2_(uint x_13) {
@@ -2032,43 +2065,45 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
-    uint _e17 = frame.emitterCount;
-    if (pick(_e14, (_e17 > 1u), false)) {
-        rest = u_4;
-        while(true) {
-            uint _e30 = i_20;
-            Emitter _e31 = fetchEmitter(_e30);
-            float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
-            float _e33 = total_1;
-            total_1 = (_e33 + _e32);
-            float _e35 = total_1;
-            float share_4 = (_e32 / max(_e35, 1e-37));
-            float _e39 = rest;
-            bool take = (_e39 < share_4);
-            uint _e41 = chosen;
-            uint _e42 = i_20;
-            chosen = pick(take, _e42, _e41);
-            float _e44 = chosenWeight;
-            chosenWeight = pick(take, _e32, _e44);
-            float _e46 = rest;
-            float _e53 = rest;
-            rest = pick(take, (_e53 / max(share_4, 1e-37)), ((_e46 - share_4) / max((1.0 - share_4), 1e-7)));
-            uint _e59 = i_20;
-            i_20 = (_e59 + 1u);
-            uint _e61 = i_20;
-            uint _e64 = frame.emitterCount;
-            if ((_e61 >= _e64)) {
-                break;
+    if (_e14) {
+        uint _e17 = frame.emitterCount;
+        if ((_e17 > 1u)) {
+            rest = u_4;
+            while(true) {
+                uint _e29 = i_20;
+                Emitter _e30 = fetchEmitter(_e29);
+                float _e31 = estimatedIrradiance(_e30, point_9, normal_6);
+                float _e32 = total_1;
+                total_1 = (_e32 + _e31);
+                float _e34 = total_1;
+                float share_4 = (_e31 / max(_e34, 1e-37));
+                float _e38 = rest;
+                bool take = (_e38 < share_4);
+                uint _e40 = chosen;
+                uint _e41 = i_20;
+                chosen = pick(take, _e41, _e40);
+                float _e43 = chosenWeight;
+                chosenWeight = pick(take, _e31, _e43);
+                float _e45 = rest;
+                float _e52 = rest;
+                rest = pick(take, (_e52 / max(share_4, 1e-37)), ((_e45 - share_4) / max((1.0 - share_4), 1e-7)));
+                uint _e58 = i_20;
+                i_20 = (_e58 + 1u);
+                uint _e60 = i_20;
+                uint _e63 = frame.emitterCount;
+                if ((_e60 >= _e63)) {
+                    break;
+                }
             }
+            uint _e65 = chosen;
+            float _e66 = chosenWeight;
+            float _e67 = total_1;
+            float _e71 = total_1;
+            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
         }
-        uint _e66 = chosen;
-        float _e67 = chosenWeight;
-        float _e68 = total_1;
-        float _e72 = total_1;
-        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
     }
-    EmitterChoice _e74 = choice;
-    return _e74;
+    EmitterChoice _e73 = choice;
+    return _e73;
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_5) {
@@ -2273,45 +2308,59 @@ LightSample sampleSky(vec2 u_16) {
 LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_20.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_20, point_15, u_17);
-        s_11 = _e20;
+    if (_e15) {
+        if ((e_20.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_20, point_15, u_17);
+            s_11 = _e19;
+        }
     }
-    const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_20.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_20, point_15, u_17);
-        s_11 = _e27;
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_20.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_20, point_15, u_17);
+            s_11 = _e25;
+        }
     }
-    const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_20.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_20, point_15, u_17);
-        s_11 = _e34;
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_20.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_20, point_15, u_17);
+            s_11 = _e31;
+        }
     }
-    const bool _e36 = hasPointLights;
-    if (pick(_e36, (e_20.kind == 3.0), false)) {
-        LightSample _e41 = samplePoint(e_20, point_15);
-        s_11 = _e41;
+    const bool _e33 = hasPointLights;
+    if (_e33) {
+        if ((e_20.kind == 3.0)) {
+            LightSample _e37 = samplePoint(e_20, point_15);
+            s_11 = _e37;
+        }
     }
-    const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_20.kind == 4.0), false)) {
-        LightSample _e48 = sampleSpot(e_20, point_15);
-        s_11 = _e48;
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_20.kind == 4.0)) {
+            LightSample _e43 = sampleSpot(e_20, point_15);
+            s_11 = _e43;
+        }
     }
-    const bool _e50 = hasSuns;
-    if (pick(_e50, (e_20.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_20, u_17);
-        s_11 = _e55;
+    const bool _e45 = hasSuns;
+    if (_e45) {
+        if ((e_20.kind == 5.0)) {
+            LightSample _e49 = sampleDirectional(e_20, u_17);
+            s_11 = _e49;
+        }
     }
-    const bool _e57 = hasSky;
-    if (pick(_e57, (e_20.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_17);
-        s_11 = _e62;
+    const bool _e51 = hasSky;
+    if (_e51) {
+        if ((e_20.kind == 6.0)) {
+            LightSample _e55 = sampleSky(u_17);
+            s_11 = _e55;
+        }
     }
-    float _e65 = s_11.pdf;
-    float _e67 = s_11.distance_;
-    s_11.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
-    LightSample _e74 = s_11;
-    return _e74;
+    float _e58 = s_11.pdf;
+    float _e60 = s_11.distance_;
+    s_11.pdf = pick((_e60 <= (1e-5 * length(point_15))), 0.0, _e58);
+    LightSample _e67 = s_11;
+    return _e67;
 }
 
 bool isConductor(uint code_6) {
@@ -2720,62 +2769,64 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     vec3 _e64 = foundLight(_e62, hit_2, surface, _e10.geometric, _e57);
     p_12.radiance = (_e59 + (_e61 * _e64));
     const bool _e68 = hasMeshes;
-    if (pick(_e68, escaped_1, false)) {
-        p_12.alive = false;
-        return;
+    if (_e68) {
+        if (escaped_1) {
+            p_12.alive = false;
+            return;
+        }
     }
     vec3 litSide = pick(_e14, vec3(0.0), _e29.normal);
-    vec3 _e77 = next3d(p_12.sampler_);
-    vec3 _e79 = next3d(p_12.sampler_);
-    EmitterChoice _e81 = chooseEmitter(point_16, litSide, _e77.z);
-    Emitter _e83 = emitterAt(_e81.index, _e57);
-    LightSample _e85 = sampleEmitter(_e83, point_16, _e77.xy);
-    float lightPdf = (_e85.pdf * _e81.probability);
-    Outgoing _e89 = outgoing(surface, _e32);
-    const bool _e91 = hasMeshes;
-    bool opaque = pick(_e91, !(_e14), false);
-    bool _e98 = crosses(_e10.geometric, _e85.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e98, false);
-    vec3 _e101 = toLocal(_e29, _e85.direction);
-    vec4 _e102 = evaluateBsdf(surface, _e89, _e101);
-    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e102);
-    bool alone_1 = pick(_e85.delta, true, pick((_e83.shape < 0.0), (_e85.distance_ < 1e30), false));
-    float _e116 = misWeight(lightPdf, toLight_6.w);
-    float lightWeight = (pick(alone_1, 1.0, _e116) / lightPdf);
-    BsdfSample _e120 = sampleLobe(surface, _e89, _e79);
-    vec4 _e122 = evaluateBsdf(surface, _e89, _e120.direction);
-    BsdfSample _e123 = completed(_e120, _e122);
-    vec3 _e125 = toWorld(_e29, _e123.direction);
-    bool _e129 = crosses(_e10.geometric, _e125, -(rays_2.direction));
-    bool leaks = pick(opaque, _e129, false);
-    uint _e133 = p_12.depth;
-    uint _e136 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e133 != _e136), false);
-    vec3 _e140 = p_12.throughput;
-    vec3 contribution = (((_e140 * toLight_6.xyz) * _e85.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e85.radiance), vec3(0.0))), false);
+    vec3 _e76 = next3d(p_12.sampler_);
+    vec3 _e78 = next3d(p_12.sampler_);
+    EmitterChoice _e80 = chooseEmitter(point_16, litSide, _e76.z);
+    Emitter _e82 = emitterAt(_e80.index, _e57);
+    LightSample _e84 = sampleEmitter(_e82, point_16, _e76.xy);
+    float lightPdf = (_e84.pdf * _e80.probability);
+    Outgoing _e88 = outgoing(surface, _e32);
+    const bool _e90 = hasMeshes;
+    bool opaque = pick(_e90, !(_e14), false);
+    bool _e97 = crosses(_e10.geometric, _e84.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e97, false);
+    vec3 _e100 = toLocal(_e29, _e84.direction);
+    vec4 _e101 = evaluateBsdf(surface, _e88, _e100);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e101);
+    bool alone_1 = pick(_e84.delta, true, pick((_e82.shape < 0.0), (_e84.distance_ < 1e30), false));
+    float _e115 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone_1, 1.0, _e115) / lightPdf);
+    BsdfSample _e119 = sampleLobe(surface, _e88, _e78);
+    vec4 _e121 = evaluateBsdf(surface, _e88, _e119.direction);
+    BsdfSample _e122 = completed(_e119, _e121);
+    vec3 _e124 = toWorld(_e29, _e122.direction);
+    bool _e128 = crosses(_e10.geometric, _e124, -(rays_2.direction));
+    bool leaks = pick(opaque, _e128, false);
+    uint _e132 = p_12.depth;
+    uint _e135 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e132 != _e135), false);
+    vec3 _e139 = p_12.throughput;
+    vec3 contribution = (((_e139 * toLight_6.xyz) * _e84.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e84.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e162 = p_12.throughput;
-    vec3 throughput = (_e162 * _e123.weight);
-    float _e165 = max3_(throughput);
-    uint _e171 = p_12.depth;
-    float survival = pick((_e171 < rouletteDepth), 1.0, min((_e165 / 0.33333334), 0.95));
-    float _e183 = max3_(throughput);
-    float _e188 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e123.pdf > 0.0), false), !(leaks), false), (_e183 > 0.0), false), (_e188 < survival), false);
+    vec3 _e161 = p_12.throughput;
+    vec3 throughput = (_e161 * _e122.weight);
+    float _e164 = max3_(throughput);
+    uint _e170 = p_12.depth;
+    float survival = pick((_e170 < rouletteDepth), 1.0, min((_e164 / 0.33333334), 0.95));
+    float _e182 = max3_(throughput);
+    float _e187 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e122.pdf > 0.0), false), !(leaks), false), (_e182 > 0.0), false), (_e187 < survival), false);
     p_12.throughput = (throughput / vec3(survival));
-    uint _e196 = p_12.depth;
-    p_12.depth = (_e196 + 1u);
-    p_12.pdf = pick(_e123.delta, 0.0, _e123.pdf);
+    uint _e195 = p_12.depth;
+    p_12.depth = (_e195 + 1u);
+    p_12.pdf = pick(_e122.delta, 0.0, _e122.pdf);
     p_12.litSide = litSide;
-    p_12.total = _e81.total;
-    bool _e206 = isFlat(shape_1);
-    bool solid = !(_e206);
-    uint lightShape = pick((_e83.shape >= 0.0), uint(max(_e83.shape, 0.0)), noShape);
-    bool _e223 = p_12.alive;
-    Sampler _e238 = p_12.sampler_;
-    uint _e239 = numberOfNext(_e238);
-    p_12.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e223, _e125, pick(solid, (dot(_e125, outward_1) < 0.0), false), _e85.direction, pick(solid, (dot(_e85.direction, outward_1) < 0.0), false), pick(lit_1, _e85.distance_, -1.0), lightShape, _e239);
+    p_12.total = _e80.total;
+    bool _e205 = isFlat(shape_1);
+    bool solid = !(_e205);
+    uint lightShape = pick((_e82.shape >= 0.0), uint(max(_e82.shape, 0.0)), noShape);
+    bool _e222 = p_12.alive;
+    Sampler _e237 = p_12.sampler_;
+    uint _e238 = numberOfNext(_e237);
+    p_12.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e222, _e124, pick(solid, (dot(_e124, outward_1) < 0.0), false), _e84.direction, pick(solid, (dot(_e84.direction, outward_1) < 0.0), false), pick(lit_1, _e84.distance_, -1.0), lightShape, _e238);
     return;
 }
 
