@@ -96,12 +96,13 @@ async function allocatedBy(work: () => void): Promise<number> {
 }
 
 interface Cost {
+  readonly shortest: number;
   readonly ms: number;
   readonly bytes: number;
   readonly allocated: number;
 }
 
-/** Of a frame, median. `step`: seconds from frame to frame. */
+/** Of a frame: shortest, as other programs only ever make one longer, and median. `step`: seconds from frame to frame. */
 async function cpuCost(scene: Scene, step: number): Promise<Cost> {
   const motion = new Motion(scene);
   const counter = new Counter();
@@ -128,7 +129,7 @@ async function cpuCost(scene: Scene, step: number): Promise<Cost> {
     frame();
     return performance.now() - start;
   });
-  return { ms: median(times), bytes, allocated };
+  return { shortest: Math.min(...times), ms: median(times), bytes, allocated };
 }
 
 const kilobytes = (bytes: number) => (bytes / 1000).toFixed(1);
@@ -139,13 +140,19 @@ for (const [name, scene] of scenes) {
   await loadGeometryPacker();
   const [moving, still] = [await cpuCost(scene, STEP), await cpuCost(scene, 0)];
   const instances = shapes.reduce((sum, [, n]) => sum + n, 0);
-  const figures = [moving.ms.toFixed(3), still.ms.toFixed(3), kilobytes(moving.bytes), kilobytes(moving.allocated)];
+  const figures = [
+    moving.shortest.toFixed(3),
+    moving.ms.toFixed(3),
+    still.ms.toFixed(3),
+    kilobytes(moving.bytes),
+    kilobytes(moving.allocated),
+  ];
   rows.push([name, String(instances), String(triangles), ...figures]);
 }
-const head = ['scene', 'instances', 'triangles', 'frame that moves, ms', 'that stands still, ms', 'kB given to the device', 'kB allocated']; // biome-ignore format: one row
+const head = ['scene', 'instances', 'triangles', 'frame that moves, shortest, ms', 'median', 'that stands still, median', 'kB given to the device', 'kB allocated']; // biome-ignore format: one row
 const [{ model: processor } = { model: 'unknown' }, ...more] = cpus();
 const reports = [
-  `${new Date().toISOString().slice(0, 10)} · ${more.length + 1} × ${processor}, Node ${process.version} · median of ${frames} frames`,
+  `${new Date().toISOString().slice(0, 10)} · ${more.length + 1} × ${processor}, Node ${process.version} · ${frames} frames each`,
   markdownTable(head, rows),
   markdownTable(
     ['instances', 'good tree, ms', 'quick tree, ms', 'its cost / that of the good one'],
