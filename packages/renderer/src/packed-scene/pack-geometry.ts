@@ -11,9 +11,13 @@ import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Moment } from '../scene/motion.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
+import type { EmitterValues } from './emitter-values.ts';
 import { WideEncoder } from './encode-wide-bvh.ts';
 import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
+import type { MeshGlow } from './lamp-clusters.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
+import { MeshLamps } from './mesh-lamps.ts';
+import type { LampTable } from './pack-lamps.ts';
 import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { PosedMesh } from './posed-mesh.ts';
@@ -22,6 +26,7 @@ import { type Block, createBlock } from './write-struct.ts';
 // Comes with the rest of what meshes need.
 export { sketchInSteps } from '../sketch/sketch.ts';
 export { packMeshes } from './pack-in-worker.ts';
+export { treeOfEmitters } from './pack-light-tree.ts';
 export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
 export { packTextures } from './pack-textures.ts';
 
@@ -40,6 +45,11 @@ export interface PackedGeometry {
   readonly changedInstances: readonly [begin: number, end: number];
   /** In the order in which their rows follow one another. */
   readonly meshes: readonly PackedMesh[];
+  /** Row of the first table of lamps, after the meshes, and all tables. */
+  readonly lampTables: number;
+  readonly tables: readonly LampTable[];
+  /** What shines among the meshes, in the world. Another object when it is worked out anew. */
+  readonly emitters: readonly EmitterValues[];
   /** All rows. */
   readonly rows: number;
 }
@@ -61,6 +71,8 @@ export interface BodyRows {
   readonly first: number;
   /** `Instance.cover` of each. */
   readonly covers: readonly number[];
+  /** How the light of each is sampled; null: it does not shine, or only rays find its light. */
+  readonly glows: readonly (MeshGlow | null)[];
 }
 
 /**
@@ -124,7 +136,7 @@ class GeometryOfScene implements PackedGeometry {
   readonly moving: Block;
   readonly instances: number;
   meshes: readonly PackedMesh[] = [];
-  rows = 0;
+  lampTables = 0;
   readonly changedInstances: [number, number] = [0, 0];
   treeRows = 0;
   revision = 0;
@@ -139,6 +151,7 @@ class GeometryOfScene implements PackedGeometry {
   #deepest = 0;
   readonly #builder = new InstanceTree();
   readonly #encoder = new WideEncoder();
+  readonly #lamps = new MeshLamps();
   /** The good tree, while it is the one in use. */
   #tree: Bvh | null = null;
 
@@ -184,11 +197,21 @@ class GeometryOfScene implements PackedGeometry {
         vertexFlags: mesh.vertices.flags,
       });
     }
-    this.rows = rows;
+    this.lampTables = rows;
   }
 
   get instanceCount(): number {
     return this.#instanceRows.count;
+  }
+
+  get rows(): number {
+    return this.lampTables + this.#lamps.rows;
+  }
+  get tables(): readonly LampTable[] {
+    return this.#lamps.tables;
+  }
+  get emitters(): readonly EmitterValues[] {
+    return this.#lamps.emitters;
   }
 
   /** Throws a `DeepTreeError`; then the geometry is of no use any more. */
@@ -198,9 +221,11 @@ class GeometryOfScene implements PackedGeometry {
     let renewed = false;
     for (const packed of this.#bent) renewed = packed.update() || renewed;
     if (renewed) this.#placeMeshes();
-    if (bodyRows !== this.#bodyRows) this.#take(bodyRows);
+    const otherRows = bodyRows !== this.#bodyRows;
+    if (otherRows) this.#take(bodyRows);
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
+    if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
     this.#forgetChanges();
     if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
     if (news !== 'nothing' || !this.#tree) this.#growTree(news);
