@@ -16,6 +16,8 @@ import {
   largestDifference,
   mirrorball,
   pixelsOf,
+  started,
+  stopServer,
 } from './command.ts';
 
 // A busy machine may take its time; what hangs is broken.
@@ -28,7 +30,10 @@ const backend = dawn ? 'webgpu' : 'cpu';
 const SMALL = '--size 24x16 --light-samples 4';
 
 beforeAll(() => writeFileSync(inFolder('bad.json'), '{"version":2,"name":"Bad","materials":{"a":{"roughness":7}}}'));
-afterAll(() => rmSync(folder, { recursive: true, force: true }));
+afterAll(async () => {
+  await stopServer();
+  rmSync(folder, { recursive: true, force: true });
+});
 
 describe('files of triangles', () => {
   test('are scenes by themselves, with the materials that lie beside them', async () => {
@@ -171,9 +176,18 @@ describe('exit codes', () => {
     expect(existsSync(inFolder('x.exr'))).toBe(false);
   });
 
+  test.each([
+    ['--help', 0],
+    ['', 2],
+    ['validate bad.json', 4],
+  ])('as a process, mirrorball %s: %i', async (args, code) => {
+    const [ended, same] = [await started(args), await mirrorball(args)];
+    expect([ended.code, ended.stdout, ended.stderr]).toEqual([code, same.stdout, same.stderr]);
+  });
+
   test('3 when nothing can render, and what to install', async () => {
     if (process.platform !== 'linux') return; // others do not reach their GPU by Vulkan
-    const ended = await mirrorball('render cube-room -o x.exr --size 4x4 --backend webgpu', undefined, {
+    const ended = await started('render cube-room -o x.exr --size 4x4 --backend webgpu', undefined, {
       VK_ICD_FILENAMES: '/nowhere.json',
     });
     expect(ended.code).toBe(3);
@@ -212,7 +226,7 @@ describe(`films, by ${backend}`, () => {
   test('kill -TERM leaves a part and no picture; --resume ends with the film of an undisturbed run, bit for bit', async () => {
     writeFileSync(inFolder('a.exr'), 'the old file');
     const args = `render cube-room --backend ${backend} ${SMALL} --spp 1000000 --json -o`;
-    const killed = await mirrorball(`${args} a.exr`, killedOnTheWay('SIGTERM'));
+    const killed = await started(`${args} a.exr`, killedOnTheWay('SIGTERM'));
     expect(killed.code).toBe(143);
     expect(bytesOf('a.exr').toString()).toBe('the old file');
     const { events } = await mirrorball('info a.exr.part --json');
@@ -228,7 +242,7 @@ describe(`films, by ${backend}`, () => {
 
   test('kill -KILL leaves what was saved on the way; --resume ends with the film of an undisturbed run, bit for bit', async () => {
     const args = `render cube-room --backend ${backend} ${SMALL} --json --save-every 0.1 -o k.exr`;
-    const killed = await mirrorball(`${args} --spp 1000000`, (stdout, child) => {
+    const killed = await started(`${args} --spp 1000000`, (stdout, child) => {
       if (stdout.includes('"saved"') && !child.killed) child.kill('SIGKILL');
     });
     expect([killed.code, existsSync(inFolder('k.exr'))]).toEqual([null, false]);
@@ -256,7 +270,7 @@ describe(`films, by ${backend}`, () => {
 
   test('Ctrl+C ends with 130, and a part of another picture is refused', async () => {
     const args = `render cube-room --backend cpu ${SMALL} --spp 1000000 --json -o c.png`;
-    expect((await mirrorball(args, killedOnTheWay('SIGINT'))).code).toBe(130);
+    expect((await started(args, killedOnTheWay('SIGINT'))).code).toBe(130);
     const other = await render('--seed 5 --spp 8 -o c.png --resume');
     expect([other.code, other.stderr]).toEqual([2, expect.stringContaining('seed 0 instead of 5')]);
     rmSync(inFolder('c.png.part'));
@@ -372,7 +386,7 @@ describe(`films, by ${backend}`, () => {
   });
 
   test('plain output has no colour, no cursor movement and no bar under NO_COLOR in a pipe', async () => {
-    const { stdout, stderr } = await render('--spp 2 -o n.hdr');
+    const { stdout, stderr } = await started(`render cube-room --backend ${backend} ${SMALL} --spp 2 -o n.hdr`);
     expect(stdout + stderr).not.toContain('\u001b');
     expect(stdout).toContain('n.hdr: 2 samples a pixel');
   });

@@ -58,6 +58,7 @@ export async function render(file: string, options: RenderOptions, terminal: Ter
     const run = { file, scene, options, settings, area, goal, terminal, interruption, backend };
     for (const frame of frames) await renderFrame(run, frame);
   } finally {
+    interruption.stop();
     // Also when it was never used, or failed.
     await (opened as Promise<Backend> | null)?.then(({ tracer }) => tracer.dispose()).catch(() => {});
   }
