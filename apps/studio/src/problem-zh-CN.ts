@@ -115,6 +115,7 @@ const allowedForms: readonly Form[] = [
   [/^a direction across the line from "eye" to "target"$/, () => '与视线（从 "eye" 到 "target"）不平行的方向'],
   [/^at least one shape or a visible light$/, () => '至少一个形体或一个可见的光源'],
   [/^at most (\d+) of this type$/, (most) => `这种形体最多 ${most} 个`],
+  [/^at most (\d+) of these types$/, (most) => `这两种光源合计最多 ${most} 个`],
   [
     /^an? (\w+); this scene has none yet$/,
     (kind) => `${KINDS[kind] ?? kind}的名称，而此场景还没有定义任何${KINDS[kind] ?? kind}`,
@@ -184,6 +185,7 @@ const foundForms: readonly Form[] = [
   [/^the place of the eye$/, () => '与 "eye" 相同的位置'],
   [/^no shape, and no visible light$/, () => '0 个形体和 0 个可见的光源'],
   [/^(\d+) shapes of type (".*")$/, (count, type) => `${count} 个 ${type} 形体`],
+  [/^(\d+) lights of the types "sphere" and "quad"$/, (count) => `${count} 个 "sphere" 或 "quad" 光源`],
   [/^more than (\d+) names$/, (most) => `超过 ${most} 个名称`],
   [/^the name (".*")$/, (name) => `名称 ${name}`],
   [

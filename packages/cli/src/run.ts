@@ -9,7 +9,7 @@ import { merge } from './commands/merge.ts';
 import { render } from './commands/render.ts';
 import { schema } from './commands/schema.ts';
 import { validate } from './commands/validate.ts';
-import { BadSceneError, CommandError, EXIT, type ExitCode } from './exit-codes.ts';
+import { BadFilesError, CommandError, EXIT, type ExitCode } from './exit-codes.ts';
 import { openTerminal, type Streams, type Terminal } from './terminal.ts';
 import { version } from './version.ts';
 
@@ -50,12 +50,16 @@ function report(error: unknown, terminal: Terminal): ExitCode {
     if (ended !== EXIT.done) terminal.event('error', { code: ended, message: (error as Error).message });
     return ended;
   }
-  if (error instanceof BadSceneError) {
+  if (error instanceof BadFilesError) {
     for (const { file, problems } of error.scenes)
       for (const problem of problems) {
         terminal.event('problem', { file, ...problem });
         if (!terminal.json) terminal.error(`${file}${problem.path && `#${problem.path}`}: ${problem.message}`);
       }
+    for (const message of error.refusals) {
+      terminal.event('refused', { message });
+      if (!terminal.json) terminal.error(message);
+    }
   }
   const known = error instanceof CommandError;
   const message = known ? error.message : `The render failed: ${(error as Error)?.stack ?? error}`;

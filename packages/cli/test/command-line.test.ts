@@ -112,7 +112,7 @@ describe('meshes', () => {
     put('cubes.json', meshScene({ file: 'cube.ply' }));
     expect(await mirrorball('validate cubes.json')).toMatchObject({
       code: 0,
-      stdout: 'cubes.json: good, with 12 triangles of 8 vertices.\n',
+      stdout: 'cubes.json: valid, with 12 triangles of 8 vertices.\n',
     });
     const facts = (await mirrorball('info cubes.json --json')).events[0]!;
     expect(facts).toMatchObject({ vertices: 8, triangles: 12, shapes: { mesh: 1 } });
@@ -165,6 +165,7 @@ describe('exit codes', () => {
     ['render cube-room -o none/x.exr', 2],
     ['render none.json -o x.exr', 2],
     ['render cube-room -o x.exr --resume --size 4x4 --region 0,0,9,9', 2],
+    ['render cube-room -o x.exr --integrator path --backend cpu', 2],
     ['merge none.part -o x.exr', 2],
     ['compare none.exr none.exr', 2],
     ['info none.exr', 2],
@@ -204,7 +205,14 @@ test('a bad scene: all problems, each with file and JSON path, for people and fo
     'bad.json#/materials/a/roughness',
     'bad.json#/shapes',
   ]);
-  expect(plain.stdout).toBe('cube-room: good.\n');
+  expect(plain.stdout).toBe('cube-room: valid.\n');
+  const some = await mirrorball('validate bad.json none.json cube-room');
+  expect([some.code, some.stdout]).toEqual([4, 'cube-room: valid.\n']);
+  expect(some.stderr).toContain('There is no file none.json');
+  expect(some.stderr).toContain('4 problems in bad.json. 1 file cannot be read.');
+  const facts = await mirrorball('info none.exr cube-room none.json');
+  expect([facts.code, facts.stdout]).toEqual([2, expect.stringContaining('Cube room')]);
+  expect(facts.stderr.trim().split('\n')).toHaveLength(3);
   const { events } = await mirrorball('render bad.json -o x.exr --json');
   expect(events.map(({ event, file, path }) => [event, file, path])).toEqual([
     ['problem', 'bad.json', '/version'],
@@ -367,6 +375,24 @@ describe(`films, by ${backend}`, () => {
     expect(existsSync(inFolder('f.0003.npy'))).toBe(true);
   });
 
+  test('--resume keeps a finished picture, and refuses one of another scene or with fewer samples, before it traces', async () => {
+    const args = `--backend ${backend} --size 16x12 --light-samples 1 --frames 0-2 -o kept####.png`;
+    expect((await mirrorball(`render moving-shadows ${args} --spp 2`)).code).toBe(0);
+    rmSync(inFolder('kept0000.png'));
+    const before = bytesOf('kept0001.png');
+    const fewer = await mirrorball(`render moving-shadows ${args} --spp 8 --resume`);
+    expect([fewer.code, fewer.stderr]).toEqual([2, expect.stringContaining('only the samples 0-1 of 0-7')]);
+    const other = await mirrorball(`render cube-room ${args} --spp 2 --resume`);
+    expect([other.code, other.stderr]).toEqual([2, expect.stringContaining('it has another scene')]);
+    expect([existsSync(inFolder('kept0000.png')), bytesOf('kept0001.png').equals(before)]).toEqual([false, true]);
+    const { events } = await mirrorball(`render moving-shadows ${args} --spp 1 --resume --json`);
+    expect(events.filter(({ event }) => event === 'kept')).toHaveLength(2);
+    const single = await mirrorball(
+      `render moving-shadows ${args.replace('--frames 0-2 -o kept####', '-o kept0000')} --spp 1 --resume`,
+    );
+    expect([single.code, single.stderr]).toEqual([0, 'kept0000.png is there already.\n']);
+  });
+
   test('with --json every line is an object, and the last says what came of it', async () => {
     const { events, stderr, code } = await mirrorball(
       `render cube-room --backend ${backend} ${SMALL} --spp 64 -o j.png --bits 16 --json`,
@@ -508,7 +534,7 @@ describe(`AOVs, by ${backend}`, () => {
     expect((await render('--spp 2 -o n.pfm --aov normal,depth')).code).toBe(0);
     expect(readPfm(bytesOf('n.normal.pfm')).channels).toHaveLength(3);
     const again = await render('--spp 2 -o n.pfm --resume --aov position');
-    expect([again.code, existsSync(inFolder('n.position.pfm'))]).toEqual([0, true]);
+    expect([again.code, again.stderr]).toEqual([2, expect.stringContaining('without the AOVs position')]);
     const refused = await render('--spp 2 -o t.png --aov depth');
     expect([refused.code, refused.stderr]).toEqual([2, expect.stringContaining('Write .exr, .npy or .pfm')]);
     const strange = await render('--spp 2 -o t.exr --aov depht');

@@ -5,7 +5,9 @@
 import { sphereLights } from '../scene/lights.ts';
 import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
+import type { EmitterValues } from './emitter-values.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
+import type { PackedEmitters } from './pack-emitters.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { PackedTextures } from './pack-textures.ts';
@@ -33,8 +35,12 @@ export interface PackedScene {
   readonly lightCount: number;
   /** Index past the last light that camera and mirrors see. */
   readonly seenLightEnd: number;
-  /** Rows that hold an emitter of the path integrator. */
+  /** Rows that hold an emitter of the path integrator; the first ones of them are infinitely far. */
   readonly emitterCount: number;
+  readonly farEmitters: number;
+  /** Row of the root of the tree over the others, and its levels; 0: there is no tree. */
+  readonly lightTree: number;
+  readonly lightTreeDepth: number;
   /** Sky colours. */
   readonly horizon: Color;
   readonly zenith: Color;
@@ -44,8 +50,11 @@ export interface PackedScene {
   readonly environmentTurn: number;
   /** Meshes and where they stand; null in scenes packed for the classic integrator. */
   readonly geometry: PackedGeometry | null;
-  /** What meshes are made of; null likewise. */
+  /** What meshes are made of, and what shines beside them; null likewise. */
   readonly bodies: BodyRows | null;
+  readonly lights: PackedEmitters | null;
+  /** What shines among the meshes, where the table has it. */
+  readonly glowing: readonly EmitterValues[];
   /** What their materials use; null likewise. */
   readonly textures: PackedTextures | null;
   /** Whether rays of the camera start on both sides of some plane. */
@@ -76,17 +85,18 @@ export interface PackOptions {
   readonly reach?: ViewReach;
   /** Whether meshes get rows too, after all other shapes; without it a scene that has some is refused. */
   readonly meshes?: boolean;
-  /** Room that is needed for more than shapes and lights. */
+  /** Rows that are needed beside shapes and lights, and those after them all. */
   readonly leastRows?: number;
+  readonly moreRows?: number;
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   if (!options.meshes) refuseMeshes(scene);
-  const { reuse, reach = AT_EYE, leastRows = 1 } = options;
+  const { reuse, reach = AT_EYE, leastRows = 1, moreRows = 0 } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
-  const rows = Math.max(named.length, lights.length, leastRows);
+  const rows = Math.max(named.length, lights.length, leastRows) + moreRows;
   const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeRow(table, name, row, values);
@@ -122,12 +132,17 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
     emitterCount: 0,
+    farEmitters: 0,
+    lightTree: rows - moreRows,
+    lightTreeDepth: 0,
     horizon: scene.sky.horizon,
     zenith: scene.sky.zenith,
     environment: null,
     environmentTurn: 0,
     geometry: null,
     bodies: null,
+    lights: null,
+    glowing: [],
     textures: null,
     shapeNames: ordered.map(([name]) => name),
   };
