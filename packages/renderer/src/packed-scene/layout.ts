@@ -4,7 +4,7 @@
  * by hand anywhere.
  *
  * The scene lies in a table of RGBA float texels, a texture that both GPU interfaces read alike: row i holds shape i, its
- * material, and light i. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
+ * material, and light i; below the shapes lie the layers of the materials that have some. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
  * What belongs to the frame lies in small uniform blocks. Triangles and the trees over them lie in rows of four words, the geometry:
  * a storage buffer or a texture, whichever the device has.
  *
@@ -67,7 +67,36 @@ export const STRUCTS = {
     k: field('vec3f', 'conductor: extinction coefficient per channel'),
     metallic: field('f32', 'metallicRoughness: share of metal'),
     absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
+    layers: field(
+      'f32',
+      'metallicRoughness: the row of the table that holds its Layers, with a minus sign when light may go through; 0: there are none',
+    ),
+  },
+  Layers: {
+    specularColor: field('vec3f', 'factor on what facets of the dielectric reflect at normal incidence'),
+    specularWeight: field('f32', 'share of what they reflect'),
+    sheenColor: field('vec3f', 'of the fibres on top; black: there are none'),
+    sheenRoughness: field('f32', 'alpha is its square'),
+    beyondColor: field('vec3f', 'factor on light that leaves diffusely on the other side'),
+    beyond: field('f32', 'share of the diffuse light that does'),
+    grain: field(
+      'vec2f',
+      'cosine and sine of the angle from the tangent to the direction that highlights are drawn out in',
+    ),
+    anisotropy: field('f32', 'how much they are; 0: not'),
+    transmission: field('f32', 'share of the diffuse body that is a refracting boundary instead'),
+    coat: field('f32', 'share of the surface that has a clear coat'),
+    coatRoughness: field('f32', 'alpha is its square'),
+    ior: field('f32', 'index of the body'),
+    solid: field('f32', '1: the body is solid; 0: a thin wall'),
+    film: field('f32', 'share of the surface that has a thin film'),
+    filmIor: field('f32', 'its index'),
+    thinnest: field('f32', 'its thickness where a texture is 0, nanometres'),
+    thickest: field('f32', 'and where it is 1, or there is none'),
+    dispersion: field('f32', '20 / Abbe number'),
     spare0: field('f32', 'unused'),
+    spare1: field('f32', 'unused'),
+    spare2: field('f32', 'unused'),
   },
   Emitter: {
     position: field(
@@ -233,10 +262,14 @@ export type GeometryStruct = (typeof GEOMETRY_STRUCTS)[number];
 
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
-export type TableStruct = (typeof TABLE_STRUCTS)[number];
+/** Those that have rows of their own, since few shapes need one. */
+const OWN_ROW_STRUCTS = ['Layers'] as const;
+type SharedRowStruct = (typeof TABLE_STRUCTS)[number];
+export type TableStruct = SharedRowStruct | (typeof OWN_ROW_STRUCTS)[number];
 
 /** Texels (of 16 bytes) left of the struct in its row. */
 export function tableColumn(name: TableStruct): number {
+  if ((OWN_ROW_STRUCTS as readonly string[]).includes(name)) return 0;
   let column = 0;
   for (const s of TABLE_STRUCTS) {
     if (s === name) break;
@@ -305,6 +338,7 @@ export function fetchGeometryWgsl(): string {
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */
 export function fetchWgsl(): string {
-  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${TABLE_STRUCTS.join(', ')}};\n`;
-  return `${GENERATED}${imports}\n${TABLE_STRUCTS.map(fetchFunction).join('\n')}`;
+  const structs = [...TABLE_STRUCTS, ...OWN_ROW_STRUCTS];
+  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${structs.join(', ')}};\n`;
+  return `${GENERATED}${imports}\n${structs.map(fetchFunction).join('\n')}`;
 }

@@ -167,7 +167,10 @@ function lightsOf({ scene, lightOfShape }: SceneWithLamps): Found[] {
 function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
   const found: Found[] = [];
   for (const [name, shape] of Object.entries(scene.shapes)) {
-    const emission = emissionOf(scene.materials[shape.material]!);
+    const material = scene.materials[shape.material]!;
+    const emission = emissionOf(material);
+    // What shines through a coat is not as bright to all sides, and what is unlit has another colour: rays find both by themselves.
+    if (material.unlit || (material.clearcoat?.weight ?? 0) > 0) continue;
     // A plane has no area to sample; scene files with such a lamp are refused. Rays find the light of meshes by themselves.
     if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
     found.push({ values: shapeEmitter(shape, emission), shape: name });

@@ -63,15 +63,17 @@ export interface PackOptions {
   readonly meshes?: boolean;
   /** Room that is needed for more than shapes and lights. */
   readonly leastRows?: number;
+  /** Rows of their own after all of these. */
+  readonly moreRows?: number;
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   if (!options.meshes) refuseMeshes(scene);
-  const { reuse, reach = AT_EYE, leastRows = 1 } = options;
+  const { reuse, reach = AT_EYE, leastRows = 1, moreRows = 0 } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
-  const rows = Math.max(named.length, lights.length, leastRows);
+  const rows = Math.max(named.length, lights.length, leastRows) + moreRows;
   const table = reuse && reuse.table.bytes.byteLength >= rows * ROW_BYTES ? reuse.table : createBlock(rows * ROW_BYTES);
   const put = <S extends TableStruct>(name: S, row: number, values: StructValues<S>) =>
     writeRow(table, name, row, values);

@@ -1,6 +1,7 @@
 /** Material → the Surface struct: what the path integrator's BSDFs read. */
 import { emissionOf } from '../scene/lamps.ts';
 import type { Color, Material, MaterialType } from '../scene/scene.ts';
+import { isClear, isSolid } from './layer-values.ts';
 import type { StructValues } from './write-struct.ts';
 
 const KINDS: readonly MaterialType[] = ['diffuse', 'metallicRoughness', 'conductor', 'dielectric'];
@@ -21,8 +22,12 @@ export interface Lamp {
   readonly oneSided: boolean;
 }
 
-/** `lamp`: null for a shape that does not shine. */
-export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Surface'> {
+/**
+ * `lamp`: null for a shape that light sampling does not know as one. `layers`: the row of the table with the material's layers; 0: it has
+ * none.
+ */
+export function surfaceValues(given: Material, lamp: Lamp | null, layers = 0): StructValues<'Surface'> {
+  const m = given.unlit ? unlit(given) : given;
   const flags =
     (m.thin ? THIN : 0) +
     (m.energyCompensation ? COMPENSATED : 0) +
@@ -39,9 +44,19 @@ export function surfaceValues(m: Material, lamp: Lamp | null): StructValues<'Sur
     k: m.conductor.k,
     metallic: m.metallic,
     absorption: absorption(m),
-    spare0: 0,
+    layers: isClear(m) ? -layers : layers,
   };
 }
+
+/** KHR_materials_unlit: what leaves the surface is its colour, whatever comes. */
+const unlit = (m: Material): Material => ({
+  ...m,
+  type: 'diffuse',
+  emission: m.baseColor,
+  emissionStrength: 1,
+  baseColor: [0, 0, 0],
+  reflectivity: 0,
+});
 
 /** Whether its facets reflect and refract like a mirror. A thin pane's do: its two faces undo each other's bend. */
 function isSmooth({ type, roughness, thin, ior }: Material): boolean {
@@ -49,8 +64,9 @@ function isSmooth({ type, roughness, thin, ior }: Material): boolean {
 }
 
 /** Beer–Lambert's coefficient, 1 / metre: `attenuationColor` is what is left after `attenuationDistance`. */
-function absorption({ attenuationColor, attenuationDistance }: Material): Color {
-  if (attenuationDistance === 0) return [0, 0, 0];
+function absorption(m: Material): Color {
+  const { attenuationColor, attenuationDistance } = m;
+  if (attenuationDistance === 0 || (m.type === 'metallicRoughness' && !isSolid(m))) return [0, 0, 0];
   const one = (share: number) =>
     Math.min(-Math.log(Math.max(share, LEAST_SHARE)) / attenuationDistance, MOST_ABSORPTION);
   return [one(attenuationColor[0]), one(attenuationColor[1]), one(attenuationColor[2])];

@@ -19,6 +19,8 @@ export const FEATURES = [
   'hasConductors',
   'hasGlass',
   'hasCompensation',
+  'hasLayers',
+  'hasIridescence',
   'hasLens',
   'hasOtherProjections',
   'hasFilter',

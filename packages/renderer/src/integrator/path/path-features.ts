@@ -2,6 +2,8 @@
  * What a scene asks of the path kernel: the switches of shading/features.wesl. A program may have more than a scene needs; it then
  * draws the same picture more slowly.
  */
+
+import { isLayered } from '../../packed-scene/layer-values.ts';
 import { EMITTER_KIND, emittersOf } from '../../packed-scene/pack-emitters.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
@@ -65,5 +67,7 @@ function materialFeatures(materials: readonly Material[]) {
     hasConductors: has('conductor'),
     hasGlass: has('dielectric'),
     hasCompensation: materials.some(({ energyCompensation }) => energyCompensation),
+    hasLayers: materials.some(isLayered),
+    hasIridescence: materials.some((material) => isLayered(material) && (material.iridescence?.weight ?? 0) > 0),
   };
 }

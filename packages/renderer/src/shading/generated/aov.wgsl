@@ -39,7 +39,7 @@ fn look(fragment: vec2f) -> Sight {
   let shape = sight.hit.shape;
   if (shape != noShape) {
     let surface = fetchSurface(shape);
-    let normals = normalsAt(sight.rays, sight.hit, shape, isDielectric(u32(surface.code)));
+    let normals = normalsAt(sight.rays, sight.hit, shape, letsThrough(u32(surface.code), surface.layers));
     let direction = sight.rays.direction;
     sums.first += vec4f(albedoOf(surface, dot(normals.geometric, direction) > 0.0), 0.0);
     sums.second += vec4f(select(normals.shading, -normals.shading, dot(normals.shading, direction) > 0.0), 1.0);
@@ -967,8 +967,9 @@ fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals 
   return normals;
 }
 
-fn isDielectric(code: u32) -> bool {
-  return hasGlass & (kindOf(code) == dielectric);
+// Whether light may go through the surface.
+fn letsThrough(code: u32, layers: f32) -> bool {
+  return isDielectric(code) | (hasLayers & (layers < 0.0));
 }
 
 // One-sided lamps have a dark back.
@@ -1007,8 +1008,8 @@ struct Surface {
   metallic: f32,
   // dielectric: Beer-Lambert coefficient, 1 / metre
   absorption: vec3f,
-  // unused
-  spare0: f32,
+  // metallicRoughness: the row of the table that holds its Layers, with a minus sign when light may go through; 0: there are none
+  layers: f32,
 }
 
 
@@ -1098,6 +1099,13 @@ fn isBox(i: u32) -> bool {
 fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
 }
+
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
+}
+
+// What glTF's extensions add to metallicRoughness, and the one of them that is long.
+override hasLayers = false;
 
 override hasGlass = false;
 

@@ -164,7 +164,7 @@ struct Surface {
     vec3 k;
     float metallic;
     vec3 absorption;
-    float spare0_;
+    float layers;
 };
 struct Normals {
     vec3 geometric;

@@ -164,7 +164,7 @@ struct Surface {
     vec3 k;
     float metallic;
     vec3 absorption;
-    float spare0_;
+    float layers;
 };
 struct Normals {
     vec3 geometric;
@@ -229,6 +229,8 @@ uniform highp usampler2D geometry;
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 
 const bool hasGlass = false;
+
+const bool hasLayers = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
@@ -1078,6 +1080,12 @@ bool isDielectric(uint code_2) {
     return pick(_e2, (_e3 == dielectric), false);
 }
 
+bool letsThrough(uint code_3, float layers) {
+    bool _e2 = isDielectric(code_3);
+    const bool _e4 = hasLayers;
+    return pick(_e2, true, pick(_e4, (layers < 0.0), false));
+}
+
 vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
     float cosine2_ = (cosine * cosine);
     float sine2_ = (1.0 - cosine2_);
@@ -1145,18 +1153,18 @@ void main() {
     uint shape_1 = _e2.hit.shape;
     if ((shape_1 != noShape)) {
         Surface _e32 = fetchSurface(shape_1);
-        bool _e37 = isDielectric(uint(_e32.code));
-        Normals _e38 = normalsAt(_e2.rays, _e2.hit, shape_1, _e37);
+        bool _e38 = letsThrough(uint(_e32.code), _e32.layers);
+        Normals _e39 = normalsAt(_e2.rays, _e2.hit, shape_1, _e38);
         vec3 direction_9 = _e2.rays.direction;
-        vec4 _e42 = sums.first;
-        vec3 _e47 = albedoOf(_e32, (dot(_e38.geometric, direction_9) > 0.0));
-        sums.first = (_e42 + vec4(_e47, 0.0));
-        vec4 _e52 = sums.second;
-        sums.second = (_e52 + vec4(pick((dot(_e38.shading, direction_9) > 0.0), -(_e38.shading), _e38.shading), 1.0));
+        vec4 _e43 = sums.first;
+        vec3 _e48 = albedoOf(_e32, (dot(_e39.geometric, direction_9) > 0.0));
+        sums.first = (_e43 + vec4(_e48, 0.0));
+        vec4 _e53 = sums.second;
+        sums.second = (_e53 + vec4(pick((dot(_e39.shading, direction_9) > 0.0), -(_e39.shading), _e39.shading), 1.0));
     }
-    Layers _e64 = sums;
-    _fs2p_location0 = _e64.first;
-    _fs2p_location1 = _e64.second;
+    Layers _e65 = sums;
+    _fs2p_location0 = _e65.first;
+    _fs2p_location1 = _e65.second;
     return;
 }
 

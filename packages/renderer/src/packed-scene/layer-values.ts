@@ -1,0 +1,65 @@
+/** Material → the Layers struct: what glTF's extensions add to a metallicRoughness material (shading/bsdf/layers). */
+import type { MaterialLayers } from '../scene/material-layers.ts';
+import type { Material } from '../scene/scene.ts';
+import type { StructValues } from './write-struct.ts';
+
+type Layered = Material & MaterialLayers;
+
+/** Stands for an endless index: what it reflects of light that comes straight, 0.999996, is 1 to the eye. */
+const ENDLESS = 1e6;
+/** The index of glTF's base, of which the kernels' metallicRoughness is made. */
+const PLAIN_INDEX = 1.5;
+
+/** Whether the material is more than its base. */
+export function isLayered(m: Layered): boolean {
+  if (m.type !== 'metallicRoughness' || m.unlit) return false;
+  const lobe = m.specularLobe;
+  return (
+    m.ior !== PLAIN_INDEX ||
+    (lobe !== undefined && (lobe.weight !== 1 || lobe.color.some((x) => x !== 1))) ||
+    isClear(m) ||
+    (m.clearcoat?.weight ?? 0) > 0 ||
+    (m.sheen?.color.some((x) => x > 0) ?? false) ||
+    (m.anisotropy?.strength ?? 0) > 0 ||
+    (m.iridescence?.weight ?? 0) > 0
+  );
+}
+
+/** Whether light goes through by glTF's extensions; metal lets none. */
+export function isClear(m: Layered): boolean {
+  if (m.type !== 'metallicRoughness' || m.unlit || (m.metallic === 1 && !m.metallicRoughnessTexture)) return false;
+  return (m.transmission?.weight ?? 0) > 0 || (m.diffuseTransmission?.weight ?? 0) > 0;
+}
+
+/** Whether the shape bounds a body through which light travels: KHR_materials_volume. */
+export const isSolid = (m: Layered): boolean => isClear(m) && (m.volume?.thickness ?? 0) > 0;
+
+const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+export function layerValues(m: Layered): StructValues<'Layers'> {
+  const clear = isClear(m);
+  const angle = radians(m.anisotropy?.rotation ?? 0);
+  return {
+    specularColor: m.specularLobe?.color ?? [1, 1, 1],
+    specularWeight: m.specularLobe?.weight ?? 1,
+    sheenColor: m.sheen?.color ?? [0, 0, 0],
+    sheenRoughness: m.sheen?.roughness ?? 0,
+    beyondColor: m.diffuseTransmission?.color ?? [1, 1, 1],
+    beyond: clear ? (m.diffuseTransmission?.weight ?? 0) : 0,
+    grain: [Math.cos(angle), Math.sin(angle)],
+    anisotropy: m.anisotropy?.strength ?? 0,
+    transmission: clear ? (m.transmission?.weight ?? 0) : 0,
+    coat: m.clearcoat?.weight ?? 0,
+    coatRoughness: m.clearcoat?.roughness ?? 0,
+    ior: m.ior === 0 ? ENDLESS : m.ior,
+    solid: isSolid(m) ? 1 : 0,
+    film: m.iridescence?.weight ?? 0,
+    filmIor: m.iridescence?.ior ?? 1.3,
+    thinnest: m.iridescence?.thicknessMinimum ?? 100,
+    thickest: m.iridescence?.thicknessMaximum ?? 400,
+    dispersion: m.ior === 0 || !isSolid(m) ? 0 : (m.dispersion ?? 0),
+    spare0: 0,
+    spare1: 0,
+    spare2: 0,
+  };
+}
