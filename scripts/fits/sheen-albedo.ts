@@ -77,7 +77,7 @@ function solve(all: readonly Point[]): Float64Array {
 }
 
 const all = points();
-let best = { worst: Number.POSITIVE_INFINITY, c: new Float64Array() };
+let best: { worst: number; c: Float64Array } = { worst: Number.POSITIVE_INFINITY, c: new Float64Array() };
 for (let round = 0; round < ROUNDS; round++) {
   const c = solve(all);
   const errors = all.map((p) => Math.abs(errorAt(p, c)));

@@ -14,6 +14,8 @@ import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
+import { layerFurnaces, layersFromBothEnds, layersOverSphere } from './layers/sphere.ts';
+import { probeLayerEdges, probeLayers } from './layers/values.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
@@ -36,6 +38,9 @@ export const harness = {
   hardNames,
   hardPicture,
   headlessFilms,
+  layerFurnaces,
+  layersFromBothEnds,
+  layersOverSphere,
   leaks,
   movedPicture,
   orderAndParts,
@@ -47,6 +52,8 @@ export const harness = {
   probeEnvironments,
   probeFarLights,
   probeLamps,
+  probeLayerEdges,
+  probeLayers,
   probeShapes,
   probeWildLamps,
   shadeMean,

@@ -300,7 +300,7 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_5) 
 }
 
 bool reflectsAll(float cosine_6, float ratio_1) {
-    return ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1));
+    return pick((ratio_1 < 1.0), ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1)), false);
 }
 
 vec4 baseReflectance(Surface s, Stack o, float cosine_7) {

@@ -1914,7 +1914,7 @@ fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
 // Narrower highlights are a mirror's: packed-scene/surface-values.ts.
 const leastAlpha = 1e-3;
 
-// The cosine on the side of air at a facet that is met at `cosine`; 0 at total reflection, negative never. `ratio`: the index beyond over
+// The cosine on the side of air at a facet that is met at `cosine`; 0 at total reflection. `ratio`: the index beyond over
 // the one on this side. Schlick's formula wants this cosine (KHR_materials_volume, Refraction).
 fn cosineInAir(cosine: f32, ratio: f32) -> f32 {
   let sine2 = (1.0 - cosine * cosine) / (ratio * ratio);
@@ -1923,8 +1923,9 @@ fn cosineInAir(cosine: f32, ratio: f32) -> f32 {
 
 override hasIridescence = false;
 
+// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
 fn reflectsAll(cosine: f32, ratio: f32) -> bool {
-  return (1.0 - cosine * cosine) >= ratio * ratio;
+  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
 }
 
 // The film's reflectance over a body that would reflect f0 without it. Kept within 0 … 1: the integral over three colours overshoots.
