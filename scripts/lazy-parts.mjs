@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
+import { shaderText } from './shader-text.mjs';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
 const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
@@ -33,10 +34,28 @@ const PARTS = [
     entry: join(source, 'packed-scene/pack-geometry.ts'),
   },
   {
+    name: 'model-shaders',
+    importer: 'shading/program-text.ts',
+    asked: './model-shaders.ts',
+    entry: join(source, 'shading/model-shaders.ts'),
+  },
+  {
     name: 'mesh-files',
     importer: 'scene-file/load-meshes.ts',
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
+  {
+    name: 'images',
+    importer: 'scene-file/load-files.ts',
+    asked: './load-images.ts',
+    entry: join(source, 'scene-file/load-images.ts'),
+  },
+  {
+    name: 'models',
+    importer: 'scene-file/load-files.ts',
+    asked: './load-models.ts',
+    entry: join(source, 'scene-file/load-models.ts'),
   },
   { name: 'gltf', importer: 'gltf/index.ts', asked: './read-gltf.ts', entry: join(source, 'gltf/read-gltf.ts') },
   {
@@ -188,7 +207,7 @@ async function buildPart(part, as, written, without) {
     configFile: false,
     root: dirname(part.entry),
     logLevel: 'error',
-    plugins: [partImports(as, written, without)],
+    plugins: [shaderText(), partImports(as, written, without)],
     build: {
       write: false,
       target: 'es2022',

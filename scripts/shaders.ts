@@ -7,7 +7,14 @@ import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { translate } from 'naga-wasm';
 import { link } from 'wesl';
-import { fetchGeometryWgsl, fetchWgsl, structsWgsl } from '../packages/renderer/src/packed-scene/layout.ts';
+import {
+  fetchGeometryWgsl,
+  fetchTexturesWgsl,
+  fetchWgsl,
+  structsWgsl,
+} from '../packages/renderer/src/packed-scene/layout.ts';
+import { MODEL_FEATURES } from '../packages/renderer/src/shading/features.ts';
+import { withoutFeatures } from './without-features.ts';
 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const source = join(repository, 'packages/renderer/src');
@@ -21,6 +28,8 @@ interface Program {
   readonly entries: readonly { readonly entry: string; readonly stage: 'vertex' | 'fragment' }[];
   /** Default: RENDERER_OUTPUT. */
   readonly output?: string;
+  /** There is a second text of it, `…_models.wgsl` and `…Models.glsl`, with everything; the first has what shapes need. */
+  readonly models?: boolean;
 }
 /** Linked programs: the module that holds the entry points, and which of them WebGL2 needs. */
 const PROGRAMS: readonly Program[] = [
@@ -30,7 +39,12 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/classic/preview',
     entries: [{ entry: 'preview', stage: 'fragment' }],
   },
-  { name: 'path', root: 'integrator/path/path_entries', entries: [{ entry: 'path', stage: 'fragment' }] },
+  {
+    name: 'path',
+    root: 'integrator/path/path_entries',
+    entries: [{ entry: 'path', stage: 'fragment' }],
+    models: true,
+  },
   {
     name: 'aov',
     root: 'integrator/aov/aov',
@@ -38,6 +52,7 @@ const PROGRAMS: readonly Program[] = [
       { entry: 'aovFeatures', stage: 'fragment' },
       { entry: 'aovData', stage: 'fragment' },
     ],
+    models: true,
   },
   { name: 'full_screen', root: 'shading/full_screen', entries: [{ entry: 'fullScreen', stage: 'vertex' }] },
   {
@@ -76,6 +91,12 @@ const PROGRAMS: readonly Program[] = [
     output: TESTS_OUTPUT,
   },
   {
+    name: 'texture_probe',
+    root: 'tests/texture-probe',
+    entries: [{ entry: 'textureProbe', stage: 'fragment' }],
+    output: TESTS_OUTPUT,
+  },
+  {
     name: 'sampler_probe',
     root: 'tests/sampler-probe',
     entries: [{ entry: 'samplerProbe', stage: 'fragment' }],
@@ -100,6 +121,7 @@ function weslModules(): Record<string, string> {
     './shading/layout.wesl': structsWgsl(),
     './shading/scene_table.wesl': fetchWgsl(),
     './shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+    './shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
   return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...written };
 }
@@ -183,29 +205,39 @@ function readableGlsl(glsl: string, wgsl: string): string {
   return text;
 }
 
+function glslOf(source: string, wgsl: string, entryPoint: string, stage: 'vertex' | 'fragment'): string {
+  const glsl = translate({
+    from: 'wgsl',
+    to: 'glsl',
+    source: asVariables(source),
+    options: { version: '300 es', stage, entryPoint, flags: { adjustCoordinateSpace: false } },
+  });
+  return readableGlsl(withoutShortCircuits(withSwitches(glsl, wgsl)), wgsl);
+}
+
 async function generate(): Promise<Record<string, string>> {
   const weslSrc = weslModules();
   const files: Record<string, string> = {
     'packages/renderer/src/shading/layout.wesl': structsWgsl(),
     'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
     'packages/renderer/src/shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+    'packages/renderer/src/shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
-  for (const { name, root, entries, output = RENDERER_OUTPUT } of PROGRAMS) {
+  for (const { name, root, entries, output = RENDERER_OUTPUT, models } of PROGRAMS) {
     const linkedFor = async (compute: boolean) =>
       (await link({ weslSrc, conditions: { compute }, rootModuleName: `./${root}.wesl` })).dest.trim();
-    const wgsl = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n${await linkedFor(true)}\n`;
-    files[`${output}/${name}.wgsl`] = wgsl;
-    // naga does not write GLSL ES 3.00 of a module in which there is a compute pass.
-    const drawn = await linkedFor(false);
-    for (const { entry, stage } of entries) {
-      const glsl = translate({
-        from: 'wgsl',
-        to: 'glsl',
-        source: asVariables(drawn),
-        options: { version: '300 es', stage, entryPoint: entry, flags: { adjustCoordinateSpace: false } },
-      });
-      files[`${output}/${entry}.glsl`] = readableGlsl(withoutShortCircuits(withSwitches(glsl, wgsl)), wgsl);
-    }
+    const [computed, drawn] = [await linkedFor(true), await linkedFor(false)];
+    const write = (suffix: string, capital: string, off: readonly string[]) => {
+      const head = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n`;
+      const wgsl = `${head}${withoutFeatures(computed, off)}\n`;
+      files[`${output}/${name}${suffix}.wgsl`] = wgsl;
+      // naga does not write GLSL ES 3.00 of a module in which there is a compute pass.
+      const source = withoutFeatures(drawn, off);
+      for (const { entry, stage } of entries)
+        files[`${output}/${entry}${capital}.glsl`] = glslOf(source, wgsl, entry, stage);
+    };
+    write('', '', models ? MODEL_FEATURES : []);
+    if (models) write('_models', 'Models', []);
   }
   return files;
 }

@@ -8,13 +8,6 @@ import { cpus } from 'node:os';
 import { parseArgs } from 'node:util';
 import { buildBvh } from '../../packages/renderer/src/bvh/build-bvh.ts';
 import { sahCost, type TriangleMesh } from '../../packages/renderer/src/bvh/bvh.ts';
-import { cheapestCollapse } from '../../packages/renderer/src/bvh/encode/cheapest-collapse.ts';
-import { encodeFramed2 } from '../../packages/renderer/src/bvh/encode/framed2.ts';
-import { encodeQuantised2 } from '../../packages/renderer/src/bvh/encode/quantised2.ts';
-import type { EncodedNodes } from '../../packages/renderer/src/bvh/encode/reference.ts';
-import { encodeWide2 } from '../../packages/renderer/src/bvh/encode/wide2.ts';
-import { encodeWide4 } from '../../packages/renderer/src/bvh/encode/wide4.ts';
-import { encodeWide8 } from '../../packages/renderer/src/bvh/encode/wide8.ts';
 import { buildFastBvh } from '../../packages/renderer/src/bvh/fast-tree.ts';
 import { InstanceTree } from '../../packages/renderer/src/bvh/instance-tree.ts';
 import { planRefit, refit } from '../../packages/renderer/src/bvh/refit.ts';
@@ -91,25 +84,6 @@ function others(name: string, mesh: TriangleMesh): string[] {
   return [name, speed(count, fast), cost.toFixed(2), speed(count, fitted)];
 }
 
-/** The words for a GPU of one mesh: how many, and how long they take. */
-function encodings(name: string, mesh: TriangleMesh): string[][] {
-  const bvh = buildBvh(mesh, { maxLeafSize: 3 });
-  const all: Readonly<Record<string, () => EncodedNodes>> = {
-    wide2: () => encodeWide2(bvh),
-    quantised2: () => encodeQuantised2(bvh),
-    framed2: () => encodeFramed2(bvh),
-    wide4: () => encodeWide4(bvh),
-    'wide4, cheapest': () => encodeWide4(bvh, cheapestCollapse(bvh, 4, 3)),
-    wide8: () => encodeWide8(bvh),
-  };
-  const times = race(Object.values(all).map((run) => ({ run })));
-  return Object.entries(all).map(([encoding, encode], k) => {
-    const { words, nodeCount, stackSize, depth } = encode();
-    const bytes = (words.length * 4) / bvh.primitiveCount;
-    return [name, encoding, String(nodeCount), bytes.toFixed(1), `${stackSize}, ${depth}`, times[k]!.toFixed(0)];
-  });
-}
-
 /** Boxes of many sizes in a world that moves a little each frame. Milliseconds of the best and the median frame. */
 function instances(count: number): string[] {
   const random = seededRandom(5);
@@ -152,10 +126,6 @@ const report = [
     rows,
   ),
   markdownTable(['mesh', 'fast tree, Mtri/s', 'its cost / ours', 'refit, Mtri/s'], rest),
-  markdownTable(
-    ['mesh', 'encoding', 'nodes', 'bytes a triangle', 'stack, depth', 'ms'],
-    encodings('landscape, 262 k', meshes['landscape, 262 k']!()),
-  ),
   markdownTable(['instances', 'shortest, ms', 'median, ms'], [100, 1000, 10_000].map(instances)),
 ].join('\n\n');
 console.log(report);

@@ -4,9 +4,10 @@ import {
   brokenAnimation,
   brokenObjects,
   brokenParts,
+  brokenRich,
   brokenShapes,
 } from '../../../packages/renderer/src/scene-file/broken/broken-scenes.ts';
-import { goodScene } from '../../../packages/renderer/src/scene-file/broken/good-scene.ts';
+import { goodScene, richScene } from '../../../packages/renderer/src/scene-file/broken/good-scene.ts';
 import { problemInChinese } from './problem-zh-CN.ts';
 
 function problemsOf(input: unknown): readonly Problem[] {
@@ -25,17 +26,20 @@ const englishWords = (sentence: string): string[] =>
       !['true', 'false', 'null', 'JSON', 'Pointer', 'NaN', 'Infinity', 'Symbol', 'BigInt', 'one'].includes(word),
   );
 
-describe.each(Object.entries({ brokenParts, brokenShapes, brokenAnimation, brokenObjects }))('%s', (_, table) => {
-  test.each(table)('%s: all said in Chinese', (_defect, breakIt) => {
-    const scene = goodScene();
-    breakIt(scene);
-    for (const problem of problemsOf(scene)) {
-      const sentence = problemInChinese(problem);
-      expect(englishWords(sentence), sentence).toEqual([]);
-      expect(sentence).toContain('应为');
-    }
-  });
-});
+describe.each(Object.entries({ brokenParts, brokenShapes, brokenAnimation, brokenObjects, brokenRich }))(
+  '%s',
+  (name, table) => {
+    test.each(table)('%s: all said in Chinese', (_defect, breakIt) => {
+      const scene = name === 'brokenRich' ? richScene() : goodScene();
+      breakIt(scene);
+      for (const problem of problemsOf(scene)) {
+        const sentence = problemInChinese(problem);
+        expect(englishWords(sentence), sentence).toEqual([]);
+        expect(sentence).toContain('应为');
+      }
+    });
+  },
+);
 
 test.each(['', '{"version": 1,}', '{"a": 1 "b": 2}', '{ version: 1 }', '["\\x"]', '[', '{} {}', '{"a": "b', '[[1]'])(
   'text that is not JSON: %j',
@@ -73,7 +77,7 @@ test('files that cannot be used: what is wrong inside of them stays in English',
     throw new Error('there is no such file');
   });
   expect(loaded.ok ? [] : loaded.problems.map(problemInChinese)).toEqual([
-    '在 /meshes/gone/file 处：找到无法使用的文件 "gone.ply"（there is no such file），应为三角形网格的文件名（.ply、.obj 或 .stl），从场景所在的文件夹算起，文件夹之间用 "/"。',
+    '在 /meshes/gone/file 处：找到无法使用的文件 "gone.ply"（there is no such file），应为三角形网格的文件名（.ply、.obj 或 .stl），从场景所在的文件夹算起，文件夹之间用 "/"（.glb 和 .gltf 请写在 "models" 里）。',
     '在 /meshes/lid/part 处：找到名称 "lid"，应为不写 "part"，因为该文件没有分部。',
     '在 /meshes/pot/part 处：找到名称 "x"，应为不写 "part"，因为该文件没有分部。',
   ]);

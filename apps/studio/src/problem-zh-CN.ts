@@ -10,6 +10,18 @@ type Form = readonly [pattern: RegExp, say: (...parts: string[]) => string];
 /** `"a", "b" or "c"`: names in quotes, which stay as they are. */
 const listed = (names: string): string => names.replace(/ (?:or|and) (?=")|, (?=")/g, '、');
 
+/** What things of a scene are called. */
+const KINDS: Readonly<Record<string, string>> = {
+  material: '材质',
+  mesh: '网格',
+  node: '节点',
+  skin: '蒙皮',
+  image: '图片',
+  texture: '纹理',
+  shape: '形体',
+  clip: '动画片段',
+};
+
 const allowedForms: readonly Form[] = [
   [/^(?:.*: )?a number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的数`],
   [/^(?:.*: )?a whole number from (\S+) to (\S+)$/, (low, high) => `${low} 到 ${high} 之间的整数`],
@@ -51,10 +63,38 @@ const allowedForms: readonly Form[] = [
       `全景图片的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"`,
   ],
   [
-    /^the name of a file with triangles, (.*) or (\S+), from the folder of the scene on/,
-    (endings, last) =>
-      `三角形网格的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"`,
+    /^the name of a file with (triangles|an image|a model), (.*) or (\S+), from the folder of the scene on.*?(\(.glb.*)?$/,
+    (what, endings, last, models) =>
+      `${{ triangles: '三角形网格', 'an image': '图片', 'a model': '模型' }[what]}的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），从场景所在的文件夹算起，文件夹之间用 "/"${models === '' ? '' : '（.glb 和 .gltf 请写在 "models" 里）'}`,
   ],
+  [/: the name of its file, or an object with (.*)$/, (name) => `文件名，或含有 ${name} 的对象`],
+  [
+    /^a texture: its name, the name of an image or of its file, or an object with (.*)$/,
+    (name) => `纹理的名称、图片的名称或图片的文件名，或含有 ${name} 的对象`,
+  ],
+  [/: 0 or 1$/, () => '0 或 1'],
+  [/^the index of refraction: a number from 1 to 4, or 0/, () => '1 到 4 之间的数，或 0（无穷大）'],
+  [/^the turn: three angles/, () => '绕 X、Y、Z 轴依次旋转的三个角度，或四元数的四个数'],
+  [
+    /: a list of numbers, each from (\S+) to (\S+), or of lists of them$/,
+    (low, high) => `由 ${low} 到 ${high} 之间的数组成的列表，可以分组`,
+  ],
+  [/^a place: 12 numbers/, () => '矩阵三行的 12 个数，或含有 "translation"、"rotation" 或 "scale" 的对象'],
+  [/: a list of 1 to (\S+)$/, (most) => `1 到 ${most} 项组成的列表`],
+  [/: a list of at most (\S+)$/, (most) => `最多 ${most} 项组成的列表`],
+  [/: a list of at least (\S+)$/, (least) => `至少 ${least} 项组成的列表`],
+  [/^nothing, as "matrix" says where the node is$/, () => '不写，因为 "matrix" 已经给出了节点的位置'],
+  [/^(\d+) numbers, 12 for each of its joints$/, (count) => `${count} 个数，每个关节 12 个`],
+  [
+    /^(at least one key and )?(\d+) numbers for each of (\d+) times(, three times over)?$/,
+    (key, width, times, cubic) =>
+      `${key === '' ? '' : '至少一个关键帧，且'}${times} 个时刻各 ${width} 个数${cubic === '' ? '' : '的三倍'}`,
+  ],
+  [/^times that do not fall$/, () => '不递减的时间'],
+  [/^a node that it does not carry$/, () => '不由它承载的节点'],
+  [/^a node that moves, turns or evenly scales it$/, () => '只移动、旋转或均匀缩放它的节点'],
+  [/^a variant: an object with materials by the names of shapes$/, () => '以形体名称为键、材质名称为值的对象'],
+  [/^a pointer to numbers under (.*)$/, (names) => `JSON Pointer，指向 ${listed(names)} 之下的数`],
   [/^no "part", as the file has none$/, () => '不写 "part"，因为该文件没有分部'],
   [/^fewer of them$/, () => '更少的数量'],
   [/^the last row 0 0 0 1$/, () => '最后一行 0 0 0 1'],
@@ -71,8 +111,10 @@ const allowedForms: readonly Form[] = [
   [/^a direction across the line from "eye" to "target"$/, () => '与视线（从 "eye" 到 "target"）不平行的方向'],
   [/^at least one shape or a visible light$/, () => '至少一个形体或一个可见的光源'],
   [/^at most (\d+) of this type$/, (most) => `这种形体最多 ${most} 个`],
-  [/^a material; this scene has none yet$/, () => '一种材质，而此场景还没有定义材质'],
-  [/^a mesh; this scene has none yet$/, () => '一个网格，而此场景还没有定义网格'],
+  [
+    /^an? (\w+); this scene has none yet$/,
+    (kind) => `${KINDS[kind] ?? kind}的名称，而此场景还没有定义任何${KINDS[kind] ?? kind}`,
+  ],
   [/^one of (.*) and (\d+) more$/, (names, more) => `${listed(names)} 或另外 ${more} 个名称之一`],
   [/^one of (.*)$/, (names) => `${listed(names)} 之一`],
   [/^a material of another type than "dielectric"$/, () => '"dielectric" 以外的材质'],
@@ -106,6 +148,7 @@ const allowedForms: readonly Form[] = [
 ];
 
 const foundForms: readonly Form[] = [
+  [/^(\d+) numbers$/, (count) => `${count} 个数`],
   [/^the text (".*")$/, (text) => `文本 ${text}`],
   [/^an object \((.*)\)$/, (kind) => `对象（${kind}）`],
   [/^an object$/, () => '一个对象'],

@@ -1,40 +1,68 @@
-/** The geometry of one scene on a device: meshes are uploaded when others are to be seen, instances whenever they move. */
+/** The geometry of one scene on a device: all of it is uploaded when other meshes are to be seen, else what has changed. */
 import type { DataBuffer, Device } from './gpu/device.ts';
 import { GEOMETRY_ROW } from './packed-scene/layout.ts';
 import type { PackedGeometry } from './packed-scene/pack-geometry.ts';
-import type { PackedMesh } from './packed-scene/pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-scene/packed-mesh.ts';
+
+/** A mesh that the buffer holds, as it was when it was uploaded. */
+interface HeldMesh {
+  readonly mesh: PackedMesh;
+  revision: number;
+}
 
 export class GeometryBuffer {
   readonly #device: Device;
   #buffer: DataBuffer | null = null;
-  #meshes: readonly PackedMesh[] = [];
+  #meshes: readonly HeldMesh[] = [];
   #movingRows = -1;
+  /** What the rows that move were made of. */
+  #moving: { readonly geometry: PackedGeometry; readonly revision: number } | null = null;
 
   constructor(device: Device) {
     this.#device = device;
   }
 
   /** Throws a `DeviceError`, and keeps what it holds, when the device has no room. */
-  hold({ moving, movingRows, meshes, rows }: PackedGeometry): void {
+  hold(geometry: PackedGeometry): void {
+    const { movingRows, meshes, rows } = geometry;
     const same = movingRows === this.#movingRows && meshes.length === this.#meshes.length;
-    if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i])) {
-      const buffer = this.#device.createData(rows);
-      this.#buffer?.destroy();
-      this.#buffer = buffer;
-      this.#upload(buffer, movingRows, meshes);
+    if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i]!.mesh)) {
+      if (this.#buffer?.rows !== rows) {
+        const buffer = this.#device.createData(rows, 'meshes');
+        this.#buffer?.destroy();
+        this.#buffer = buffer;
+      }
+      this.#meshes = meshes.map((mesh) => ({ mesh, revision: -1 }));
+      this.#movingRows = movingRows;
+      this.#moving = null;
     }
-    this.#buffer!.write(0, moving.u32);
+    this.#writeMeshes();
+    this.#writeMoving(geometry);
   }
 
-  #upload(buffer: DataBuffer, movingRows: number, meshes: readonly PackedMesh[]): void {
-    let row = movingRows;
-    for (const { nodes, triangles } of meshes)
-      for (const words of [nodes, triangles]) {
-        buffer.write(row, words);
+  #writeMeshes(): void {
+    let row = this.#movingRows;
+    for (const held of this.#meshes) {
+      const { revision } = held.mesh;
+      for (const words of wordsOf(held.mesh)) {
+        if (held.revision !== revision) this.#buffer!.write(row, words);
         row += words.length / GEOMETRY_ROW;
       }
-    this.#movingRows = movingRows;
-    this.#meshes = meshes;
+      held.revision = revision;
+    }
+  }
+
+  #writeMoving(geometry: PackedGeometry): void {
+    const { moving, revision, treeRows, instances, instanceCount, movingRows, changedInstances } = geometry;
+    const held = this.#moving?.geometry === geometry ? this.#moving.revision : -1;
+    if (held === revision) return;
+    const write = (begin: number, end: number) => {
+      if (end > begin) this.#buffer!.write(begin, moving.u32.subarray(begin * GEOMETRY_ROW, end * GEOMETRY_ROW));
+    };
+    write(0, treeRows);
+    if (held === revision - 1) write(...changedInstances);
+    else if (instanceCount > 0) write(instances, movingRows);
+    this.#moving = { geometry, revision };
   }
 
   /** Throws when it holds nothing yet. */

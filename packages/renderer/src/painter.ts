@@ -79,7 +79,8 @@ export class Painter {
     if (canvas.width === 0 || canvas.height === 0) return;
     this.#keepPicture();
     // The preview knows no meshes; until there is a program that does the canvas keeps what it shows.
-    if (!this.#complete && hasMeshes(this.#easel.view.sceneNow())) return this.stages.ready(this.#easel.view.subject);
+    if (!this.#complete && hasMeshes(this.#easel.view.subject.scene))
+      return this.stages.ready(this.#easel.view.subject);
     this.#turn();
     const size = this.#reserve(reduced);
     if (this.#outdated(size)) this.#begin(size);
@@ -135,7 +136,7 @@ export class Painter {
   #shot(): Shot {
     const { view } = this.#easel;
     const { settings, camera } = view;
-    return { scene: view.sceneNow(), camera, settings, raysPerPixel: view.raysPerPixel() };
+    return { ...view.momentNow(), camera, settings, raysPerPixel: view.raysPerPixel() };
   }
 
   /** From the picture to another view its film is laid aside, and gone on with later if the world is still the same. */

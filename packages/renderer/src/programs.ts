@@ -6,6 +6,7 @@ import { createClassicPass } from './integrator/classic/classic.ts';
 import { PATH_LAYERS } from './integrator/path/path.ts';
 import { pathFeatures } from './integrator/path/path-features.ts';
 import { PathPrograms, type ProgramPlan } from './integrator/path/path-programs.ts';
+import { hasMeshes } from './packed-scene/refuse-meshes.ts';
 import type { RendererSettings } from './renderer-types.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
 
@@ -38,8 +39,9 @@ export function layersOf(content: Content): number {
 export class Programs {
   readonly #device: Device;
   readonly #paths: PathPrograms;
-  readonly #passes = new Map<Content, Pass>();
-  readonly #compiling = new Map<Content, Promise<void>>();
+  /** Of all but paths, by `keyOf`. */
+  readonly #passes = new Map<string, Pass>();
+  readonly #compiling = new Map<string, Promise<void>>();
 
   /** `plan`: which path programs are made. */
   constructor(device: Device, plan: ProgramPlan) {
@@ -49,22 +51,31 @@ export class Programs {
 
   /** The program for this subject; undefined when it is not compiled yet. */
   get(subject: Subject): Pass | undefined {
-    const content = contentOfSubject(subject);
-    return content === 'path' ? this.#paths.get(pathFeatures(subject)) : this.#passes.get(content);
+    if (contentOfSubject(subject) === 'path') return this.#paths.get(pathFeatures(subject));
+    return this.#passes.get(keyOf(subject));
   }
 
   /** Resolves when `get` has the subject's program. */
   ready(subject: Subject): Promise<void> {
     const content = contentOfSubject(subject);
     if (content === 'path') return this.#paths.ready(pathFeatures(subject));
-    let compiling = this.#compiling.get(content);
+    const key = keyOf(subject);
+    let compiling = this.#compiling.get(key);
     if (!compiling) {
-      const create = isAov(content) ? createAovPass(this.#device, content) : createClassicPass(this.#device);
+      const create = isAov(content)
+        ? createAovPass(this.#device, content, hasMeshes(subject.scene))
+        : createClassicPass(this.#device);
       compiling = create.then((pass) => {
-        this.#passes.set(content, pass);
+        this.#passes.set(key, pass);
       });
-      this.#compiling.set(content, compiling);
+      this.#compiling.set(key, compiling);
     }
     return compiling;
   }
 }
+
+/** What tells apart the programs for AOVs and the classic integrator, which draws no models. */
+const keyOf = (subject: Subject): string => {
+  const content = contentOfSubject(subject);
+  return isAov(content) && hasMeshes(subject.scene) ? `${content} of models` : content;
+};

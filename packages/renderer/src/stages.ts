@@ -23,10 +23,12 @@ import { hasMeshes } from './packed-scene/refuse-meshes.ts';
 import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
+import type { Moment } from './scene/motion.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
+import { TexelBuffer } from './texel-buffer.ts';
 
 /** One state of the world, as the film is to hold it. */
-export interface Shot extends Subject {
+export interface Shot extends Subject, Moment {
   /** At most. */
   readonly raysPerPixel: number;
   /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
@@ -58,6 +60,7 @@ export class Stages {
   #packed: PackedScene | undefined;
   readonly #environment: EnvironmentTexture;
   readonly #geometry: GeometryBuffer;
+  readonly #texels: TexelBuffer;
   #shot: Shot | null = null;
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
@@ -90,6 +93,7 @@ export class Stages {
     this.#frame = device.createUniforms(structSize('Frame'));
     this.#environment = new EnvironmentTexture(device);
     this.#geometry = new GeometryBuffer(device);
+    this.#texels = new TexelBuffer(device);
   }
 
   get film(): Film {
@@ -179,17 +183,22 @@ export class Stages {
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
     this.#content = program ? contentOfSubject(shot) : null;
-    const pack = this.#content === 'path' || isAov(this.#content) ? packPathScene : packScene;
+    const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
-    const reach = viewReach(shot.camera, width / height, shot.settings.framing);
-    const packed = pack(scene, shot.camera.eye, { reuse: this.#packed, reach });
+    const options = { reuse: this.#packed, reach: viewReach(camera, width / height, shot.settings.framing) };
+    const packed =
+      this.#content === 'path' || isAov(this.#content)
+        ? packPathScene({ ...shot, scene }, camera.eye, options)
+        : packScene(scene, camera.eye, options);
+    const before = this.#packed;
     this.#packed = packed;
     if (packed.environment) this.#environment.hold(packed.environment);
     if (packed.geometry) this.#geometry.hold(packed.geometry);
+    if (packed.textures) this.#texels.hold(packed.textures);
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
-    }
+    } else if (packed.source === before?.source) return;
     this.#table.write(packed.table.f32, packed.rows);
   }
 
@@ -249,7 +258,12 @@ export class Stages {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
     if (this.#content === 'path' || isAov(this.#content)) {
-      const all = { ...inputs, environment: this.#environment.texture, geometry: this.#geometry.buffer };
+      const all = {
+        ...inputs,
+        environment: this.#environment.texture,
+        geometry: this.#geometry.buffer,
+        texels: this.#texels.buffer,
+      };
       if (this.#content === 'path') drawPath(device, pass, film.next, all, region);
       else drawAov(device, pass, film.next, all, region);
     } else drawClassic(device, pass, film.next, inputs, region);

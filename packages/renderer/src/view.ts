@@ -7,9 +7,10 @@ import { VIEW_NAMES } from './display/views.ts';
 import { PIXEL_FILTERS } from './packed-scene/pack-filter.ts';
 import type { Subject } from './programs.ts';
 import type { Panel, RendererSettings } from './renderer-types.ts';
-import { type CompiledAnimation, compileAnimation } from './scene/animation.ts';
 import { PROJECTIONS, wholeCamera } from './scene/camera.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
+import { type Moment, Motion } from './scene/motion.ts';
+import { playingClip } from './scene/node-transforms.ts';
 import { posedSceneAt } from './scene/posed.ts';
 import type { Camera, Scene } from './scene/scene.ts';
 import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
@@ -122,6 +123,9 @@ export function raysPerPixel(scene: Scene | null, settings: WorkSettings): numbe
   return (1 + maxReflections) * (1 + Object.keys(scene?.lights ?? {}).length * lightSamples);
 }
 
+/** Whether it is not the same at every time. */
+const hasMotion = (scene: Scene): boolean => scene.animation.length > 0 || (playingClip(scene)?.tracks.length ?? 0) > 0;
+
 export class View {
   /** Grows whenever the film's content would change. */
   revision = 0;
@@ -134,9 +138,10 @@ export class View {
   playing = true;
   #settings: RendererSettings;
   #scene: Scene | null = null;
-  #at: (time: number) => Scene = () => {
-    throw new Error('Set a scene first.');
-  };
+  #motion: Motion | null = null;
+  /** Where `#motion` is. */
+  #moment: Moment | null = null;
+  #posed: { readonly time: number; readonly scene: Scene } | null = null;
   #time = 0;
   #speed = 1;
   #camera: Camera | null = null;
@@ -156,7 +161,9 @@ export class View {
   /** Throws a TypeError, and changes nothing, when it is no scene. */
   setScene(given: Scene): void {
     const scene = requireScene(given);
-    this.#at = scene.nodes === undefined ? compileAnimation(scene) : remembering((time) => posedSceneAt(scene, time));
+    this.#motion = new Motion(scene);
+    this.#moment = null;
+    this.#posed = null;
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
@@ -164,15 +171,25 @@ export class View {
     this.#changedByHand();
   }
 
-  /** The scene as it is at the present time. */
-  sceneNow(): Scene {
-    return this.#at(this.#time);
+  /** What frames are made of at the present time. Good until time passes. */
+  momentNow(): Moment {
+    if (!this.#motion) throw new Error('Set a scene first.');
+    this.#moment ??= this.#motion.at(this.#time);
+    return this.#moment;
   }
 
-  /** What is to be drawn now. Its scene is worked out when somebody reads it. */
+  /** The scene as it is at the present time, as data that stays. */
+  sceneNow(): Scene {
+    if (!this.#scene) throw new Error('Set a scene first.');
+    if (this.#posed?.time !== this.#time)
+      this.#posed = { time: this.#time, scene: posedSceneAt(this.#scene, this.#time) };
+    return this.#posed.scene;
+  }
+
+  /** What is to be drawn now; see `Moment.scene`. It is worked out when somebody reads it. */
   get subject(): Subject {
     const { camera, settings } = this;
-    const scene = () => this.sceneNow();
+    const scene = () => this.momentNow().scene;
     return {
       camera,
       settings,
@@ -201,6 +218,7 @@ export class View {
     if (!Number.isFinite(seconds)) throw new RangeError(`Time must be a finite number of seconds, not ${seconds}.`);
     if (seconds === this.#time) return;
     this.#time = seconds;
+    this.#moment = null;
     this.#changedByHand();
   }
 
@@ -214,7 +232,7 @@ export class View {
 
   /** Whether time passing changes the picture. */
   get moves(): boolean {
-    return this.playing && this.#speed !== 0 && (this.#scene?.animation.length ?? 0) > 0;
+    return this.playing && this.#speed !== 0 && this.#scene !== null && hasMotion(this.#scene);
   }
 
   /** Lets this many seconds of the world's time pass. */
@@ -225,11 +243,12 @@ export class View {
   #passTime(step: number): void {
     const { moves } = this;
     this.#time += step;
+    this.#moment = null;
     if (moves && step !== 0) this.#filmChanged();
   }
 
   get camera(): Camera {
-    return this.#camera ?? this.sceneNow().camera;
+    return this.#camera ?? this.momentNow().scene.camera;
   }
   set camera(camera: Camera | null) {
     if (camera !== null) checkCamera(camera);
@@ -260,13 +279,4 @@ export class View {
   previewRaysPerPixel(): number {
     return 1 + Object.keys(this.#scene?.lights ?? {}).length;
   }
-}
-
-/** The last answer is kept: a frame asks for its scene more than once. */
-function remembering(at: CompiledAnimation): CompiledAnimation {
-  let [last, scene] = [Number.NaN, null as Scene | null];
-  return (time) => {
-    if (scene === null || time !== last) [last, scene] = [time, at(time)];
-    return scene;
-  };
 }

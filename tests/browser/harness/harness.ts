@@ -22,6 +22,9 @@ import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
+import { lightCases, tiltedLight } from './textures/light.ts';
+import { probeLookups } from './textures/lookups.ts';
+import { texturedSights } from './textures/sights.ts';
 
 /**
  * What specs call inside the browser: `page.evaluate((size) => window.harness.something(size), 64)`.
@@ -54,9 +57,13 @@ export const harness = {
   probeLamps,
   probeLayerEdges,
   probeLayers,
+  probeLookups,
   probeShapes,
   probeWildLamps,
+  lightCases,
   shadeMean,
+  texturedSights,
+  tiltedLight,
   treesFromWorker,
   compileAll,
   chiSquareSamples,

@@ -1,11 +1,11 @@
 /**
- * A job goes to a browser as JSON, and its large contents (the sky's map, the triangles of meshes) apart from it, once each, their lists of
+ * A job goes to a browser as JSON, and its large contents (the sky's map, the triangles of meshes, images) apart from it, once each, their lists of
  * numbers in pieces: as one message they take a browser's memory many times over. There a content stays the same object from job to job,
  * as long as it is wanted, so that what was made of it need not be made again.
  */
 
-export type NumberArray = Float32Array | Uint32Array | Uint16Array;
-const KINDS = { Float32Array, Uint32Array, Uint16Array };
+export type NumberArray = Float32Array | Uint32Array | Uint16Array | Uint8Array;
+const KINDS = { Float32Array, Uint32Array, Uint16Array, Uint8Array };
 export type ArrayKind = keyof typeof KINDS;
 
 const isArray = (value: unknown): value is NumberArray => Object.values(KINDS).some((kind) => value instanceof kind);

@@ -5,11 +5,11 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, test } from 'vitest';
-import { boundsAt } from '../scene/bounds.ts';
 import { deform, isDeformable, jointMatrices, makeDeformed } from '../scene/deform.ts';
 import { nodeTransforms } from '../scene/node-transforms.ts';
 import { meshShapes } from '../scene/placed.ts';
 import type { Scene } from '../scene/scene.ts';
+import { boundsAt } from '../scene/scene-bounds.ts';
 import { importGltf } from './index.ts';
 
 const folder = process.env.MODELS;

@@ -12,7 +12,7 @@ export interface PointerTarget {
 const TURN = 180 / Math.PI;
 const one = (to: string, factor?: number): readonly PointerTarget[] => [{ to, ...(factor && { factor }) }];
 
-const MATERIAL: Readonly<Record<string, readonly PointerTarget[]>> = {
+export const MATERIAL_FIELDS: Readonly<Record<string, readonly PointerTarget[]>> = {
   'pbrMetallicRoughness/baseColorFactor': [
     { to: 'baseColor', from: [0, 3] },
     { to: 'opacity', from: [3, 1] },
@@ -59,8 +59,8 @@ function extension(name: string, fields: Readonly<Record<string, string>>): Reco
   return Object.fromEntries(Object.entries(fields).map(([field, to]) => [`extensions/${name}/${field}`, one(to)]));
 }
 
-/** Where textures stand in a file and in a material of ours. */
-const TEXTURES: Readonly<Record<string, string>> = {
+/** Where textures stand in a file and in a material of ours. Both tables serve the way out too (scene-export/glb/). */
+export const TEXTURE_FIELDS: Readonly<Record<string, string>> = {
   'pbrMetallicRoughness/baseColorTexture': 'baseColorTexture',
   'pbrMetallicRoughness/metallicRoughnessTexture': 'metallicRoughnessTexture',
   normalTexture: 'normalTexture',
@@ -84,9 +84,9 @@ const TEXTURES: Readonly<Record<string, string>> = {
 
 /** Of a pointer into a material, behind "/materials/0/". */
 export function materialTargets(rest: string): readonly PointerTarget[] | null {
-  if (Object.hasOwn(MATERIAL, rest)) return MATERIAL[rest]!;
+  if (Object.hasOwn(MATERIAL_FIELDS, rest)) return MATERIAL_FIELDS[rest]!;
   const transform = /^(.+)\/extensions\/KHR_texture_transform\/(offset|rotation|scale)$/.exec(rest);
-  const use = transform && Object.hasOwn(TEXTURES, transform[1]!) ? TEXTURES[transform[1]!]! : null;
+  const use = transform && Object.hasOwn(TEXTURE_FIELDS, transform[1]!) ? TEXTURE_FIELDS[transform[1]!]! : null;
   return use === null ? null : one(`${use}/${transform![2]}`, transform![2] === 'rotation' ? TURN : undefined);
 }
 

@@ -125,8 +125,8 @@ export interface Device {
   attach(): void;
   createUniforms(byteLength: number): UniformBuffer;
   createTable(width: number, height: number): TableTexture;
-  /** Throws a `DeviceError` when there is no room for so many rows. */
-  createData(rows: number): DataBuffer;
+  /** Throws a `DeviceError` when there is no room for so many rows; `what` they hold, in the plural, is for its message. */
+  createData(rows: number, what: string): DataBuffer;
   createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
@@ -155,10 +155,10 @@ export function checkFilmSize(device: Device, width: number, height: number): vo
 }
 
 /** `available` and `needed` bytes. */
-export function noRoom(limit: string, available: number, needed: number): DeviceError {
+export function noRoom(what: string, limit: string, available: number, needed: number): DeviceError {
   const mebibytes = (bytes: number) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
   return new DeviceError(
-    `The meshes of this scene need ${mebibytes(needed)}; this device has room for ${mebibytes(available)} (${limit}).`,
+    `The ${what} of this scene need ${mebibytes(needed)}; this device has room for ${mebibytes(available)} (${limit}).`,
     { limit, available, needed },
   );
 }

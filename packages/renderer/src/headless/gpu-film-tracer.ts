@@ -3,6 +3,7 @@ import { FrameController } from '../frame-controller.ts';
 import { type Device, DeviceError } from '../gpu/device.ts';
 import { MOST_GROUPS, SAMPLES_OF_GROUP } from '../integrator/path/path.ts';
 import type { ProgramPlan } from '../integrator/path/path-programs.ts';
+import { stillMoment } from '../scene/motion.ts';
 import { Stages } from '../stages.ts';
 import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
 import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOptions } from './film-tracer.ts';
@@ -59,7 +60,7 @@ export class GpuFilmTracer implements FilmTracer {
     const subject = { content, scene, camera: scene.camera, settings: { ...DEFAULT_SETTINGS, ...settings } };
     await this.#orLost(this.#stages.ready(subject));
     film.reserve(width, height, this.#stages.layersFor(subject));
-    this.#stages.begin({ ...subject, raysPerPixel: rays, area }, width, height);
+    this.#stages.begin({ ...subject, ...stillMoment(scene), raysPerPixel: rays, area }, width, height);
   }
 
   async trace(first: number, count: number, onto: FilmSums | null, options: TraceOptions = {}): Promise<FilmSums> {

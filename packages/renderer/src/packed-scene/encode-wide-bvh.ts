@@ -21,81 +21,135 @@ export interface WideBvh {
   readonly words: Uint32Array<ArrayBuffer>;
   /** What waits at most on a kernel's stack on the way through. */
   readonly stackNeed: number;
+  /** Which node of the binary tree each of a node's four children is; NONE: there is no such child. */
+  readonly sources: Uint32Array;
 }
 
 const NODE_WORDS = geometryRows('WideNode') * GEOMETRY_ROW;
 const LEAST = fieldOffset('WideNode', 'minX') / 4;
 const GREATEST = fieldOffset('WideNode', 'maxX') / 4;
 const CHILDREN = fieldOffset('WideNode', 'children') / 4;
+const NONE = 0xffffffff;
 
 /** Throws a `RangeError` when a leaf has more than MOST_IN_LEAF primitives. */
 export function encodeWideBvh(bvh: Bvh): WideBvh {
+  const encoder = new WideEncoder();
   // Each wide node stands for at least one inner node, and a tree that is one leaf needs a node about it.
   const words = new Uint32Array(Math.max(bvh.nodeCount, 1) * NODE_WORDS);
-  const encoder = new Encoder(bvh, words);
-  const stackNeed = bvh.nodeCount === 0 ? 0 : encoder.encode();
-  return { words: words.slice(0, Math.max(encoder.used, 1) * NODE_WORDS), stackNeed };
+  const { nodeCount, stackNeed } = encoder.encode(bvh, words, new Float32Array(words.buffer));
+  return {
+    words: words.slice(0, nodeCount * NODE_WORDS),
+    stackNeed,
+    sources: encoder.sources.slice(0, nodeCount * WIDTH),
+  };
 }
 
-class Encoder {
-  used = 0;
-  readonly #bvh: Bvh;
-  readonly #words: Uint32Array;
-  readonly #floats: Float32Array;
-  readonly #padding: number;
+/** Encodes one tree after the other and keeps its arrays. */
+export class WideEncoder {
+  /** Of the tree before; at least one, a root without children. */
+  nodeCount = 0;
+  stackNeed = 0;
+  /** As in `WideBvh`. */
+  sources = new Uint32Array(WIDTH);
+  #bvh!: Bvh;
+  #words!: Uint32Array;
+  #named = false;
 
-  constructor(bvh: Bvh, words: Uint32Array<ArrayBuffer>) {
+  /**
+   * Into `words`, where there is room for as many nodes as the tree has, seen as `floats` too. Leaves refer to places in the tree's
+   * order; or, when `named`, to the primitives that stand there, of which each leaf then has one.
+   */
+  encode(bvh: Bvh, words: Uint32Array, floats: Float32Array, named = false): this {
     this.#bvh = bvh;
+    this.#named = named;
     this.#words = words;
-    this.#floats = new Float32Array(words.buffer);
-    this.#padding = PADDING * bvh.bounds.subarray(0, 6).reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+    if (this.sources.length < bvh.nodeCount * WIDTH) this.sources = new Uint32Array(bvh.nodeCount * WIDTH);
+    this.nodeCount = 0;
+    this.stackNeed = bvh.nodeCount === 0 ? this.#empty() : this.#node(0);
+    writeBoxes(this.sources, this.nodeCount, bvh, floats);
+    return this;
   }
 
-  encode(): number {
-    return this.#node(leafCount(this.#bvh, 0) > 0 ? [0] : this.#childrenOf(0));
+  #empty(): number {
+    this.nodeCount = 1;
+    this.sources.fill(NONE, 0, WIDTH);
+    this.#words.fill(0, 0, NODE_WORDS);
+    return 0;
   }
 
-  /** Two children, of which the largest that are no leaves are opened until there are four. */
-  #childrenOf(node: number): number[] {
+  /** Writes the node that stands for one of the binary tree and all below it; gives what waits on the stack at most. */
+  #node(source: number): number {
     const bvh = this.#bvh;
-    const children = [firstChild(node), secondChild(bvh, node)];
-    while (children.length < WIDTH) {
-      let [opened, largest] = [-1, -1];
-      children.forEach((child, k) => {
-        if (leafCount(bvh, child) === 0 && halfArea(bvh, child) > largest)
-          [opened, largest] = [k, halfArea(bvh, child)];
-      });
-      if (opened < 0) break;
-      const child = children[opened]!;
-      children.splice(opened, 1, firstChild(child), secondChild(bvh, child));
-    }
-    return children;
-  }
-
-  /** Writes the node and all below it; gives what waits on the stack at most. */
-  #node(children: readonly number[]): number {
-    const at = this.used++ * NODE_WORDS;
+    const node = this.nodeCount++;
+    const count = this.#open(source, node * WIDTH);
     let deepest = 0;
-    children.forEach((child, k) => {
-      this.#box(at, k, child);
-      const count = leafCount(this.#bvh, child);
-      if (count > 0) {
-        this.#words[at + CHILDREN + k] = leafReference(firstPlace(this.#bvh, child), count);
-        return;
+    for (let k = 0; k < WIDTH; k++) {
+      const child = this.sources[node * WIDTH + k]!;
+      let reference = 0;
+      if (k < count) {
+        const primitives = leafCount(bvh, child);
+        if (primitives > 0) reference = this.#leaf(firstPlace(bvh, child), primitives);
+        else {
+          reference = this.nodeCount;
+          deepest = Math.max(deepest, this.#node(child));
+        }
       }
-      this.#words[at + CHILDREN + k] = this.used;
-      deepest = Math.max(deepest, this.#node(this.#childrenOf(child)));
-    });
-    return children.length - 1 + deepest;
+      this.#words[node * NODE_WORDS + CHILDREN + k] = reference;
+    }
+    return count - 1 + deepest;
   }
 
-  #box(at: number, k: number, node: number): void {
-    const { bounds } = this.#bvh;
-    for (let axis = 0; axis < 3; axis++) {
-      this.#floats[at + LEAST + axis * WIDTH + k] = bounds[6 * node + axis]! - this.#padding;
-      this.#floats[at + GREATEST + axis * WIDTH + k] = bounds[6 * node + 3 + axis]! + this.#padding;
-    }
+  #leaf(place: number, count: number): number {
+    return leafReference(this.#named ? this.#bvh.order[place]! : place, count);
   }
+
+  /** Two children, of which the largest that are no leaves are opened until there are four. Gives how many there are. */
+  #open(source: number, at: number): number {
+    const bvh = this.#bvh;
+    const { sources } = this;
+    sources.fill(NONE, at, at + WIDTH);
+    sources[at] = source;
+    if (leafCount(bvh, source) > 0) return 1;
+    let count = 1;
+    for (let opened = 0; opened >= 0; ) {
+      const child = sources[at + opened]!;
+      sources.copyWithin(at + opened + 2, at + opened + 1, at + count);
+      sources[at + opened] = firstChild(child);
+      sources[at + opened + 1] = secondChild(bvh, child);
+      count++;
+      opened = count < WIDTH ? this.#largest(at, count) : -1;
+    }
+    return count;
+  }
+
+  #largest(at: number, count: number): number {
+    let [found, largest] = [-1, -1];
+    for (let k = 0; k < count; k++) {
+      const child = this.sources[at + k]!;
+      if (leafCount(this.#bvh, child) > 0 || halfArea(this.#bvh, child) <= largest) continue;
+      found = k;
+      largest = halfArea(this.#bvh, child);
+    }
+    return found;
+  }
+}
+
+/** Writes the boxes of all children anew, and nothing else: what a tree needs whose bounds have been refitted. */
+export function writeBoxes(sources: Uint32Array, nodeCount: number, bvh: Bvh, floats: Float32Array): void {
+  const { bounds } = bvh;
+  let most = 0;
+  for (let i = 0; bvh.nodeCount > 0 && i < 6; i++) most = Math.max(most, Math.abs(bounds[i]!));
+  const padding = PADDING * most;
+  for (let node = 0; node < nodeCount; node++)
+    for (let k = 0; k < WIDTH; k++) {
+      const source = sources[node * WIDTH + k]!;
+      const at = node * NODE_WORDS + k;
+      const there = source !== NONE;
+      for (let axis = 0; axis < 3; axis++) {
+        floats[at + LEAST + axis * WIDTH] = there ? bounds[6 * source + axis]! - padding : 0;
+        floats[at + GREATEST + axis * WIDTH] = there ? bounds[6 * source + 3 + axis]! + padding : 0;
+      }
+    }
 }
 
 export function leafReference(first: number, count: number): number {

@@ -1,23 +1,38 @@
-/** What packs meshes, with all that builds trees, comes when the first scene with some does: see scripts/lazy-parts.mjs. */
-import type { Scene, Vec3 } from '../scene/scene.ts';
+/**
+ * What packs meshes, with all that builds trees, and their textures comes when the first scene with some does: see
+ * scripts/lazy-parts.mjs.
+ */
+import type { Moment } from '../scene/motion.ts';
+import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
-import type { MeshInRow, PackedGeometry } from './pack-geometry.ts';
+import type * as Packing from './pack-geometry.ts';
+import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
+import type { TextureRows } from './pack-textures.ts';
+import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
-type Pack = (scene: Scene, shapes: readonly MeshInRow[], eye: Vec3) => PackedGeometry;
+type Packer = Pick<typeof Packing, 'packGeometry' | 'packTextures'>;
 
-let pack: Pack | null = null;
+let packer: Packer | null = null;
 
 export async function loadGeometryPacker(): Promise<void> {
-  pack ??= (await import('./pack-geometry.ts')).packGeometry;
+  packer ??= await import('./pack-geometry.ts');
 }
-export const geometryPackerLoaded = (): boolean => pack !== null;
+export const geometryPackerLoaded = (): boolean => packer !== null;
 
-/** Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  if (shapes.length === 0) return NO_GEOMETRY;
-  if (pack === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
-  return pack(scene, shapes, eye);
+/** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
+export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
+  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before) : NO_GEOMETRY;
+}
+
+/** `materials`: those of meshes. Throws likewise. */
+export function texturesOf(scene: Scene, materials: readonly Material[]): TextureRows {
+  return materials.length === 0 ? NO_TEXTURES : loaded().packTextures(scene, materials);
+}
+
+function loaded(): Packer {
+  if (packer === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
+  return packer;
 }
 
 const rows = geometryRows('WideNode');
@@ -27,6 +42,15 @@ const NO_GEOMETRY: PackedGeometry = {
   moving: createBlock(rows * 16),
   instances: 0,
   instanceCount: 0,
+  treeRows: rows,
+  revision: 0,
+  changedInstances: [0, 0],
   meshes: [],
   rows,
+};
+
+/** No material asks. */
+const NO_TEXTURES: TextureRows = {
+  textures: { uses: createBlock(16), images: [], rows: 1 },
+  rowOf: new Map(),
 };

@@ -1,5 +1,5 @@
 /** Material → the Layers struct: what glTF's extensions add to a metallicRoughness material (shading/bsdf/layers). */
-import type { MaterialLayers } from '../scene/material-layers.ts';
+import type { MaterialLayers, SpecularLobe } from '../scene/material-layers.ts';
 import type { Material } from '../scene/scene.ts';
 import type { StructValues } from './write-struct.ts';
 
@@ -16,7 +16,7 @@ export function isLayered(m: Layered): boolean {
   const lobe = m.specularLobe;
   return (
     m.ior !== PLAIN_INDEX ||
-    (lobe !== undefined && (lobe.weight !== 1 || lobe.color.some((x) => x !== 1))) ||
+    (lobe !== undefined && (lobe.weight !== 1 || lobe.color.some((x) => x !== 1) || isTextured(lobe))) ||
     isClear(m) ||
     (m.clearcoat?.weight ?? 0) > 0 ||
     (m.sheen?.color.some((x) => x > 0) ?? false) ||
@@ -33,6 +33,9 @@ export function isClear(m: Layered): boolean {
 
 /** Whether the shape bounds a body through which light travels: KHR_materials_volume. */
 export const isSolid = (m: Layered): boolean => isClear(m) && (m.volume?.thickness ?? 0) > 0;
+
+const isTextured = ({ weightTexture, colorTexture }: SpecularLobe): boolean =>
+  weightTexture !== undefined || colorTexture !== undefined;
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
@@ -55,8 +58,8 @@ export function layerValues(m: Layered): StructValues<'Layers'> {
     solid: isSolid(m) ? 1 : 0,
     film: m.iridescence?.weight ?? 0,
     filmIor: m.iridescence?.ior ?? 1.3,
-    thinnest: m.iridescence?.thicknessMinimum ?? 100,
-    thickest: m.iridescence?.thicknessMaximum ?? 400,
+    filmThickness: m.iridescence?.thicknessMaximum ?? 400,
+    filmLeast: m.iridescence?.thicknessMinimum ?? 100,
     dispersion: m.ior === 0 || !isSolid(m) ? 0 : (m.dispersion ?? 0),
     spare0: 0,
     spare1: 0,

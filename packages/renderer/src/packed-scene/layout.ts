@@ -4,7 +4,7 @@
  * by hand anywhere.
  *
  * The scene lies in a table of RGBA float texels, a texture that both GPU interfaces read alike: row i holds shape i, its
- * material, and light i; below the shapes lie the layers of the materials that have some. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
+ * material, and light i; below lie the layers of the materials that have some. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
  * What belongs to the frame lies in small uniform blocks. Triangles and the trees over them lie in rows of four words, the geometry:
  * a storage buffer or a texture, whichever the device has.
  *
@@ -62,15 +62,15 @@ export const STRUCTS = {
     ),
     emission: field('vec3f', 'radiance sent out'),
     reflectivity: field('f32', 'share of the perfect mirror layer over the base'),
-    eta: field('vec3f', 'conductor: index of refraction per channel; dielectric: the index in all three'),
+    eta: field(
+      'vec3f',
+      'conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none',
+    ),
     alpha: field('f32', 'GGX width, roughness^2; 0: smooth'),
     k: field('vec3f', 'conductor: extinction coefficient per channel'),
     metallic: field('f32', 'metallicRoughness: share of metal'),
     absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
-    layers: field(
-      'f32',
-      'metallicRoughness: the row of the table that holds its Layers, with a minus sign when light may go through; 0: there are none',
-    ),
+    textures: field('f32', 'row of its MaterialTextures among the texels'),
   },
   Layers: {
     specularColor: field('vec3f', 'factor on what facets of the dielectric reflect at normal incidence'),
@@ -91,8 +91,8 @@ export const STRUCTS = {
     solid: field('f32', '1: the body is solid; 0: a thin wall'),
     film: field('f32', 'share of the surface that has a thin film'),
     filmIor: field('f32', 'its index'),
-    thinnest: field('f32', 'its thickness where a texture is 0, nanometres'),
-    thickest: field('f32', 'and where it is 1, or there is none'),
+    filmThickness: field('f32', 'nanometres; where a texture says how thick: where it is 1'),
+    filmLeast: field('f32', 'its thickness where that texture is 0'),
     dispersion: field('f32', '20 / Abbe number'),
     spare0: field('f32', 'unused'),
     spare1: field('f32', 'unused'),
@@ -139,11 +139,24 @@ export const STRUCTS = {
   },
   Triangle: {
     a: field('vec3f', 'first vertex, in the space of its mesh'),
-    normalA: field('u32', 'its shading normal, octahedral, 16 bits each'),
+    vertexA: field('u32', 'its number among the vertices of the mesh'),
     b: field('vec3f', 'second vertex'),
-    normalB: field('u32', 'its shading normal'),
+    vertexB: field('u32', 'its number'),
     c: field('vec3f', 'third vertex'),
-    normalC: field('u32', 'its shading normal'),
+    vertexC: field('u32', 'its number'),
+  },
+  Vertex: {
+    normal: field('u32', 'shading normal, octahedral, 16 bits each'),
+    tangent: field(
+      'u32',
+      'likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)',
+    ),
+    uv: field('vec2f', 'texture coordinates of set 0'),
+  },
+  VertexMore: {
+    redGreen: field('u32', 'linear colour, 16 bits each'),
+    blueAlpha: field('u32', 'and opacity'),
+    uv: field('vec2f', 'texture coordinates of set 1'),
   },
   Instance: {
     toMeshX: field('vec4f', 'from eye-relative places to the space of its mesh: x is dot(xyz, p) + w'),
@@ -151,8 +164,29 @@ export const STRUCTS = {
     toMeshZ: field('vec4f', 'z'),
     nodes: field('u32', 'row of the root of its tree'),
     triangles: field('u32', 'row of its first triangle'),
-    interpolated: field('u32', '1: shading normals are interpolated; 0: triangles are flat'),
     row: field('u32', 'of the scene table: what it is made of'),
+    cover: field('u32', 'COVER: where it may not be there'),
+    vertices: field('u32', 'row of its first vertex'),
+    vertexRows: field('u32', 'of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only'),
+    vertexFlags: field('u32', 'what is in them: VERTEX_FLAGS'),
+    spare0: field('u32', 'unused'),
+  },
+  // The texels': pack-textures.ts.
+  MaterialTextures: {
+    count: field('u32', 'uses of textures: TextureUse, in the rows that follow'),
+    flags: field('u32', 'MATERIAL_FLAGS'),
+    opacity: field('f32', 'share of light that the surface takes part in'),
+    cutoff: field('f32', 'opacity below which it is not there; negative: it is there as often as the opacity says'),
+  },
+  TextureUse: {
+    toU: field('vec3f', 'u in the image is dot(toU, (u, v, 1)) of the coordinates'),
+    slot: field('u32', 'what it is multiplied with: TEXTURE_SLOTS'),
+    toV: field('vec3f', 'likewise v'),
+    flags: field('u32', 'LOOKUP_FLAGS'),
+    first: field('u32', 'texel of the image, of all texels'),
+    width: field('u32', 'of the image, texels'),
+    height: field('u32', 'of the image, texels'),
+    scale: field('f32', 'of a normal map: factor on the first two components'),
   },
   Frame: {
     right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
@@ -253,12 +287,58 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
   return placement(name).offsets[field]!;
 }
 
-/** Words in a row of the geometry. */
+/** Words in a row of the geometry, and of the texels. */
 export const GEOMETRY_ROW = 4;
-/** Rows of a struct there. */
-export const geometryRows = (name: GeometryStruct): number => structSize(name) / 16;
-const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance'] as const;
-export type GeometryStruct = (typeof GEOMETRY_STRUCTS)[number];
+/** Rows of a struct in either. */
+export const geometryRows = (name: DataStruct): number => structSize(name) / 16;
+const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance', 'Vertex', 'VertexMore'] as const;
+
+/**
+ * In `Instance.cover`: a bit for triangles that are not there from behind, and in the other bits the row of the MaterialTextures that say
+ * with which opacity the surface is there; 0: it is there everywhere.
+ */
+export const COVER = { isOneSided: 2 ** 31, coverRow: 2 ** 31 - 1 } as const;
+/** Bits of `Instance.vertexFlags`. A vertex without normals or tangents has zeros there, one without colours white. */
+export const VERTEX_FLAGS = { hasNormals: 1, hasTangents: 2 } as const;
+
+const TEXEL_STRUCTS = ['MaterialTextures', 'TextureUse'] as const;
+export type DataStruct = (typeof GEOMETRY_STRUCTS)[number] | (typeof TEXEL_STRUCTS)[number];
+/** Texels of an image, 8 bits for each of red, green, blue and alpha from the lowest on, in a row of the data that holds them. */
+export const TEXELS_OF_ROW = 4;
+/** What a use of a texture changes, and by which channels: scene/material-layers.ts. */
+export const TEXTURE_SLOTS = {
+  baseColorSlot: 0,
+  emissionSlot: 1,
+  metallicRoughnessSlot: 2,
+  normalSlot: 3,
+  specularWeightSlot: 4,
+  specularColorSlot: 5,
+  transmissionSlot: 6,
+  beyondSlot: 7,
+  beyondColorSlot: 8,
+  coatSlot: 9,
+  coatRoughnessSlot: 10,
+  sheenColorSlot: 11,
+  sheenRoughnessSlot: 12,
+  anisotropySlot: 13,
+  filmSlot: 14,
+  filmThicknessSlot: 15,
+} as const;
+/** Bits of `TextureUse.flags`. Without one of the wrap bits the image repeats. */
+export const LOOKUP_FLAGS = {
+  usesSecondSet: 1,
+  isColor: 2,
+  isNearest: 4,
+  clampsU: 8,
+  mirrorsU: 16,
+  clampsV: 32,
+  mirrorsV: 64,
+} as const;
+/**
+ * Bits of `MaterialTextures.flags`: unlit surfaces have no colour but their light's, which the colours at vertices multiply; the first use
+ * is of an image whose alpha is opacity.
+ */
+export const MATERIAL_FLAGS = { isUnlit: 1, hasOpacityTexture: 2 } as const;
 
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
@@ -309,8 +389,8 @@ function fetchFunction(name: TableStruct): string {
 }
 
 /** Fetched by the number of the row that it begins in. */
-function fetchRowsFunction(name: GeometryStruct): string {
-  const loads = Array.from({ length: geometryRows(name) }, (_, t) => `  let r${t} = geometryRow(row + ${t}u);`);
+function fetchRowsFunction(name: DataStruct, fetchRow: string): string {
+  const loads = Array.from({ length: geometryRows(name) }, (_, t) => `  let r${t} = ${fetchRow}(row + ${t}u);`);
   const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
     const offset = placement(name).offsets[key]!;
     const { size } = extent(type);
@@ -331,9 +411,26 @@ export function fetchGeometryWgsl(): string {
     `const childrenRow = ${row('children')}u;`,
     `const triangleRows = ${geometryRows('Triangle')}u;`,
     `const instanceRows = ${geometryRows('Instance')}u;`,
+    `const vertexRows = ${geometryRows('Vertex')}u;`,
+    ...Object.entries({ ...COVER, ...VERTEX_FLAGS }).map(([name, bit]) => `const ${name} = ${bit}u;`),
   ];
-  const fetched = ['Triangle', 'Instance'] as const;
-  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${fetched.map(fetchRowsFunction).join('\n')}`;
+  const fetched = ['Triangle', 'Instance', 'Vertex', 'VertexMore'] as const;
+  const functions = fetched.map((name) => fetchRowsFunction(name, 'geometryRow'));
+  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${functions.join('\n')}`;
+}
+
+/** The functions that read how textures are used, the content of `shading/texture/texture_table.wesl`. */
+export function fetchTexturesWgsl(): string {
+  const imports = `import package::shading::texture::texel_row::texelRow;\nimport package::shading::layout::{${TEXEL_STRUCTS.join(', ')}};\n`;
+  const constants = [
+    `const materialTexturesRows = ${geometryRows('MaterialTextures')}u;`,
+    `const textureUseRows = ${geometryRows('TextureUse')}u;`,
+    ...Object.entries({ ...TEXTURE_SLOTS, ...LOOKUP_FLAGS, ...MATERIAL_FLAGS }).map(
+      ([name, number]) => `const ${name} = ${number}u;`,
+    ),
+  ];
+  const functions = TEXEL_STRUCTS.map((name) => fetchRowsFunction(name, 'texelRow'));
+  return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${functions.join('\n')}`;
 }
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */

@@ -1,4 +1,4 @@
-/** Unit vectors as two numbers of 16 bits, which shading/mesh/octahedral.wesl reads: Meyer et al. 2010. Off by at most 4e-5 radians. */
+/** Unit vectors as two numbers of 16 bits, which shading/mesh/octahedral.wesl reads: Meyer et al. 2010. Off by at most 6.5e-5 radians. */
 const HALF = 32767;
 
 /** `normals[at]` and the two after it: any length but 0; a vector of length 0 counts as +Z. */

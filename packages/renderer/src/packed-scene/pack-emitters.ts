@@ -5,6 +5,7 @@
 import { emissionOf, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
 import type { Color, DirectionalLight, LampShape, Light, QuadLight, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
+import { isLayered } from './layer-values.ts';
 import { packEnvironment } from './pack-environment.ts';
 import type { StructValues } from './write-struct.ts';
 
@@ -169,8 +170,8 @@ function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
   for (const [name, shape] of Object.entries(scene.shapes)) {
     const material = scene.materials[shape.material]!;
     const emission = emissionOf(material);
-    // What shines through a coat is not as bright to all sides, and what is unlit has another colour: rays find both by themselves.
-    if (material.unlit || (material.clearcoat?.weight ?? 0) > 0) continue;
+    // What shines through a coat is not as bright to all sides: rays find it by themselves.
+    if (isLayered(material) && (material.clearcoat?.weight ?? 0) > 0) continue;
     // A plane has no area to sample; scene files with such a lamp are refused. Rays find the light of meshes by themselves.
     if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
     found.push({ values: shapeEmitter(shape, emission), shape: name });

@@ -1,22 +1,26 @@
 /**
  * The meshes of a scene → the geometry, rows of four words: in row 0 the root of the tree over all instances, its other nodes, the
- * instances; then, mesh by mesh, the nodes of its tree and its triangles. The first part is written for every frame that moves, in
- * coordinates relative to the eye; the second only when other meshes come in.
+ * instances; then, mesh by mesh, the nodes of its tree, its triangles and its vertices. The first part is written for every frame that moves, in
+ * coordinates relative to the eye; a mesh only when it comes in, or when its form changes. Arrays are kept from frame to frame.
  */
 
-import { type Bvh, firstPlace, leafCount } from '../bvh/bvh.ts';
+import type { Bvh } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
-import { AFFINE_LENGTH, IDENTITY } from '../scene/affine.ts';
+import { Bodies, type Body } from '../scene/bodies.ts';
+import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
-import { meshBounds, placedBounds } from '../scene/mesh-bounds.ts';
-import { meshMatrices } from '../scene/placed.ts';
-import { fromMatrix, inverse, isSolid, type Placement } from '../scene/placement.ts';
-import type { MeshShape, Scene, Vec3 } from '../scene/scene.ts';
-import { subtract } from '../scene/vec3.ts';
-import { encodeWideBvh } from './encode-wide-bvh.ts';
+import type { Moment } from '../scene/motion.ts';
+import type { Scene, Vec3 } from '../scene/scene.ts';
+import { WideEncoder } from './encode-wide-bvh.ts';
+import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { type PackedMesh, packMesh } from './pack-mesh.ts';
-import { type Block, createBlock, writeStruct } from './write-struct.ts';
+import { packMesh } from './pack-mesh.ts';
+import { type PackedMesh, wordsOf } from './packed-mesh.ts';
+import { PosedMesh } from './posed-mesh.ts';
+import { type Block, createBlock } from './write-struct.ts';
+
+// Comes with what packs meshes: geometry-packer.ts.
+export { packTextures } from './pack-textures.ts';
 
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
@@ -26,6 +30,11 @@ export interface PackedGeometry {
   /** Row of the first instance, and how many there are. */
   readonly instances: number;
   readonly instanceCount: number;
+  /** Rows of the tree over them that are in use. */
+  readonly treeRows: number;
+  /** Grows when `moving` is written anew; and the rows of instances that were written then, up to but not including the second. */
+  readonly revision: number;
+  readonly changedInstances: readonly [begin: number, end: number];
   /** In the order in which their rows follow one another. */
   readonly meshes: readonly PackedMesh[];
   /** All rows. */
@@ -43,98 +52,189 @@ export class DeepTreeError extends Error {
   override readonly name = 'DeepTreeError';
 }
 
-/** One instance. */
-interface Placed {
-  readonly placement: Placement;
-  readonly mesh: Mesh;
-  /** Of the scene table. */
-  readonly row: number;
+/** What the meshes of a scene are made of. */
+export interface BodyRows {
+  /** Of the scene table, for the first of them; the others follow. */
+  readonly first: number;
+  /** `Instance.cover` of each. */
+  readonly covers: readonly number[];
 }
 
-/** A mesh that stands in the world: `row` of the scene table says what it is made of. */
-export interface MeshInRow {
-  readonly shape: MeshShape;
-  readonly row: number;
+/**
+ * `rows`: of the bodies of the scene that plays. `before`: a geometry that is no longer needed; when it
+ * is of the same scene it is brought up to date and given back.
+ */
+export function packGeometry(
+  { played, time }: Pick<Moment, 'played' | 'time'>,
+  rows: BodyRows,
+  eye: Vec3,
+  before: PackedGeometry | null = null,
+): PackedGeometry {
+  const mine = before instanceof GeometryOfScene && before.scene === played;
+  const geometry = mine ? before : new GeometryOfScene(played);
+  geometry.update(time, rows, eye);
+  return geometry;
 }
 
-/** `shapes`: those of the scene that are meshes; no node carries them any more (`placedSceneAt`). Every mesh has its data. */
-export function packGeometry(scene: Scene, shapes: readonly MeshInRow[], eye: Vec3): PackedGeometry {
-  const placed = shapes.flatMap((shape) => instancesOf(scene, shape));
-  const meshes = new Map([...new Set(placed.map(({ mesh }) => mesh))].map((mesh) => [mesh, packMesh(mesh)]));
-  // Up to twice the room that is needed, so that a few more instances move nothing.
-  const room = 2 ** Math.ceil(Math.log2(Math.max(placed.length, 1)));
-  const instances = room * NODE_ROWS;
-  const movingRows = instances + room * INSTANCE_ROWS;
-  const starts = new Map<Mesh, number>();
-  let rows = movingRows;
-  for (const [mesh, { nodes, triangles }] of meshes) {
-    starts.set(mesh, rows);
-    rows += (nodes.length + triangles.length) / GEOMETRY_ROW;
+/** A body and its mesh in the geometry. */
+class PackedBody implements InstancedMesh {
+  readonly box = new Float64Array(6);
+  boxChanged = true;
+  rowChanged = true;
+  readonly shared = new Uint32Array(SHARED.length);
+  #formRevision = -1;
+
+  constructor(
+    readonly body: Body,
+    readonly mesh: PackedMesh,
+  ) {
+    const { min, max } = meshBounds(body.mesh);
+    this.box.set([...min, ...max]);
   }
-  const moving = createBlock(movingRows * ROW_BYTES);
-  writeTree(moving, placed, eye, Math.max(0, ...[...meshes.values()].map(({ stackNeed }) => stackNeed)));
-  placed.forEach(({ placement, mesh, row }, i) => {
-    const nodes = starts.get(mesh)!;
-    const triangles = nodes + meshes.get(mesh)!.nodes.length / GEOMETRY_ROW;
-    writeStruct(moving, 'Instance', (instances + i * INSTANCE_ROWS) * ROW_BYTES, {
-      ...rowsInto(placement, eye),
-      nodes,
-      triangles,
-      interpolated: mesh.normals ? 1 : 0,
-      row,
+
+  /** Where its parts lie, and what it is made of. */
+  share(values: Partial<Record<(typeof SHARED)[number], number>>): void {
+    SHARED.forEach((field, k) => {
+      const value = values[field] ?? this.shared[k]!;
+      if (value !== this.shared[k]) this.rowChanged = true;
+      this.shared[k] = value;
     });
-  });
-  return { movingRows, moving, instances, instanceCount: placed.length, meshes: [...meshes.values()], rows };
-}
-
-/** Those that have no thickness left, as a node scaled to nothing has, are not there. */
-function instancesOf(scene: Scene, { shape, row }: MeshInRow): Placed[] {
-  const mesh = dataOf(scene, shape);
-  const matrices = meshMatrices(shape, IDENTITY);
-  const placed: Placed[] = [];
-  for (let at = 0; at < matrices.length; at += AFFINE_LENGTH) {
-    const placement = fromMatrix([...matrices.subarray(at, at + AFFINE_LENGTH)]);
-    if (isSolid(placement)) placed.push({ placement, mesh, row });
   }
-  return placed;
+
+  /** Takes the form that the body has now. */
+  update(): void {
+    const { form, formRevision } = this.body;
+    this.boxChanged = form !== null && formRevision !== this.#formRevision;
+    if (!this.boxChanged) return;
+    this.#formRevision = formRevision;
+    const posed = this.mesh as PosedMesh;
+    posed.pose(form!);
+    for (let i = 0; i < 6; i++) this.box[i] = posed.box[i]!;
+  }
 }
 
-function dataOf({ meshes = {} }: Scene, { mesh }: MeshShape): Mesh {
-  const data = meshes[mesh]?.data;
-  if (!data) throw new TypeError(`The mesh "${mesh}" has not been loaded.`);
-  return data;
-}
+class GeometryOfScene implements PackedGeometry {
+  readonly movingRows: number;
+  readonly moving: Block;
+  readonly instances: number;
+  readonly meshes: readonly PackedMesh[];
+  readonly rows: number;
+  readonly changedInstances: [number, number] = [0, 0];
+  treeRows = 0;
+  revision = 0;
+  readonly #bodies: Bodies;
+  #time = Number.NaN;
+  #bodyRows: BodyRows | null = null;
+  readonly #packed: readonly PackedBody[];
+  /** Of each instance. */
+  readonly #meshOf: readonly PackedBody[];
+  readonly #instanceRows: InstanceRows;
+  readonly #deepest: number;
+  readonly #builder = new InstanceTree();
+  readonly #encoder = new WideEncoder();
+  /** The good tree, while it is the one in use. */
+  #tree: Bvh | null = null;
 
-function writeTree(moving: Block, placed: readonly Placed[], eye: Vec3, deepest: number): void {
-  const { words, stackNeed } = encodeWideBvh(treeOver(placed, eye));
-  // One more to find the way back out of an instance.
-  const need = stackNeed + 1 + deepest;
-  if (need > STACK)
-    throw new DeepTreeError(
-      `A ray may have to remember ${need} nodes on its way through the meshes; kernels remember ${STACK}.`,
-    );
-  moving.u32.set(words);
-}
+  constructor(readonly scene: Scene) {
+    const bodies = new Bodies(scene);
+    this.#bodies = bodies;
+    const shared = new Map<Mesh, PackedMesh>();
+    const meshOf = ({ form, mesh }: Body): PackedMesh => {
+      if (form !== null) return new PosedMesh(mesh);
+      if (!shared.has(mesh)) shared.set(mesh, packMesh(mesh));
+      return shared.get(mesh)!;
+    };
+    this.#packed = bodies.all.map((body) => new PackedBody(body, meshOf(body)));
+    this.#meshOf = this.#packed.flatMap((packed) => new Array<PackedBody>(packed.body.count).fill(packed));
+    this.meshes = [...new Set(this.#packed.map(({ mesh }) => mesh))];
+    this.#deepest = this.meshes.reduce((most, { stackNeed }) => Math.max(most, stackNeed), 0);
+    // Up to twice the room that is needed, so that a few more instances in the next scene move no meshes.
+    const room = 2 ** Math.ceil(Math.log2(Math.max(this.#meshOf.length, 1)));
+    this.instances = room * NODE_ROWS;
+    this.movingRows = this.instances + room * INSTANCE_ROWS;
+    this.moving = createBlock(this.movingRows * ROW_BYTES);
+    this.rows = this.#placeMeshes();
+    this.#instanceRows = new InstanceRows(this.moving, this.instances * ROW_BYTES, this.#meshOf.length);
+  }
 
-/** Keeps its arrays from frame to frame; what it gives is encoded at once. */
-const instanceTree = new InstanceTree();
+  /** Gives the number of all rows. */
+  #placeMeshes(): number {
+    const starts = new Map<PackedMesh, number>();
+    let rows = this.movingRows;
+    for (const mesh of this.meshes) {
+      starts.set(mesh, rows);
+      rows += wordsOf(mesh).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
+    }
+    for (const packed of this.#packed) {
+      const { mesh } = packed;
+      const nodes = starts.get(mesh)!;
+      const triangles = nodes + mesh.nodes.length / GEOMETRY_ROW;
+      packed.share({
+        nodes,
+        triangles,
+        vertices: triangles + mesh.triangles.length / GEOMETRY_ROW,
+        vertexRows: mesh.vertices.rows,
+        vertexFlags: mesh.vertices.flags,
+      });
+    }
+    return rows;
+  }
 
-/** Over the instances' boxes, relative to the eye; each instance is a leaf of its own, which names it. */
-function treeOver(placed: readonly Placed[], eye: Vec3): Bvh {
-  const boxes = new Float32Array(placed.length * 6);
-  placed.forEach(({ placement, mesh }, i) => {
-    const { min, max } = placedBounds(meshBounds(mesh), placement);
-    boxes.set(subtract(min, eye), 6 * i);
-    boxes.set(subtract(max, eye), 6 * i + 3);
-  });
-  const bvh = instanceTree.build(boxes, placed.length);
-  for (let i = 0; i < bvh.nodeCount; i++) if (leafCount(bvh, i) > 0) bvh.links[2 * i] = bvh.order[firstPlace(bvh, i)]!;
-  return bvh;
-}
+  get instanceCount(): number {
+    return this.#instanceRows.count;
+  }
 
-/** From places relative to the eye into the mesh, row by row; the way back is found in double precision. */
-function rowsInto(placement: Placement, eye: Vec3) {
-  const { x, y, z, origin } = inverse({ ...placement, origin: subtract(placement.origin, eye) });
-  const row = (axis: 0 | 1 | 2) => [x[axis], y[axis], z[axis], origin[axis]];
-  return { toMeshX: row(0), toMeshY: row(1), toMeshZ: row(2) };
+  /** Throws a `DeepTreeError`; then the geometry is of no use any more. */
+  update(time: number, bodyRows: BodyRows, eye: Vec3): void {
+    if (time !== this.#time) this.#bodies.goTo(time);
+    this.#time = time;
+    for (const packed of this.#packed) packed.update();
+    if (bodyRows !== this.#bodyRows) this.#take(bodyRows);
+    const rows = this.#instanceRows;
+    const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
+    for (const packed of this.#packed) packed.rowChanged = false;
+    if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
+    if (news !== 'nothing' || !this.#tree) this.#growTree(news);
+    this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;
+    this.changedInstances[1] = this.instances + Math.max(rows.changedTo, rows.changedFrom) * INSTANCE_ROWS;
+    this.revision++;
+  }
+
+  #take(bodyRows: BodyRows): void {
+    this.#bodyRows = bodyRows;
+    this.#packed.forEach((packed, i) => {
+      packed.share({ row: bodyRows.first + i, cover: bodyRows.covers[i]! });
+    });
+  }
+
+  /** The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes. */
+  #growTree(news: string): void {
+    const { boxes, count } = this.#instanceRows;
+    const moving = news === 'instances' && this.revision > 0;
+    const fits = moving && this.#encode(this.#builder.buildQuickly(boxes, count));
+    this.#tree = fits ? null : this.#goodTree(news);
+  }
+
+  #goodTree(news: string): Bvh {
+    const { boxes, count } = this.#instanceRows;
+    const tree =
+      this.#tree && news === 'eye' ? this.#builder.refit(this.#tree, boxes) : this.#builder.build(boxes, count);
+    if (!this.#encode(tree))
+      throw new DeepTreeError(
+        `A ray may have to remember ${this.#stackNeed} nodes on its way through the meshes; kernels remember ${STACK}.`,
+      );
+    return tree;
+  }
+
+  /** One more to find the way back out of an instance. */
+  get #stackNeed(): number {
+    return this.#encoder.stackNeed + 1 + this.#deepest;
+  }
+
+  /** False when it leads too deep. */
+  #encode(tree: Bvh): boolean {
+    const { nodeCount } = this.#encoder.encode(tree, this.moving.u32, this.moving.f32, true);
+    this.treeRows = nodeCount * NODE_ROWS;
+    return this.#stackNeed <= STACK;
+  }
 }

@@ -1,6 +1,7 @@
 /**
- * Mesh → its tree and its triangles as the kernels read them. Triangles lie in the order of the tree's leaves, each with its three
- * vertices and their normals, so that a ray needs no indices. It is done once for each mesh, however many instances it has.
+ * Mesh → its tree, its triangles and its vertices as the kernels read them. Triangles lie in the order of the tree's leaves, each with its
+ * three places, so that a ray needs no indices until it is known where it ends. It is done once for each mesh, however many instances it
+ * has.
  */
 
 import { buildBvh } from '../bvh/build-bvh.ts';
@@ -8,56 +9,60 @@ import type { Bvh } from '../bvh/bvh.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
-import { toOctahedral } from './octahedral.ts';
+import { packVertices } from './pack-vertices.ts';
+import type { PackedMesh } from './packed-mesh.ts';
 
-export interface PackedMesh {
-  /** Rows of the tree's nodes, the root's first. */
-  readonly nodes: Uint32Array<ArrayBuffer>;
-  readonly triangles: Uint32Array<ArrayBuffer>;
-  /** Which triangle of the mesh stands at each place. */
-  readonly order: Uint32Array;
-  readonly stackNeed: number;
+/** A packed mesh with the tree that its words were made of. */
+export interface TreeOfMesh {
+  readonly packed: PackedMesh;
+  readonly bvh: Bvh;
+  /** As in `WideBvh`. */
+  readonly sources: Uint32Array;
 }
 
 const TRIANGLE_WORDS = geometryRows('Triangle') * GEOMETRY_ROW;
-const VERTICES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
-const NORMALS = (['normalA', 'normalB', 'normalC'] as const).map((field) => fieldOffset('Triangle', field) / 4);
+const PLACES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
+const NUMBERS = (['vertexA', 'vertexB', 'vertexC'] as const).map((field) => fieldOffset('Triangle', field) / 4);
 
 /** A mesh does not change. */
 const known = new WeakMap<Mesh, PackedMesh>();
 
 export function packMesh(mesh: Mesh): PackedMesh {
   let packed = known.get(mesh);
-  if (!packed) known.set(mesh, (packed = packWithTree(mesh, buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF }))));
+  if (!packed) known.set(mesh, (packed = packWithTree(mesh, treeFor(mesh)).packed));
   return packed;
 }
 
-function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
-  const { words: nodes, stackNeed } = encodeWideBvh(bvh);
-  return { nodes, triangles: trianglesOf(mesh, bvh.order), order: bvh.order, stackNeed };
+/** The tree that kernels take. */
+export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh =>
+  buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF });
+
+export function packWithTree(mesh: Mesh, bvh: Bvh): TreeOfMesh {
+  const { words: nodes, stackNeed, sources } = encodeWideBvh(bvh);
+  const triangles = trianglesOf(mesh, bvh.order);
+  const packed = { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };
+  return { packed, bvh, sources };
 }
 
-function trianglesOf({ positions, indices, normals }: Mesh, order: Uint32Array): Uint32Array<ArrayBuffer> {
+function trianglesOf({ positions, indices }: Mesh, order: Uint32Array): Uint32Array<ArrayBuffer> {
   const words = new Uint32Array(order.length * TRIANGLE_WORDS);
-  const floats = new Float32Array(words.buffer);
-  const codes = normals && octahedralNormals(normals);
-  for (let place = 0; place < order.length; place++) {
-    const at = place * TRIANGLE_WORDS;
-    const triangle = order[place]! * 3;
-    for (let corner = 0; corner < 3; corner++) {
-      const vertex = indices[triangle + corner]!;
-      const to = at + VERTICES[corner]!;
-      floats[to] = positions[3 * vertex]!;
-      floats[to + 1] = positions[3 * vertex + 1]!;
-      floats[to + 2] = positions[3 * vertex + 2]!;
-      if (codes) words[at + NORMALS[corner]!] = codes[vertex]!;
-    }
-  }
+  for (let place = 0; place < order.length; place++)
+    for (let corner = 0; corner < 3; corner++)
+      words[place * TRIANGLE_WORDS + NUMBERS[corner]!] = indices[3 * order[place]! + corner]!;
+  writePlaces(words, new Float32Array(words.buffer), positions);
   return words;
 }
 
-function octahedralNormals(normals: Float32Array): Uint32Array {
-  const codes = new Uint32Array(normals.length / 3);
-  for (let vertex = 0; vertex < codes.length; vertex++) codes[vertex] = toOctahedral(normals, 3 * vertex);
-  return codes;
+/** The places of all corners, by the vertices that the triangles name already. `floats`: the same memory as `words`. */
+export function writePlaces(words: Uint32Array, floats: Float32Array, positions: Float32Array): void {
+  for (let corner = 0; corner < 3; corner++) {
+    const from = NUMBERS[corner]!;
+    const to = PLACES[corner]!;
+    for (let at = 0; at < words.length; at += TRIANGLE_WORDS) {
+      const vertex = 3 * words[at + from]!;
+      floats[at + to] = positions[vertex]!;
+      floats[at + to + 1] = positions[vertex + 1]!;
+      floats[at + to + 2] = positions[vertex + 2]!;
+    }
+  }
 }

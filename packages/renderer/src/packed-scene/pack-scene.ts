@@ -7,11 +7,22 @@ import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLig
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
-import type { PackedGeometry } from './pack-geometry.ts';
+import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
+import type { PackedTextures } from './pack-textures.ts';
 import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
+/** What the rows of a table were made from; another object whenever they are written. */
+export interface PackSource {
+  readonly scene: Scene;
+  readonly eye: Vec3;
+  readonly reach: ViewReach;
+  /** Whether they have all that the path integrator reads. */
+  readonly surfaces: boolean;
+}
+
 export interface PackedScene {
+  readonly source: PackSource;
   /** Texels of the table, row by row; only the first `rows` rows hold anything. */
   readonly table: Block;
   readonly rows: number;
@@ -33,6 +44,10 @@ export interface PackedScene {
   readonly environmentTurn: number;
   /** Meshes and where they stand; null in scenes packed for the classic integrator. */
   readonly geometry: PackedGeometry | null;
+  /** What meshes are made of; null likewise. */
+  readonly bodies: BodyRows | null;
+  /** What their materials use; null likewise. */
+  readonly textures: PackedTextures | null;
   /** Whether rays of the camera start on both sides of some plane. */
   readonly planesCutView: boolean;
   /** Names in table order, so that an index can be told to people. */
@@ -100,6 +115,7 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
   const shapeEnds = sorted.map((kind) => (end += kind.length)) as [number, number, number, number];
   const occluderEnd = shapeEnds[2] + planes.filter(casts).length;
   return {
+    source: { scene, eye, reach, surfaces: false },
     table,
     rows,
     shapeEnds,
@@ -113,6 +129,8 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     environment: null,
     environmentTurn: 0,
     geometry: null,
+    bodies: null,
+    textures: null,
     shapeNames: ordered.map(([name]) => name),
   };
 }
@@ -137,6 +155,20 @@ function castsShadow({ point, normal }: Plane, eye: Vec3, lights: readonly Spher
 function cuts({ point, normal }: Plane, eye: Vec3, { right, up }: ViewReach): boolean {
   const reach = Math.abs(dot(normal, right)) + Math.abs(dot(normal, up));
   return reach > 0 && Math.abs(dot(normal, subtract(eye, point))) <= reach;
+}
+
+const equal = (a: Vec3, b: Vec3): boolean => a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+
+/** Whether packing again, for the path integrator, would write the same rows. */
+export function isPackedFrom(
+  { source }: PackedScene,
+  scene: Scene,
+  eye: Vec3,
+  { reach = AT_EYE }: PackOptions,
+): boolean {
+  const { right, up } = source.reach;
+  const same = source.surfaces && source.scene === scene;
+  return same && equal(source.eye, eye) && equal(right, reach.right) && equal(up, reach.up);
 }
 
 type ShapeValues = StructValues<'Bounds'> & StructValues<'Extent'>;

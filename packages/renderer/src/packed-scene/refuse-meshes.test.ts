@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { cubeMesh } from '../../../../tests/fixtures/meshes/solids.ts';
 import { testScene } from '../../../../tests/fixtures/scenes.ts';
+import { stillMoment } from '../scene/motion.ts';
 import { loadGeometryPacker } from './geometry-packer.ts';
 import { packPathScene } from './pack-path-scene.ts';
 import { packScene } from './pack-scene.ts';
@@ -22,5 +23,5 @@ test('for the classic integrator nothing is packed without the meshes that it ha
   const scene = testScene({ ball, 'my cube': cube }, {}, { meshes });
   expect(() => packScene(scene, [0, 0, 5])).toThrow(UntraceableSceneError);
   expect(() => packScene(scene, [0, 0, 5])).toThrow('The shape "my cube" is a mesh');
-  expect(packPathScene(scene, [0, 0, 5]).shapeNames).toEqual(['ball', 'my cube']);
+  expect(packPathScene(stillMoment(scene), [0, 0, 5]).shapeNames).toEqual(['ball', 'my cube']);
 });

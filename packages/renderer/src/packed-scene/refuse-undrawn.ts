@@ -1,24 +1,33 @@
 /**
- * What a scene model may say and no kernel draws yet: textures and colours of vertices. A picture without
- * them would be a wrong one, so that such a scene is refused; docs/gltf.md has the list.
+ * What a scene model may say and no kernel draws yet: a normal map of a clear coat's own, and textures on other shapes than meshes. A picture
+ * without them would be a wrong one, so that such a scene is refused; docs/gltf.md has the list.
  */
 import type { MaterialLayers } from '../scene/material-layers.ts';
-import type { Material, Scene } from '../scene/scene.ts';
-import { isClear } from './layer-values.ts';
+import type { Material, Scene, Shape } from '../scene/scene.ts';
+import type { NormalTextureUse } from '../scene/textures.ts';
+import { isClear, isLayered } from './layer-values.ts';
 import { UntraceableSceneError } from './refuse-meshes.ts';
+import { mayBeMissing } from './texture-slots.ts';
 
-/** Whether what stands there makes a difference to the picture that is missing. Of groups only textures are, see below. */
-const UNDRAWN: { readonly [Key in keyof MaterialLayers]?: (material: Material & MaterialLayers) => boolean } = {
-  baseColorTexture: () => true,
-  metallicRoughnessTexture: () => true,
-  normalTexture: () => true,
-  emissionTexture: ({ emission }) => emission.some((x) => x > 0),
-  alphaMode: ({ alphaMode, opacity = 1, alphaCutoff = 0.5 }) =>
-    alphaMode === 'mask' ? opacity < alphaCutoff : alphaMode === 'blend' && opacity < 1,
+type Layered = Material & MaterialLayers;
+type Layer = keyof MaterialLayers;
+/** Whether what stands there makes a difference to the picture. */
+type Counts<Key extends Layer = Layer> = { readonly [K in Key]?: (material: Layered) => boolean };
+
+/** On any shape. */
+const UNDRAWN: Counts = {
+  // The coat would need a frame of its own.
+  clearcoat: ({ clearcoat, normalTexture }) =>
+    clearcoat!.weight > 0 && !isSameMap(normalTexture, clearcoat!.normalTexture),
 };
 
-/** The groups that may have textures in them. Rays find out themselves how thick a volume is. */
-const GROUPS = [
+/** Whether coat and base are bent alike, or neither is. */
+function isSameMap(base: NormalTextureUse | undefined, coat: NormalTextureUse | undefined): boolean {
+  return JSON.stringify(base) === JSON.stringify(coat);
+}
+
+/** The groups that may have textures in them that count. */
+const LAYER_GROUPS = [
   'specularLobe',
   'transmission',
   'diffuseTransmission',
@@ -26,36 +35,61 @@ const GROUPS = [
   'sheen',
   'anisotropy',
   'iridescence',
-] as const satisfies readonly (keyof MaterialLayers)[];
+] as const satisfies readonly Layer[];
+const isTextured = (group: object): boolean => Object.keys(group).some((key) => key.toLowerCase().endsWith('texture'));
 
-const isTexture = (key: string): boolean => key.toLowerCase().endsWith('texture');
+/** On shapes that a formula describes, which have no texture coordinates and are there on both sides of all places. */
+const UNDRAWN_BUT_ON_MESHES: Counts = {
+  alphaMode: (material) => mayBeMissing(material, undefined),
+  baseColorTexture: () => true,
+  metallicRoughnessTexture: ({ unlit = false }) => !unlit,
+  normalTexture: ({ unlit = false }) => !unlit,
+  emissionTexture: ({ emission, unlit = false }) => !unlit && emission.some((x) => x > 0),
+  ...Object.fromEntries(
+    LAYER_GROUPS.map((group) => [group, (material: Layered) => isLayered(material) && isTextured(material[group]!)]),
+  ),
+};
+
+const found = (undrawn: Counts, material: Layered): string[] =>
+  Object.entries(undrawn)
+    .filter(([key, counts]) => material[key as Layer] !== undefined && counts(material))
+    .map(([key]) => key);
 
 /** Names of all that the material has and no kernel draws. */
-export function undrawnOf(material: Material & MaterialLayers): string[] {
-  const own = Object.entries(UNDRAWN)
-    .filter(([key, counts]) => material[key as keyof MaterialLayers] !== undefined && counts(material))
-    .map(([key]) => key);
-  const inGroups = GROUPS.flatMap((group) =>
-    Object.keys(material[group] ?? {}).flatMap((key) => (isTexture(key) ? [`${group}.${key}`] : [])),
-  );
-  return [...own, ...inGroups];
-}
+export const undrawnOf = (material: Layered): string[] => found(UNDRAWN, material);
 
 /** Throws when a shape has a material, or a mesh, of which something would be missing in the picture. */
-export function refuseUndrawn({ shapes, materials, meshes = {} }: Scene): void {
-  for (const shape of Object.values(shapes)) {
-    const undrawn = undrawnOf(materials[shape.material]!);
+export function refuseUndrawn(scene: Scene): void {
+  for (const [name, shape] of Object.entries(scene.shapes)) {
+    const material = scene.materials[shape.material]!;
+    const undrawn = undrawnOf(material);
     if (undrawn.length > 0)
       throw new UntraceableSceneError(
-        `The material "${shape.material}" has ${undrawn.join(', ')}, which this version reads and does not draw yet.`,
+        `The material "${shape.material}" has ${undrawn.join(', ')} with another normal map than its base, which this version reads and does not draw yet.`,
       );
-    if (shape.type === 'plane' && isClear(materials[shape.material]!))
+    if (shape.type === 'plane' && isClear(material))
       throw new UntraceableSceneError(
-        `A plane is made of "${shape.material}", which light goes through, but a plane lets nothing through; please use a box or a quad.`,
+        `The plane "${name}" is made of "${shape.material}", which light goes through, but a plane lets nothing through; please use a box or a quad.`,
       );
-    if (shape.type === 'mesh' && meshes[shape.mesh]?.data?.colors)
-      throw new UntraceableSceneError(
-        `The mesh "${shape.mesh}" has colours at its vertices, which this version reads and does not draw yet.`,
-      );
+    if (shape.type === 'mesh') refuseFramelessMap(scene, shape, material);
+    else refuseOnFormula(name, shape, material);
   }
+}
+
+function refuseOnFormula(name: string, { type, material: materialName }: Shape, material: Layered): void {
+  const undrawn = found(UNDRAWN_BUT_ON_MESHES, material);
+  if (undrawn.length > 0)
+    throw new UntraceableSceneError(
+      `The material "${materialName}" has ${undrawn.join(', ')}, and the shape "${name}" is a ${type}: only meshes have textures and opacity.`,
+    );
+}
+
+/** Directions in normal maps and in those of a grain count from a frame of tangents. Meshes of glTF files have one, or get one when they are read. */
+function refuseFramelessMap({ meshes = {} }: Scene, shape: Shape & { type: 'mesh' }, material: Layered): void {
+  const { data } = meshes[shape.mesh]!;
+  const map = material.normalTexture ? 'normalTexture' : material.anisotropy?.texture ? 'anisotropy.texture' : null;
+  if (map && !material.unlit && data && !data.tangents)
+    throw new UntraceableSceneError(
+      `The material "${shape.material}" has ${map}, and the mesh "${shape.mesh}" has no tangents, which its directions count from.`,
+    );
 }

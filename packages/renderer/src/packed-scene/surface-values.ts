@@ -23,11 +23,10 @@ export interface Lamp {
 }
 
 /**
- * `lamp`: null for a shape that light sampling does not know as one. `layers`: the row of the table with the material's layers; 0: it has
- * none.
+ * `lamp`: null for a shape that light sampling does not know as one. `textures`: row among the texels that says which it uses; 0: none.
+ * `layers`: row of the table with the material's layers; 0: it has none.
  */
-export function surfaceValues(given: Material, lamp: Lamp | null, layers = 0): StructValues<'Surface'> {
-  const m = given.unlit ? unlit(given) : given;
+export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0, layers = 0): StructValues<'Surface'> {
   const flags =
     (m.thin ? THIN : 0) +
     (m.energyCompensation ? COMPENSATED : 0) +
@@ -35,28 +34,23 @@ export function surfaceValues(given: Material, lamp: Lamp | null, layers = 0): S
     (isSmooth(m) ? SMOOTH : 0);
   const emitter = lamp ? EMITTER * (lamp.emitter + 1) : 0;
   return {
-    baseColor: m.baseColor,
-    code: KINDS.indexOf(m.type) + flags + emitter,
+    baseColor: m.unlit ? [0, 0, 0] : m.baseColor,
+    code: KINDS.indexOf(m.unlit ? 'diffuse' : m.type) + flags + emitter,
     emission: emissionOf(m),
-    reflectivity: m.reflectivity,
-    eta: m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta,
+    reflectivity: m.unlit ? 0 : m.reflectivity,
+    eta: etaOf(m, layers),
     alpha: m.roughness ** 2,
     k: m.conductor.k,
     metallic: m.metallic,
     absorption: absorption(m),
-    layers: isClear(m) ? -layers : layers,
+    textures,
   };
 }
 
-/** KHR_materials_unlit: what leaves the surface is its colour, whatever comes. */
-const unlit = (m: Material): Material => ({
-  ...m,
-  type: 'diffuse',
-  emission: m.baseColor,
-  emissionStrength: 1,
-  baseColor: [0, 0, 0],
-  reflectivity: 0,
-});
+function etaOf(m: Material, layers: number): Color {
+  if (m.type === 'metallicRoughness') return [isClear(m) ? -layers : layers, 0, 0];
+  return m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta;
+}
 
 /** Whether its facets reflect and refract like a mirror. A thin pane's do: its two faces undo each other's bend. */
 function isSmooth({ type, roughness, thin, ior }: Material): boolean {

@@ -1,8 +1,9 @@
 /** The two questions that are asked of a scene: what does a ray meet first, and does anything stand in its way. */
+import { emissionOf } from '../scene/lamps.ts';
 import type { Color, SphereLight, Vec3 } from '../scene/scene.ts';
 import { addScaled, dot, negate } from '../scene/vec3.ts';
 import { intersectBox, intersectPlane, intersectQuad, intersectSphere, outwardNormal } from './intersect.ts';
-import { colorAt, intersectMesh, shadingNormal, triangleNormal } from './mesh/mesh.ts';
+import { colorsAt, intersectMesh, shadingNormal, triangleNormal } from './mesh/mesh.ts';
 import type { MeshHit } from './mesh/tree.ts';
 import type { PreparedScene, PreparedShape } from './prepare.ts';
 import type { Ray } from './ray.ts';
@@ -17,8 +18,9 @@ export interface SurfaceHit {
   readonly geometricNormal: Vec3;
   /** n of docs/classic.md: the geometric normal, or what a mesh's vertices have instead, on the same side. */
   readonly shadingNormal: Vec3;
-  /** The material's, times the vertices' colours. */
+  /** The material's, times the vertices' colours and those of textures. */
   readonly baseColor: Color;
+  readonly emission: Color;
   /** Of a mesh, else −1. */
   readonly triangle: number;
 }
@@ -69,19 +71,19 @@ export function surfaceAt(shape: PreparedShape, ray: Ray, t: number, spot: MeshH
   const outward = shape.type === 'mesh' ? triangleNormal(shape, spot!) : outwardNormal(shape, ray, t);
   const geometricNormal = dot(outward, ray.direction) > 0 ? negate(outward) : outward;
   const { baseColor } = shape.material;
+  const plain = { baseColor, emission: emissionOf(shape.material) };
   return {
     t,
     shape,
     point: addScaled(ray.origin, ray.direction, t),
     outwardNormal: outward,
     geometricNormal,
-    shadingNormal: shape.type === 'mesh' ? shadingNormal(shape, spot!, geometricNormal) : geometricNormal,
-    baseColor: shape.type === 'mesh' ? multiply(baseColor, colorAt(shape, spot!)) : baseColor,
+    shadingNormal:
+      shape.type === 'mesh' ? shadingNormal(shape, spot!, geometricNormal, ray.direction) : geometricNormal,
+    ...(shape.type === 'mesh' ? colorsAt(shape, spot!) : plain),
     triangle: shape.type === 'mesh' ? spot!.triangle : -1,
   };
 }
-
-const multiply = (a: Color, b: Color): Color => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
 /** Whether a shape stands between the ray's start and `distance`. Light balls cast no shadows. */
 export function occluded(scene: PreparedScene, ray: Ray, distance: number): boolean {

@@ -3,8 +3,8 @@
  * backend takes its AOVs from it.
  */
 import type { PixelFilter } from '../packed-scene/pack-filter.ts';
-import { lampsAsShapes } from '../scene/lamps.ts';
-import type { Camera, Color, Integrator, Scene, Vec3 } from '../scene/scene.ts';
+import { emissionOf, lampsAsShapes } from '../scene/lamps.ts';
+import type { Camera, Color, Integrator, Material, Scene, Vec3 } from '../scene/scene.ts';
 import { sceneSeenBy } from '../scene/seen-by.ts';
 import { dot, subtract } from '../scene/vec3.ts';
 import { conductorFresnel } from './bsdf/fresnel.ts';
@@ -66,15 +66,16 @@ export function prepareFirstHit(scene: Scene, settings: FirstHitSettings): First
     const material = seen.materials[shape.material]!;
     const oneSided = shape.type === 'quad' && lightOfShape.has(name);
     const front = albedoOf(material);
-    const back = oneSided ? albedoOf({ ...material, emission: [0, 0, 0] }) : front;
+    const back = oneSided ? albedoOf(material, [0, 0, 0]) : front;
     shapes.set(kinds[shape.type].shift()!, { id: index + 1, front, back });
   });
   const frame = cameraFrame(camera, settings.width, settings.height);
   return { ...settings, camera, cameraFrame: frame, scene: prepared, shapes };
 }
 
-function albedoOf(material: Scene['materials'][string]): Color {
-  const { type, baseColor, conductor, reflectivity, emission } = material;
+function albedoOf(material: Material, emission = emissionOf(material)): Color {
+  const { type, baseColor, conductor, reflectivity, unlit = false } = material;
+  if (unlit) return baseColor;
   const { eta, k } = conductor;
   const measured = [...eta, ...k].some((x) => x > 0);
   const metal = measured ? mapColor(eta, (n, c) => conductorFresnel(1, n, k[c])) : baseColor;
@@ -110,12 +111,11 @@ export function traceFirstHit(
   const closeness = 1 / (1 + (place[0] - 0.5) ** 2 + (place[1] - 0.5) ** 2);
   const { t, shape, spot } = closestHit(tracer.scene, ray);
   if (shape === null) return { hit: null, closeness };
-  const { point, outwardNormal, shadingNormal, baseColor } = surfaceAt(shape, ray, t, spot);
+  const { point, outwardNormal, shadingNormal, baseColor, emission } = surfaceAt(shape, ray, t, spot);
   const fromBack = dot(outwardNormal, ray.direction) > 0;
   const { id, front, back } = tracer.shapes.get(shape)!;
   const hit = {
-    albedo:
-      baseColor === shape.material.baseColor ? (fromBack ? back : front) : albedoOf({ ...shape.material, baseColor }),
+    albedo: shape.type === 'mesh' ? albedoOf({ ...shape.material, baseColor }, emission) : fromBack ? back : front,
     normal: shadingNormal,
     geometricNormal: outwardNormal,
     place: subtract(point, tracer.camera.eye),

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { displacedSphere } from '../../../../tests/fixtures/meshes/landscapes.ts';
 import { testLight, testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
-import { placementOf, toMatrix } from '../scene/placement.ts';
+import { placementOf } from '../scene/placed.ts';
 import type { Camera, Scene, Shape, SphereLight, Vec3 } from '../scene/scene.ts';
 import { rotate, scale, subtract } from '../scene/vec3.ts';
 import { type ClassicSettings, traceClassic } from './classic.ts';
@@ -82,9 +82,11 @@ function moveShape(shape: Shape, { point, vector, factor, rotation }: Similarity
     case 'quad':
       return { ...shape, corner: point(shape.corner), u: vector(shape.u), v: vector(shape.v) };
     case 'mesh': {
-      const { x, y, z, origin } = placementOf(shape);
-      const moved = { x: vector(x), y: vector(y), z: vector(z), origin: point(origin) };
-      return { ...shape, translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1], matrix: toMatrix(moved) };
+      const m = placementOf(shape);
+      const column = (c: number): Vec3 => [m[c]!, m[4 + c]!, m[8 + c]!];
+      const moved = [...[0, 1, 2].map((c) => vector(column(c))), point(column(3))];
+      const matrix = [0, 1, 2].flatMap((row) => moved.map((c) => c[row]!)).concat(0, 0, 0, 1);
+      return { ...shape, translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1], matrix };
     }
   }
 }

@@ -1,25 +1,31 @@
+import { isSolid } from '../scene/affine.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import { fromMatrix, isSolid } from '../scene/placement.ts';
 import type { Camera, Light, Material, Matrix4, Scene, Shape, Vec3 } from '../scene/scene.ts';
 import { SHAPE_TYPES } from '../scene/shape-types.ts';
 import { cameraFault, isDirection, spansPlane } from '../scene/well-formed.ts';
+import { checkClips } from './check-clips.ts';
+import { checkModels } from './check-models.ts';
+import { checkNodes } from './check-nodes.ts';
+import { checkReferences } from './check-references.ts';
 import type { FaultyPlaces } from './faulty-places.ts';
-import { nearest, type Path, type ProblemList, quote } from './problem.ts';
+import { type Path, type ProblemList, quote } from './problem.ts';
 
 /** The parts of a scene that refer to one another, or that tracks point into. */
-export type Sections = Pick<Scene, 'camera' | 'sky' | 'materials' | 'meshes' | 'shapes' | 'lights'>;
+export type Sections = Omit<Scene, 'version' | 'name' | 'description' | 'animation' | 'render'>;
 
 /** Checks what a scene must keep beyond the form of its parts; passes over parts that are faulty in themselves. */
 export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: ProblemList): void {
-  if (!faulty.touches('camera')) checkCamera(scene.camera, problems);
-  if (!faulty.touches('shapes') && !faulty.touches('lights')) checkNotEmpty(scene, problems);
+  if (!faulty.touches('camera')) checkCamera(['camera'], scene.camera, problems);
+  for (const [name, camera] of Object.entries(scene.cameras ?? {}))
+    if (!faulty.has('cameras', name)) checkCamera(['cameras', name], camera, problems);
+  if (!faulty.touches('shapes') && !faulty.touches('lights') && !scene.models) checkNotEmpty(scene, problems);
   const shapes = Object.entries(scene.shapes).filter(([name]) => !faulty.has('shapes', name));
   checkCounts(shapes, problems);
-  const materials = Object.keys(scene.materials);
-  const meshes = Object.keys(scene.meshes ?? {});
+  checkReferences(scene, faulty, problems);
+  checkNodes(scene, faulty, problems);
+  checkClips(scene, faulty, problems);
+  checkModels(scene, faulty, problems);
   for (const [name, shape] of shapes) {
-    if (!faulty.has('materials')) checkReference(name, 'material', shape.material, materials, problems);
-    if (shape.type === 'mesh' && !faulty.has('meshes')) checkReference(name, 'mesh', shape.mesh, meshes, problems);
     checkForm(name, shape, problems);
     if (shape.type !== 'plane' || faulty.has('materials') || faulty.has('materials', shape.material)) continue;
     const material = Object.hasOwn(scene.materials, shape.material) ? scene.materials[shape.material] : undefined;
@@ -29,16 +35,16 @@ export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: Prob
     if (!faulty.has('lights', name)) checkLight(name, light, problems);
 }
 
-function checkCamera(camera: Camera, problems: ProblemList): void {
+function checkCamera(path: Path, camera: Camera, problems: ProblemList): void {
   const fault = cameraFault(camera);
   if (fault === 'target') {
     const message = 'The camera looks at the point where it stands; please move "eye" and "target" apart.';
-    problems.add(['camera', 'target'], 'the place of the eye', 'a point at least 1e-6 metres from "eye"', message);
+    problems.add([...path, 'target'], 'the place of the eye', 'a point at least 1e-6 metres from "eye"', message);
   }
   if (fault === 'up') {
     const message = 'The camera\'s "up" is zero or lies along its line of sight, so that no side of the picture is up.';
     const allowed = 'a direction across the line from "eye" to "target"';
-    problems.add(['camera', 'up'], `[${camera.up.join(', ')}]`, allowed, message);
+    problems.add([...path, 'up'], `[${camera.up.join(', ')}]`, allowed, message);
   }
 }
 
@@ -57,24 +63,6 @@ function checkCounts(shapes: readonly (readonly [string, Shape])[], problems: Pr
   }
 }
 
-/** Whether the scene has the material or mesh that a shape names. */
-function checkReference(
-  shape: string,
-  kind: 'material' | 'mesh',
-  wanted: string,
-  names: readonly string[],
-  problems: ProblemList,
-): void {
-  if (names.includes(wanted)) return;
-  const some = names.slice(0, 8).map((name) => quote(name));
-  const more = names.length > 8 ? ` and ${names.length - 8} more` : '';
-  const listed = names.length === 0 ? `a ${kind}; this scene has none yet` : `one of ${some.join(', ')}${more}`;
-  const meant = nearest(wanted, names);
-  const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
-  const message = `The shape ${quote(shape)} uses the ${kind} ${quote(wanted)}, which this scene does not have; it needs ${listed}.${hint}`;
-  problems.add(['shapes', shape, kind], `the name ${quote(wanted)}`, listed, message);
-}
-
 function checkForm(name: string, shape: Shape, problems: ProblemList): void {
   if (shape.type === 'plane') checkDirection(['shapes', name, 'normal'], shape.normal, problems);
   if (shape.type === 'quad') checkSides(['shapes', name], `The quad ${quote(name)}`, shape, problems);
@@ -89,7 +77,7 @@ function checkMatrix(name: string, matrix: Matrix4, problems: ProblemList): void
   if (last.some((x, column) => x !== LAST_ROW[column])) {
     const message = `The last row of the matrix of ${quote(name)} is ${last.join(' ')}, where it must be 0 0 0 1; the matrix is given row by row.`;
     problems.add(path, `the last row ${last.join(' ')}`, 'the last row 0 0 0 1', message);
-  } else if (!isSolid(fromMatrix(matrix))) {
+  } else if (!isSolid(matrix)) {
     const message = `The matrix of ${quote(name)} makes the mesh flat: its first three columns are zero or lie in one plane.`;
     problems.add(path, 'columns that lie in one plane', 'three columns that do not lie in one plane', message);
   }

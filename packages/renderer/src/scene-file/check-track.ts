@@ -2,7 +2,7 @@ import * as v from 'valibot';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import { formatPointer, parsePointer } from '../scene/pointer.ts';
 import type { Track } from '../scene/scene.ts';
-import { type AnimationTarget, resolveTarget } from '../scene/targets.ts';
+import { type AnimationTarget, resolveClipTarget, resolveTarget } from '../scene/targets.ts';
 import type { Sections } from './check-scene.ts';
 import type { FaultyPlaces } from './faulty-places.ts';
 import { describe, nearest, type Path, type ProblemList, quote } from './problem.ts';
@@ -12,7 +12,7 @@ import { entryOf, objectOption, optionOfType, type SchemaTree, treeOf, unwrap } 
 /** Shortest time between two keys, seconds. */
 const SHORTEST_STEP = 1e-6;
 const MOVABLE =
-  'a pointer to a number or a triple of numbers under "/camera", "/sky", "/materials", "/shapes" or "/lights"';
+  'a pointer to a number or a triple of numbers under "/camera", "/sky", "/materials", "/shapes", "/lights", "/nodes" or "/cameras"';
 
 /** Checks tracks one after another: targets, the form and range of every key, times, and that no two move the same. */
 export class TrackChecker {
@@ -94,20 +94,31 @@ export class TrackChecker {
 }
 
 /** The schema that a key's value must keep at this target: the same that the value itself keeps. */
-function schemaOf(target: AnimationTarget, scene: Sections): v.GenericSchema | undefined {
-  const section = unwrap(entryOf(treeOf(sceneSchema), target.section)!);
-  let thing: SchemaTree | undefined = section.type === 'union' ? objectOption(section) : section;
-  if (target.name !== null) {
-    thing = section.value;
-    if (thing?.type === 'variant') thing = optionOfType(thing, scene.shapes[target.name]?.type);
+function schemaOf({ section, name, property, component }: AnimationTarget, scene: Sections) {
+  return schemaAt(scene, section, name, component === null ? [property] : [property, String(component)]);
+}
+
+/** Of what stands at a path in a section, or of the thing with this name in it; undefined when none is known. */
+export function schemaAt(
+  scene: Sections,
+  section: string,
+  name: string | null,
+  path: readonly string[],
+): v.GenericSchema | undefined {
+  const whole = unwrap(entryOf(treeOf(sceneSchema), section)!);
+  let thing: SchemaTree | undefined = name === null ? whole : whole.value;
+  const things = scene[section as keyof Sections] as Readonly<Record<string, { readonly type?: string }>>;
+  if (thing?.type === 'variant') thing = optionOfType(thing, things[name!]?.type);
+  for (const key of path) {
+    if (thing?.type === 'union') thing = objectOption(thing);
+    thing = thing && (thing.item ?? entryOf(thing, key));
+    thing = thing && unwrap(thing);
   }
-  const property = thing && entryOf(thing, target.property);
-  const whole = property && unwrap(property);
-  return (target.component === null ? whole : whole?.item) as unknown as v.GenericSchema | undefined;
+  return thing as unknown as v.GenericSchema | undefined;
 }
 
 /** For a pointer with one wrong segment: the pointer with what may have been meant there. */
-function nearestTarget(scene: Sections, pointer: string): string | null {
+export function nearestTarget(scene: Sections, pointer: string): string | null {
   const segments = parsePointer(pointer);
   if (segments === null || segments.length > 4 || pointer.length > 2 * SCENE_LIMITS.nameLength) return null;
   let here: unknown = scene;
@@ -120,5 +131,5 @@ function nearestTarget(scene: Sections, pointer: string): string | null {
     here = (here as Record<string, unknown>)[meant];
   }
   const result = formatPointer(corrected);
-  return resolveTarget(scene, result) === null ? null : result;
+  return resolveClipTarget(scene, result) === null ? null : result;
 }

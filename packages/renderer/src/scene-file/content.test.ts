@@ -4,6 +4,7 @@ import { testScene } from '../../../../tests/fixtures/scenes.ts';
 import { sceneAt } from '../scene/animation.ts';
 import type { MeshSource } from '../scene/mesh.ts';
 import type { Scene } from '../scene/scene.ts';
+import { goodScene } from './broken/good-scene.ts';
 import { parseScene } from './parse-scene.ts';
 import { requireScene } from './require-scene.ts';
 import { writeScene } from './write-scene.ts';
@@ -60,4 +61,12 @@ test('triangles stay while the shape moves', () => {
   expect(now.shapes.cube).toMatchObject({ translation: [0, 2, 0] });
   expect(now.meshes).toBe(scene.meshes);
   expect(requireScene(now).meshes!.cube!.data).toBe(scene.meshes!.cube!.data);
+});
+
+test('a scene of a program may say its sky as files do, or nothing of it', () => {
+  const { sky: _, meshes: __, shapes, ...bare } = goodScene();
+  const scene = { ...bare, shapes: { ball: shapes.ball } };
+  expect(requireScene(scene).sky).toEqual({ horizon: [0, 0, 0], zenith: [0, 0, 0] });
+  const color = [0.1, 0.2, 0.3];
+  expect(requireScene({ ...scene, sky: color }).sky).toEqual({ horizon: color, zenith: color });
 });

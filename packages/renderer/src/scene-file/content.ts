@@ -4,14 +4,17 @@
  */
 import { shadedMesh } from '../mesh-file/shaded-mesh.ts';
 import { type EnvironmentMap, environmentFault } from '../scene/environment.ts';
+import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { LoadedMesh, MeshSource } from '../scene/mesh.ts';
 import { crowdFault, meshFault } from '../scene/mesh-fault.ts';
 import type { Scene, Sky } from '../scene/scene.ts';
-import { withMap, withMeshes } from './parse-scene.ts';
+import type { ImageSource } from '../scene/textures.ts';
+import { withMap, withMeshes, withThings } from './parse-scene.ts';
 
 /** Any names will do while the form of the scene is checked. */
 const NO_IMAGE = 'memory.hdr';
 const NO_MESH = 'memory.ply';
+const NO_PICTURE = 'memory.png';
 
 type Thing = Readonly<Record<string, unknown>>;
 const isThing = (value: unknown): value is Thing =>
@@ -20,12 +23,20 @@ const isThing = (value: unknown): value is Thing =>
 /** What `parseScene` reads: without content, and with names of files for what has content and none. */
 export function asInText(given: unknown): unknown {
   if (!isThing(given)) return given;
-  const { sky, meshes } = given;
+  const { sky, meshes, images, models } = given;
   return {
     ...given,
     ...(isThing(sky) ? { sky: withoutContent(sky, 'map', 'image', NO_IMAGE) } : {}),
+    ...(isThing(images) ? { images: mapValues(images, (i) => withoutContent(i, 'data', 'file', NO_PICTURE)) } : {}),
+    ...(isThing(models) ? { models: withoutLoaded(models) } : {}),
     ...(isThing(meshes) ? { meshes: mapValues(meshes, (m) => withoutContent(m, 'data', 'file', NO_MESH)) } : {}),
   };
+}
+
+/** What has been loaded is among the scene's things, which are read as its own. */
+function withoutLoaded(models: Thing): Thing | undefined {
+  const rest = Object.entries(models).filter(([, model]) => !isThing(model) || model.things === undefined);
+  return rest.length > 0 ? Object.fromEntries(rest) : undefined;
 }
 
 function withoutContent(thing: unknown, content: string, file: string, instead: string): unknown {
@@ -42,9 +53,30 @@ const mapValues = <From, To>(things: Readonly<Record<string, From>>, change: (th
  * used.
  */
 export function withContent(scene: Scene, given: Scene): Scene {
-  const mapped = given.sky.map === undefined ? scene : attachMap(scene, given.sky);
-  if (!Object.values(given.meshes ?? {}).some(({ data }) => data !== undefined)) return mapped;
-  return withMeshes(mapped, meshesOf(mapped.meshes!, given.meshes!), true);
+  // One colour is a list, which has a `map` of its own.
+  const hasMap = isThing(given.sky) && given.sky.map !== undefined;
+  const mapped = hasMap ? attachMap(scene, given.sky) : scene;
+  const drawn = hasContent(given.images)
+    ? withThings(mapped, { images: imagesOf(mapped.images!, given.images!) }, true)
+    : mapped;
+  return hasContent(given.meshes) ? withMeshes(drawn, meshesOf(drawn.meshes!, given.meshes!), true) : drawn;
+}
+
+const hasContent = (things: Readonly<Record<string, { readonly data?: unknown }>> = {}): boolean =>
+  Object.values(things).some(({ data }) => data !== undefined);
+
+function imagesOf(read: Meshes<ImageSource>, given: Meshes<ImageSource>): Meshes<ImageSource> {
+  return mapValues(read, (image, name): ImageSource => {
+    const { data, file } = given[name] ?? {};
+    if (data === undefined) return image;
+    const { width, height, rgba } = data;
+    const isSide = (side: number) => Number.isInteger(side) && side >= 1 && side <= SCENE_LIMITS.imageSide;
+    if (!isSide(width) || !isSide(height) || rgba?.length !== width * height * 4)
+      throw new TypeError(
+        `This is no scene.\n/images/${name}/data: the image has ${rgba?.length} bytes for ${width} × ${height} pixels.`,
+      );
+    return file === undefined ? { data } : { file, data };
+  });
 }
 
 function attachMap(scene: Scene, { map, image }: Sky): Scene {

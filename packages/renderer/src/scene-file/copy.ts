@@ -31,7 +31,7 @@ function copy(schema: SchemaTree, value: unknown, path: Path, progress: Progress
   if (typeof value !== 'object') return foreign(value);
   const form = formFor(unwrap(schema), value);
   try {
-    if (Array.isArray(value)) return form?.type === 'array' ? copyList(form, value, path, progress) : foreign(value);
+    if (isList(value)) return form?.type === 'array' ? copyList(form, value, path, progress) : foreign(value);
     if (Object.prototype.toString.call(value) !== '[object Object]') return foreign(value);
     if (form?.type === 'strict_object') return copyObject(form, value, path, progress);
     if (form?.type === 'record') return copyNamed(form, value, path, progress);
@@ -52,9 +52,9 @@ function formFor(schema: SchemaTree, value: object): SchemaTree | undefined {
   return isList(value) ? undefined : (optionOfType(schema, read(value, 'type')) ?? { type: 'strict_object' });
 }
 
-function isList(value: object): boolean {
+function isList(value: object): value is readonly unknown[] {
   try {
-    return Array.isArray(value);
+    return Array.isArray(value) || value instanceof Float32Array; // a program may have its numbers so
   } catch {
     return false;
   }

@@ -1,5 +1,5 @@
 export * from '../mesh-file/index.ts';
-export { type LoadedScene, loadFiles } from './load-files.ts';
+export { type LoadedScene, type LoadOptions, loadFiles } from './load-files.ts';
 export { type ParsedScene, parseScene } from './parse-scene.ts';
 export type { Problem } from './problem.ts';
 export { fetchBeside, type ReadFile } from './read-file.ts';

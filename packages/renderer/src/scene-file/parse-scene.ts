@@ -3,8 +3,9 @@ import type { EnvironmentMap } from '../scene/environment.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { MeshSource } from '../scene/mesh.ts';
 import type { Scene, Track } from '../scene/scene.ts';
-import { checkScene } from './check-scene.ts';
+import { checkScene, type Sections } from './check-scene.ts';
 import { TrackChecker } from './check-track.ts';
+import { completeNames } from './complete-names.ts';
 import { copyBySchema, TooManyValues } from './copy.ts';
 import { FaultyPlaces } from './faulty-places.ts';
 import { readJsonText } from './json-text.ts';
@@ -51,15 +52,24 @@ export function withMap(scene: Scene, map: EnvironmentMap, checked = isParsedSce
 }
 
 /** The scene with the content of its meshes, as `withMap` of the sky's. */
-export function withMeshes(
+export const withMeshes = (
   scene: Scene,
   meshes: Readonly<Record<string, MeshSource>>,
   checked = isParsedScene(scene),
-): Scene {
-  // The arrays themselves cannot be frozen.
-  const frozen = Object.entries(meshes).map(([name, mesh]) => [name, Object.freeze({ ...mesh })] as const);
-  const all = Object.freeze(Object.assign(Object.create(null), Object.fromEntries(frozen)));
-  const whole: Scene = Object.freeze({ ...scene, meshes: all });
+): Scene => withThings(scene, { meshes }, checked);
+
+type Things = Partial<Pick<Scene, (typeof OPTIONAL)[number] | 'shapes' | 'materials' | 'lights'>>;
+
+/** The scene with other things in some sections, as good as it is, or, when the caller has looked at them, good. */
+export function withThings(scene: Scene, things: Things, checked = isParsedScene(scene)): Scene {
+  const sections = Object.entries(things).map(([section, all]) => {
+    // Arrays of numbers cannot be frozen.
+    const frozen = Object.entries(all).map(
+      ([name, thing]) => [name, Object.isFrozen(thing) ? thing : Object.freeze({ ...thing })] as const,
+    );
+    return [section, Object.freeze(names(Object.fromEntries(frozen)))] as const;
+  });
+  const whole: Scene = Object.freeze({ ...scene, ...Object.fromEntries(sections) });
   if (checked) parsedScenes.add(whole);
   return whole;
 }
@@ -100,18 +110,27 @@ function readScene(input: unknown, problems: ProblemList): Scene | null {
   for (const issue of result.issues ?? []) faulty.add(reportIssue(issue, [], problems));
   if (!isObject(result.output)) return null;
   const still = result.output as unknown as Scene;
-  const sections = {
-    camera: still.camera,
-    sky: still.sky,
-    materials: names(still.materials),
-    ...(still.meshes === undefined ? {} : { meshes: names(still.meshes) }),
-    shapes: names(still.shapes),
-    lights: names(still.lights),
-  };
+  const sections = completeNames(sectionsOf(still));
   checkScene(sections, faulty, problems);
   const animation = readTracks(tracks, new TrackChecker(sections, faulty, problems), problems);
   const { version, name, description, render } = still;
   return { version, name, description, ...sections, animation, render };
+}
+
+/** What a scene need not have. */
+const OPTIONAL = ['meshes', 'models', 'nodes', 'skins', 'images', 'textures', 'clips', 'variants', 'cameras'] as const;
+
+function sectionsOf(still: Scene): Sections {
+  const optional = OPTIONAL.filter((section) => still[section] !== undefined);
+  return {
+    camera: still.camera,
+    sky: still.sky,
+    materials: names(still.materials),
+    ...Object.fromEntries(optional.map((section) => [section, names(still[section])])),
+    ...(still.clip === undefined ? {} : { clip: still.clip }),
+    shapes: names(still.shapes),
+    lights: names(still.lights),
+  };
 }
 
 function readTracks(tracks: readonly unknown[], checker: TrackChecker, problems: ProblemList): Track[] {
@@ -145,7 +164,8 @@ function names<Things extends object>(things: Things | undefined): Things {
 }
 
 function freeze<Value>(value: Value): Value {
-  if (typeof value === 'object' && value !== null) {
+  // Arrays of numbers cannot be.
+  if (typeof value === 'object' && value !== null && !ArrayBuffer.isView(value)) {
     Object.freeze(value);
     for (const part of Object.values(value)) freeze(part);
   }

@@ -1,6 +1,8 @@
 import { lacksMap } from '../scene/environment.ts';
 import { lacksData } from '../scene/mesh.ts';
+import { lacksModel } from '../scene/models.ts';
 import type { Scene } from '../scene/scene.ts';
+import { lacksPixels } from '../scene/textures.ts';
 import { asInText, withContent } from './content.ts';
 import { isParsedScene, parseScene } from './parse-scene.ts';
 
@@ -27,5 +29,9 @@ function loaded(scene: Scene): Scene {
   if (lacksMap(scene.sky)) throw new TypeError(`The sky's image "${scene.sky.image}" ${advice}`);
   for (const [name, mesh] of Object.entries(scene.meshes ?? {}))
     if (lacksData(mesh)) throw new TypeError(`The mesh "${name}" of "${mesh.file}" ${advice}`);
+  for (const [name, image] of Object.entries(scene.images ?? {}))
+    if (lacksPixels(image)) throw new TypeError(`The image "${name}" of "${image.file}" ${advice}`);
+  for (const [name, model] of Object.entries(scene.models ?? {}))
+    if (lacksModel(model)) throw new TypeError(`The model "${name}" of "${model.file}" ${advice}`);
   return scene;
 }

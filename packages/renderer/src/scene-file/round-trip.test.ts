@@ -4,7 +4,7 @@ import { seededRandom } from '../../../../tests/fixtures/random.ts';
 import { builtInScenes } from '../scene/built-in/index.ts';
 import { sceneAt } from '../scene/index.ts';
 import type { Scene } from '../scene/scene.ts';
-import { goodScene } from './broken/good-scene.ts';
+import { goodScene, richScene } from './broken/good-scene.ts';
 import { jsonSchemaText } from './json-schema.ts';
 import { parseScene } from './parse-scene.ts';
 import { writeScene } from './write-scene.ts';
@@ -14,7 +14,11 @@ function parsed(input: unknown): Scene {
   if (!result.ok) throw new Error(result.problems.map(({ message }) => message).join('\n'));
   return result.scene;
 }
-const scenes = [...builtInScenes.map(({ scene }) => scene), parsed(goodScene())];
+const scenes = [
+  ...builtInScenes.map(({ scene }) => scene),
+  parsed(goodScene()),
+  parsed({ ...richScene(), name: 'Rich' }),
+];
 
 test('the committed JSON Schema is fresh (else: npm run schema)', () => {
   const file = new URL('../../scene.schema.json', import.meta.url);
@@ -106,7 +110,7 @@ test('2,000 mutated scenes (seeds 0 … 1999): none throws, and what is accepted
   let accepted = 0;
   for (let seed = 0; seed < 2000; seed++) {
     const random = seededRandom(seed);
-    let draft: unknown = structuredClone(seed % 2 === 0 ? goodScene() : scenes[seed % 3]);
+    let draft: unknown = structuredClone([goodScene(), richScene(), scenes[seed % 3]][Math.floor(seed / 3) % 3]);
     for (let n = 0; n <= seed % 3; n++) draft = mutate(draft, random);
     const result = parseScene(draft);
     if (!result.ok) {

@@ -5,12 +5,16 @@ import { METALS } from '../scene/metals.ts';
 import type { Color, MaterialType, Sky } from '../scene/scene.ts';
 import { SHAPE_TYPES } from '../scene/shape-types.ts';
 import { TONE_MAPPINGS } from '../scene/tone-mappings.ts';
-import { mesh, shape } from './shape-schema.ts';
+import { layers } from './layer-schema.ts';
+import { clip, model, node, skin, variant } from './node-schema.ts';
+import { carrier, mesh, shape } from './shape-schema.ts';
+import { image as picture, texture } from './texture-schema.ts';
 import {
   choice,
   color,
   direction,
   fileName,
+  flag,
   integer,
   kind,
   number,
@@ -55,6 +59,7 @@ const camera = object('the camera: an object with "eye" and "target"', {
     number('the distance that is sharp in metres, 0 = that of the target', 0, LARGEST),
     CAMERA_DEFAULTS.focusDistance,
   ),
+  node: carrier,
 });
 
 export const imageRule =
@@ -122,7 +127,14 @@ const conductor = v.pipe(
   v.description(conductorRule),
   v.transform((value) => (typeof value === 'string' ? METALS[value] : value)),
 );
-const flag = (what: string) => v.pipe(v.boolean(`${what}: true or false`), v.description(`${what}: true or false`));
+const iorRule = 'the index of refraction: a number from 1 to 4, or 0 for an endless one';
+const ior = v.pipe(
+  v.number(iorRule),
+  v.minValue(0, iorRule),
+  v.maxValue(4, iorRule),
+  v.check((x) => x === 0 || x >= 1, iorRule),
+  v.description(iorRule),
+);
 
 const MATERIAL_TYPES = ['diffuse', 'metallicRoughness', 'conductor', 'dielectric'] as const;
 const materialFields = object('a material: an object', {
@@ -132,13 +144,14 @@ const materialFields = object('a material: an object', {
   specular: v.optional(share('the strength of the highlight'), 0),
   reflectivity: v.optional(share('the weight of the mirror ray'), 0),
   metallic: v.optional(share('how much of a metal it is'), 0),
-  ior: v.optional(number('the index of refraction', 1, 4), 1.5),
+  ior: v.optional(ior, 1.5),
   conductor: v.optional(conductor, { eta: [0, 0, 0], k: [0, 0, 0] }),
   attenuationColor: v.optional(color('what is left of white light', 1), [1, 1, 1]),
   attenuationDistance: v.optional(number('after how many metres inside, 0 = clear', 0, LARGEST), 0),
   thin: v.optional(flag('whether it is a pane without an inside'), false),
   emission: v.optional(color('the radiance that the surface sends out', BRIGHTEST), [0, 0, 0]),
   energyCompensation: v.optional(flag('whether light lost by single scattering is given back'), false),
+  ...layers,
 });
 /** What a material has when its file says nothing. */
 export const naturalRoughness = (type: MaterialType): number =>
@@ -159,6 +172,7 @@ const sphereLight = object('a light: an object', {
   specular: v.optional(color('the colour of the highlights', LIGHT_COLOR), [0, 0, 0]),
   halo: v.optional(number('the density of haze around the light, per metre', 0, LIGHT_COLOR), 0),
   visible: seen('whether camera and mirrors see the ball and its halo'),
+  node: carrier,
 });
 const lightColor = v.optional(color('the colour of the light', LIGHT_COLOR), [1, 1, 1]);
 const angle = (what: string, max: number) => number(`${what}, degrees`, 0, max);
@@ -175,12 +189,14 @@ const light = v.variant(
       radiance: number('what the quad sends out', 0, BRIGHTEST),
       color: lightColor,
       visible: seen('whether camera and mirrors see the quad'),
+      node: carrier,
     }),
     object('a point light: an object', {
       type: kind('point'),
       position: point('where the light is'),
       intensity: number('the intensity, W / sr', 0, BRIGHTEST),
       color: lightColor,
+      node: carrier,
     }),
     object('a spot light: an object', {
       type: kind('spot'),
@@ -190,6 +206,7 @@ const light = v.variant(
       color: lightColor,
       innerAngle: v.optional(angle('full light up to this angle from the axis', 90), 0),
       outerAngle: v.optional(angle('no light from this angle on', 90), 45),
+      node: carrier,
     }),
     object('a directional light: an object', {
       type: kind('directional'),
@@ -197,6 +214,7 @@ const light = v.variant(
       irradiance: number('the irradiance of a surface that faces it, W / m²', 0, BRIGHTEST),
       color: lightColor,
       angle: v.optional(angle('the angular diameter', 90), 0),
+      node: carrier,
     }),
   ],
   (issue) => (issue.expected === 'Object' ? `a light: an object whose "type" is ${lightTypes}` : lightTypes),
@@ -252,6 +270,15 @@ const still = {
   sky: v.optional(sky, [0, 0, 0]),
   materials: v.optional(named('the materials', material, SCENE_LIMITS.material), {}),
   meshes: v.optional(named('the meshes', mesh, SCENE_LIMITS.meshSource)),
+  models: v.optional(named('the models', model, SCENE_LIMITS.model)),
+  nodes: v.optional(named('the nodes', node, SCENE_LIMITS.node)),
+  skins: v.optional(named('the skins', skin, SCENE_LIMITS.skin)),
+  images: v.optional(named('the images', picture, SCENE_LIMITS.image)),
+  textures: v.optional(named('the textures', texture, SCENE_LIMITS.texture)),
+  clips: v.optional(named('the clips', clip, SCENE_LIMITS.clip)),
+  clip: v.optional(text('the name of the clip that plays', 2 * SCENE_LIMITS.nameLength)),
+  variants: v.optional(named('the variants', variant, SCENE_LIMITS.variant)),
+  cameras: v.optional(named('the cameras', camera, SCENE_LIMITS.camera)),
   shapes: v.optional(named('the shapes', shape, shapeCount), {}),
   lights: v.optional(named('the lights', light, SCENE_LIMITS.light), {}),
   render: v.optional(render, {}),

@@ -1,9 +1,12 @@
 import * as v from 'valibot';
+import { SCENE_LIMITS } from '../scene/limits.ts';
 
 /**
  * The kinds of value in a scene file. The message of each schema is a phrase that says what is allowed; it completes
  * "it must be …" in a problem and is what an editor shows.
  */
+
+const FARTHEST = 1e9;
 
 /** 1e9 rather than 1000000000. */
 const short = (n: number): string => (Math.abs(n) >= 1e6 ? n.toExponential().replace('+', '') : String(n));
@@ -57,7 +60,6 @@ export function factors(what: string, least: number, most: number) {
   return schema as unknown as v.GenericSchema<Triple, Triple>;
 }
 
-const FARTHEST = 1e9;
 export const point = (what: string) => triple(`${what}, metres`, -FARTHEST, FARTHEST);
 export const direction = (what: string) => triple(what, -FARTHEST, FARTHEST);
 export const color = (what: string, max: number) => triple(`${what}, linear [red, green, blue]`, 0, max);
@@ -69,18 +71,56 @@ export function text(what: string, max: number) {
   return v.pipe(v.string(allowed), v.maxLength(max, allowed), v.description(allowed));
 }
 
-/** The name of a file with one of these endings, which the rule tells: no address, no path from the root, no control character. */
-export function fileName(rule: string, endings: readonly string[]) {
+/** The name of another thing of the same scene. */
+export const nameOf = (what: string) => text(`the name of ${what} of this scene`, SCENE_LIMITS.nameLength);
+
+/** A list of two numbers. */
+export function pair(what: string, least: number, most: number) {
+  return numbers(what, 2, least, most) as unknown as v.GenericSchema<
+    readonly [number, number],
+    readonly [number, number]
+  >;
+}
+
+/** A list of at most so many of something. */
+export function listOf<Schema extends v.GenericSchema>(what: string, item: Schema, most: number) {
+  const allowed = `${what}: a list of at most ${short(most)}`;
+  return v.pipe(v.array(item, allowed), v.maxLength(most, allowed), v.description(allowed));
+}
+
+/** Recorded numbers, as a plain list or as a list of lists. However many of them are wrong, they are one problem. */
+export function manyNumbers(what: string) {
+  const allowed = `${what}: a list of numbers, each from ${short(-FARTHEST)} to ${short(FARTHEST)}, or of lists of them`;
+  const isGood = (x: unknown) => typeof x === 'number' && Math.abs(x) <= FARTHEST;
+  return v.pipe(
+    v.array(v.union([v.array(v.unknown()), v.unknown()]), allowed),
+    v.check((list) => list.flat().every(isGood), allowed),
+    v.description(allowed),
+    v.transform((list) => Float32Array.from(list.flat() as number[])),
+  );
+}
+
+/** Names of files with one of these endings: no address, no path from the root, no control character. */
+export function filePattern(endings: readonly string[]): RegExp {
   // JSON Schema has no flag for letters of either size.
   const letters = (ending: string) => ending.replace(/[a-z]/g, (letter) => `[${letter}${letter.toUpperCase()}]`);
-  const pattern = new RegExp(`^(?!\\/)[^\\\\:\\u0000-\\u001f]+\\.(?:${endings.map(letters).join('|')})$`);
-  return v.pipe(v.string(rule), v.maxLength(1000, rule), v.regex(pattern, rule), v.description(rule));
+  return new RegExp(`^(?!\\/)[^\\\\:\\u0000-\\u001f]+\\.(?:${endings.map(letters).join('|')})$`);
 }
+
+/** The name of a file with one of these endings, which the rule tells. */
+export const fileName = (rule: string, endings: readonly string[]) =>
+  v.pipe(v.string(rule), v.maxLength(1000, rule), v.regex(filePattern(endings), rule), v.description(rule));
 
 /** One of these words. */
 export function choice<const Options extends readonly string[]>(what: string, options: Options) {
   const allowed = `${what}: ${options.map((option) => `"${option}"`).join(' or ')}`;
   return v.pipe(v.picklist(options, allowed), v.description(allowed));
+}
+
+/** True or false. */
+export function flag(what: string) {
+  const allowed = `${what}: true or false`;
+  return v.pipe(v.boolean(allowed), v.description(allowed));
 }
 
 /** Exactly this word, which tells which kind of thing an object is. */

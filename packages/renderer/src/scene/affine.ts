@@ -4,6 +4,7 @@
  */
 import type { Quaternion } from './nodes.ts';
 import type { Vec3 } from './scene.ts';
+import { SHORTEST, SMALLEST_SINE } from './well-formed.ts';
 
 /** What can be read as numbers; what can be written too. */
 export type Numbers = ArrayLike<number>;
@@ -72,6 +73,13 @@ export const transformDirection = (m: Numbers, at: number, [x, y, z]: Vec3): Vec
   m[at + 8]! * x + m[at + 9]! * y + m[at + 10]! * z,
 ];
 
+/** The normal of a surface where the surface has gone; not of length 1. `back` is the inverse of the way it went: an outward one stays so. */
+export const transformNormal = (back: Numbers, at: number, [x, y, z]: Vec3): Vec3 => [
+  back[at]! * x + back[at + 4]! * y + back[at + 8]! * z,
+  back[at + 1]! * x + back[at + 5]! * y + back[at + 9]! * z,
+  back[at + 2]! * x + back[at + 6]! * y + back[at + 10]! * z,
+];
+
 /** The cofactors, row by row: what normals are multiplied with, as they need the inverse transposed up to a factor. */
 export const cofactors = (m: Numbers, at: number): number[] => {
   const [a, b, c] = [m[at]!, m[at + 1]!, m[at + 2]!];
@@ -84,6 +92,17 @@ export const cofactors = (m: Numbers, at: number): number[] => {
 export function determinant(m: Numbers, at = 0): number {
   const c = cofactors(m, at);
   return m[at]! * c[0]! + m[at + 1]! * c[1]! + m[at + 2]! * c[2]!;
+}
+
+/** Whether it keeps three dimensions, so that there is a way back. */
+export function isSolid(m: Numbers, at = 0): boolean {
+  const [a, b, c] = [m[at]!, m[at + 1]!, m[at + 2]!];
+  const [d, e, f] = [m[at + 4]!, m[at + 5]!, m[at + 6]!];
+  const [g, h, i] = [m[at + 8]!, m[at + 9]!, m[at + 10]!];
+  const [x, y, z] = [Math.sqrt(a * a + d * d + g * g), Math.sqrt(b * b + e * e + h * h), Math.sqrt(c * c + f * f + i * i)]; // biome-ignore format: columns
+  if (!(Math.min(x, y, z) >= SHORTEST)) return false;
+  const volume = (a / x) * (e * i - f * h) + (b / x) * (f * g - d * i) + (c / x) * (d * h - e * g);
+  return Math.abs(volume) >= SMALLEST_SINE * y * z;
 }
 
 /** The inverse, or null when there is none. */

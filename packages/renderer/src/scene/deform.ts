@@ -17,9 +17,9 @@ export interface Deformed {
 /** How a mesh is bent. */
 export interface Pose {
   /** Of its morph targets; missing ones are 0. */
-  readonly weights?: readonly number[];
+  readonly weights?: readonly number[] | undefined;
   /** 12 numbers a joint, as `jointMatrices` gives them; for a mesh with skin weights. */
-  readonly joints?: Float32Array;
+  readonly joints?: Float32Array | undefined;
 }
 
 export const isDeformable = ({ skin, morphTargets }: Mesh): boolean =>
@@ -130,7 +130,7 @@ function keepsAngles(joints: Float32Array): boolean {
 
 /** Moves everything with the mix of the joints' matrices. */
 function bend({ joints, weights }: SkinWeights, from: Float32Array, out: Deformed): void {
-  const matrices = Float64Array.from(from); // once, or each of their many uses would convert
+  const matrices = new Float64Array(from); // once, or each of their many uses would convert
   const { positions, normals, tangents } = out;
   const vertices = positions.length / 3;
   const perVertex = joints.length / vertices;

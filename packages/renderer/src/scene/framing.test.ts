@@ -1,12 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import { testScene } from '../../../../tests/fixtures/scenes.ts';
-import { boundsAt } from './bounds.ts';
 import { cameraAxes } from './camera.ts';
 import { environmentFault } from './environment.ts';
 import { frameScene } from './framing.ts';
 import type { Mesh } from './mesh.ts';
 import type { SceneNode } from './nodes.ts';
 import type { MeshShape, Scene, Shape, Vec3 } from './scene.ts';
+import { boundsAt } from './scene-bounds.ts';
 import { studioEnvironment } from './studio-environment.ts';
 import { dot, subtract } from './vec3.ts';
 

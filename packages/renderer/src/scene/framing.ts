@@ -1,6 +1,7 @@
 /** A camera that shows all of a scene, as model-viewer places its own: from the front, a little from above. */
-import { boundsAt, visitPoints } from './bounds.ts';
+
 import type { Camera, Scene, Vec3 } from './scene.ts';
+import { boundsAt, visitPoints } from './scene-bounds.ts';
 
 export interface FramingOptions {
   /** Full vertical field of view, degrees. Default: 30. */

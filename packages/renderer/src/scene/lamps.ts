@@ -20,9 +20,9 @@ export const timesColor = (radiance: number, [r, g, b]: Color): Color => [radian
 export const radianceOf = (light: SphereLight | QuadLight): Color =>
   timesColor(light.radiance, light.type === 'sphere' ? light.diffuse : light.color);
 
-/** What every side of such a surface sends out. */
-export const emissionOf = ({ emission, emissionStrength = 1 }: Material): Color =>
-  timesColor(emissionStrength, emission);
+/** What every side of such a surface sends out. An unlit one is a black lamp of its base colour (KHR_materials_unlit). */
+export const emissionOf = ({ emission, emissionStrength = 1, unlit = false, baseColor }: Material): Color =>
+  unlit ? baseColor : timesColor(emissionStrength, emission);
 
 type LampLight = SphereLight | QuadLight;
 const isLamp = (light: Light): light is LampLight =>

@@ -15,6 +15,22 @@ export const SCENE_LIMITS = {
   /** Of all meshes of a scene together: whole numbers up to here are exact in the 32-bit floats of kernels' tables. */
   meshVertices: 2 ** 24,
   meshTriangles: 2 ** 24,
+  node: 65_536,
+  skin: 1024,
+  jointsPerSkin: 1024,
+  image: 1024,
+  texture: 4096,
+  clip: 1024,
+  tracksPerClip: 4096,
+  variant: 1024,
+  camera: 1024,
+  /** Files of models. */
+  model: 64,
+  /** Of one mesh shape in a scene file. */
+  instances: 65_536,
+  /** Pixels of an image on a side, and bytes of all images of a scene. */
+  imageSide: 16_384,
+  imageBytes: 2 ** 31,
   track: 1024,
   keysPerTrack: 4096,
   nameLength: 200,

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { testLight, testScene } from '../../../../tests/fixtures/scenes.ts';
 import { toQuaternion, transformPoint } from './affine.ts';
 import type { SceneNode } from './nodes.ts';
-import { anglesOf, meshMatrices, ownPlacement, placedSceneAt } from './placed.ts';
+import { anglesOf, meshMatrices, placedSceneAt, placementOf } from './placed.ts';
 import type { Box, Camera, MeshShape, Plane, Quad, Scene, Shape, SphereLight, Vec3 } from './scene.ts';
 import { rotate } from './vec3.ts';
 
@@ -106,7 +106,7 @@ describe('meshes', () => {
       translation: [0, 0, 7],
       node: 'n',
     });
-    close(transformPoint(ownPlacement(shape), 0, [1, 0, 0]), [0, 12, 7]);
+    close(transformPoint(placementOf(shape), 0, [1, 0, 0]), [0, 12, 7]);
     const now = placed({ shape }).shapes.shape as unknown as MeshShape;
     expect(now.node).toBeUndefined();
     close(transformPoint(now.matrix!, 0, [1, 0, 0]), there([0, 12, 7]));

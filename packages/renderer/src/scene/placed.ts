@@ -20,8 +20,8 @@ export const meshShapes = (scene: Pick<Scene, 'shapes'>): [string, MeshShape][] 
     (entry): entry is [string, MeshShape] => entry[1].type === 'mesh',
   );
 
-/** The shape's own placement, scale, turn, translation and before them `matrix`, as 12 numbers. */
-export function ownPlacement({ translation, rotation, scale: s, matrix }: MeshShape): Float64Array {
+/** From the mesh's own space to the world (or, where the shape names a node, to the node's): scale, turn and translation, and before them `matrix`, as 12 numbers. */
+export function placementOf({ translation, rotation, scale: s, matrix }: MeshShape): Float64Array {
   const [x, y, z] = [rotate([s[0], 0, 0], rotation), rotate([0, s[1], 0], rotation), rotate([0, 0, s[2]], rotation)];
   const rows = ([0, 1, 2] as const).flatMap((r) => [x[r], y[r], z[r], translation[r]]);
   const out = Float64Array.from(rows);
@@ -36,7 +36,7 @@ export function ownPlacement({ translation, rotation, scale: s, matrix }: MeshSh
 export function meshMatrices(shape: MeshShape, world: Numbers): Float64Array {
   const { instances, skin } = shape;
   if (skin !== undefined) return Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
-  const own = ownPlacement(shape);
+  const own = placementOf(shape);
   const out = new Float64Array(instances ? instances.length : AFFINE_LENGTH);
   for (let at = 0; at < out.length; at += AFFINE_LENGTH) {
     if (instances) {
@@ -56,26 +56,31 @@ export function placedSceneAt(scene: Scene, time: number): Scene {
   if (scene.nodes === undefined) return now;
   const transforms = nodeTransforms(scene);
   const world = transforms.at(time);
-  const of = (node: string | undefined) => worldOf(transforms, world, node);
+  return placedScene(now, (node) => worldOf(transforms, world, node), true);
+}
+
+/** The same for a scene that is animated already. `of`: the world matrix of a node. Without `meshes` these stay where nodes carry them. */
+export function placedScene(now: Scene, of: (node: string) => Numbers, meshes: boolean): Scene {
   const things = <Thing extends { readonly node?: string }>(
     all: Readonly<Record<string, Thing>>,
     place: (thing: Thing, world: Numbers, name: string) => Thing,
-  ) =>
-    Object.assign(
-      Object.create(null),
-      Object.fromEntries(
-        Object.entries(all).map(([name, thing]) => [
-          name,
-          thing.node === undefined ? thing : place(thing, of(thing.node), name),
-        ]),
-      ),
-    ) as Readonly<Record<string, Thing>>;
+    counts: (thing: Thing) => boolean = () => true,
+  ): Readonly<Record<string, Thing>> => {
+    let moved: Record<string, Thing> | null = null;
+    for (const [name, thing] of Object.entries(all)) {
+      if (thing.node === undefined || !counts(thing)) continue;
+      moved ??= Object.assign(Object.create(null), all) as Record<string, Thing>;
+      moved[name] = place(thing, of(thing.node), name);
+    }
+    return moved ?? all;
+  };
   const { nodes: _, ...rest } = now;
+  const shapes = now.shapes as Readonly<Record<string, Shape | MeshShape>>;
   return {
     ...rest,
     camera: now.camera.node === undefined ? now.camera : placedCamera(now.camera, of(now.camera.node)),
     lights: things(now.lights, placedLight),
-    shapes: things(now.shapes as Readonly<Record<string, Shape | MeshShape>>, placedShape) as Scene['shapes'],
+    shapes: things(shapes, placedShape, ({ type }) => meshes || type !== 'mesh') as Scene['shapes'],
     ...(now.cameras && { cameras: things(now.cameras, placedCamera) }),
   };
 }

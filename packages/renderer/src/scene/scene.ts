@@ -8,6 +8,7 @@
 import type { EnvironmentMap } from './environment.ts';
 import type { MaterialLayers } from './material-layers.ts';
 import type { MeshSource } from './mesh.ts';
+import type { ModelSource } from './models.ts';
 import type { Clip, SceneNode, Skin, Variant } from './nodes.ts';
 import type { ImageSource, Texture } from './textures.ts';
 
@@ -128,7 +129,7 @@ export interface Quad extends ShapeBase {
 }
 /**
  * Triangles of `Scene.meshes`, placed. A point of the mesh is first moved by `matrix`, then scaled, turned as a box is, and translated;
- * placement.ts has all of it as one matrix.
+ * `placementOf` (placed.ts) has all of it as one matrix.
  */
 export interface MeshShape extends ShapeBase {
   readonly type: 'mesh';
@@ -267,6 +268,8 @@ export interface Scene {
   /** What carries shapes, lights and cameras; see nodes.ts. Left out: none, as with all that follows. */
   readonly nodes?: Readonly<Record<string, SceneNode>>;
   readonly skins?: Readonly<Record<string, Skin>>;
+  /** Files of whole models, which stand in the scene; models.ts says how. */
+  readonly models?: Readonly<Record<string, ModelSource>>;
   readonly images?: Readonly<Record<string, ImageSource>>;
   readonly textures?: Readonly<Record<string, Texture>>;
   /** Motions, of which one plays at a time beside `animation`. */

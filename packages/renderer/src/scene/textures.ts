@@ -36,6 +36,12 @@ export interface Texture {
 }
 export type Wrap = 'repeat' | 'clamp' | 'mirror';
 
+/** What the names of files that hold images end in. */
+export const IMAGE_ENDINGS = ['png', 'jpg', 'jpeg', 'webp'] as const;
+
+/** Whether it has not been loaded. */
+export const lacksPixels = ({ data }: ImageSource): boolean => data === undefined;
+
 /**
  * A texture used by a material. A point's coordinates (u, v) of the set are scaled, then turned, then moved
  * (KHR_texture_transform):

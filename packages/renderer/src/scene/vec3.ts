@@ -1,4 +1,5 @@
 /** Vector algebra: plain functions on the scene's own `Vec3`, in double precision. */
+import type { Quaternion } from './nodes.ts';
 import type { Vec3 } from './scene.ts';
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
@@ -31,4 +32,16 @@ export function rotate(v: Vec3, degrees: Vec3): Vec3 {
   const aboutX: Vec3 = [x, cx * y - sx * z, sx * y + cx * z];
   const aboutY: Vec3 = [cy * aboutX[0] + sy * aboutX[2], aboutX[1], cy * aboutX[2] - sy * aboutX[0]];
   return [cz * aboutY[0] - sz * aboutY[1], sz * aboutY[0] + cz * aboutY[1], aboutY[2]];
+}
+
+/** The same turn as `rotate` makes, as a quaternion. */
+export function quaternionOf(degrees: Vec3): Quaternion {
+  const [cx, cy, cz] = degrees.map((d) => Math.cos((d * Math.PI) / 360)) as [number, number, number];
+  const [sx, sy, sz] = degrees.map((d) => Math.sin((d * Math.PI) / 360)) as [number, number, number];
+  return [
+    sx * cy * cz - cx * sy * sz,
+    cx * sy * cz + sx * cy * sz,
+    cx * cy * sz - sx * sy * cz,
+    cx * cy * cz + sx * sy * sz,
+  ];
 }

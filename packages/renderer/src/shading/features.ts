@@ -6,6 +6,9 @@ export const FEATURES = [
   'hasQuads',
   'hasPlanes',
   'hasMeshes',
+  'hasTextures',
+  'hasOneSided',
+  'hasCutouts',
   'hasSphereLights',
   'hasQuadLights',
   'hasBoxLights',
@@ -26,6 +29,25 @@ export const FEATURES = [
   'hasFilter',
 ] as const;
 export type Feature = (typeof FEATURES)[number];
+
+/**
+ * What only scenes with models ask for: meshes and glTF's materials. Their programs are twice as long; so there are two texts of each, one
+ * that knows nothing of these, and one of everything, which a page loads when such a scene comes (model-shaders.ts).
+ */
+export const MODEL_FEATURES: readonly Feature[] = [
+  'hasMeshes',
+  'hasTextures',
+  'hasOneSided',
+  'hasCutouts',
+  'hasLayers',
+  'hasIridescence',
+];
+
+export const drawsModels = (features: ReadonlySet<Feature>): boolean =>
+  MODEL_FEATURES.some((feature) => features.has(feature));
+
+/** Of a program that draws all but models. */
+export const SHAPE_FEATURES: readonly Feature[] = FEATURES.filter((feature) => !MODEL_FEATURES.includes(feature));
 
 /** What features.wesl has switched on: enough for most scenes made of shapes and lights. */
 export const COMMON_FEATURES: readonly Feature[] = [

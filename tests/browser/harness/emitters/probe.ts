@@ -7,6 +7,7 @@ import type { PackedEnvironment } from '../../../../packages/renderer/src/packed
 import { packFrame } from '../../../../packages/renderer/src/packed-scene/pack-frame.ts';
 import { packPathScene } from '../../../../packages/renderer/src/packed-scene/pack-path-scene.ts';
 import { createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { stillMoment } from '../../../../packages/renderer/src/scene/motion.ts';
 import type { Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
@@ -65,7 +66,7 @@ interface PackedLights {
 }
 
 function packLights(scene: Scene): PackedLights {
-  const packed = packPathScene(scene, scene.camera.eye);
+  const packed = packPathScene(stillMoment(scene), scene.camera.eye);
   const block = createBlock(structSize('Frame'));
   const settings = { ...DEFAULT_SETTINGS, seed: 0 };
   packFrame(block, { width: SIDE, height: SIDE }, scene.camera, packed, settings, 0);

@@ -22,7 +22,7 @@ struct Surface {
     vec3 k;
     float metallic;
     vec3 absorption;
-    float layers;
+    float textures;
 };
 struct Layers {
     vec3 specularColor;
@@ -40,8 +40,8 @@ struct Layers {
     float solid;
     float film;
     float filmIor;
-    float thinnest;
-    float thickest;
+    float filmThickness;
+    float filmLeast;
     float dispersion;
     float spare0_;
     float spare1_;
@@ -149,11 +149,11 @@ const bool hasGlass = false;
 
 const bool hasLayers = false;
 
+const bool hasMetallicRoughness = false;
+
 const bool hasCompensation = false;
 
 const bool hasIridescence = false;
-
-const bool hasMetallicRoughness = false;
 
 const bool hasMirrorLayers = true;
 
@@ -186,9 +186,16 @@ bool isDielectric(uint code_2) {
     return pick(_e2, (_e3 == dielectric0_), false);
 }
 
-bool isLayered(float layers) {
-    const bool _e2 = hasLayers;
-    return pick(_e2, (layers != 0.0), false);
+bool isMetallicRoughness(uint code_3) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_3);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_4, float eta) {
+    const bool _e3 = hasLayers;
+    bool _e4 = isMetallicRoughness(code_4);
+    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
@@ -319,7 +326,7 @@ vec4 baseReflectance(Surface s, Stack o, float cosine_7) {
         isMetal = (s.metallic >= 1.0);
         while(true) {
             bool _e27 = isMetal;
-            vec3 _e31 = filmReflectance(pick(_e27, s.baseColor, (l_4.specularWeight * _e6)), l_4.filmIor, l_4.thickest, _e5);
+            vec3 _e31 = filmReflectance(pick(_e27, s.baseColor, (l_4.specularWeight * _e6)), l_4.filmIor, l_4.filmThickness, _e5);
             bool _e32 = isMetal;
             if (_e32) {
                 vec3 _e33 = metal;
@@ -426,19 +433,13 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-bool isMetallicRoughness(uint code_3) {
-    const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_3);
-    return pick(_e2, (_e3 == metallicRoughness), false);
+float indexRatio(float eta_1, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_1), eta_1);
 }
 
-float indexRatio(float eta, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta), eta);
-}
-
-bool isThin(uint code_4) {
+bool isThin(uint code_5) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_4 & 7u) == 7u), false);
+    return pick(_e2, ((code_5 & 7u) == 7u), false);
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
@@ -454,48 +455,48 @@ float stretched(vec3 w, float alpha_3) {
 
 Outgoing outgoing(Surface s_2, Layers l_2, vec3 wo_1, vec3 hero_2) {
     Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
-    uint code_6 = uint(s_2.code);
+    uint code_8 = uint(s_2.code);
     o_2.wo = wo_1;
-    bool _e9 = isConductor(code_6);
-    bool _e10 = isDielectric(code_6);
+    bool _e9 = isConductor(code_8);
+    bool _e10 = isDielectric(code_8);
     o_2.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
     o_2.ratio = 1.0;
     o_2.bound = 1.0;
     o_2.stretched = 1.0;
     const bool _e22 = hasLayers;
     if (_e22) {
-        bool _e24 = isLayered(s_2.layers);
-        if (_e24) {
-            Stack _e26 = stackOf(s_2, l_2, wo_1, hero_2);
-            o_2.stack = _e26;
+        bool _e27 = isLayered(uint(s_2.code), s_2.eta.x);
+        if (_e27) {
+            Stack _e29 = stackOf(s_2, l_2, wo_1, hero_2);
+            o_2.stack = _e29;
         }
     }
-    const bool _e28 = hasMetallicRoughness;
-    if (_e28) {
-        float _e31 = o_2.share;
-        float _e35 = specularShare(s_2.baseColor, s_2.metallic, wo_1.z);
-        bool _e36 = isMetallicRoughness(code_6);
-        o_2.share = pick(_e36, _e35, _e31);
+    const bool _e31 = hasMetallicRoughness;
+    if (_e31) {
+        float _e34 = o_2.share;
+        float _e38 = specularShare(s_2.baseColor, s_2.metallic, wo_1.z);
+        bool _e39 = isMetallicRoughness(code_8);
+        o_2.share = pick(_e39, _e38, _e34);
     }
-    const bool _e39 = hasGlass;
-    if (_e39) {
-        bool _e44 = isThin(code_6);
-        float _e45 = indexRatio(s_2.eta.x, wo_1.z, _e44);
-        bool _e46 = isDielectric(code_6);
-        o_2.ratio = pick(_e46, _e45, 1.0);
+    const bool _e42 = hasGlass;
+    if (_e42) {
+        bool _e47 = isThin(code_8);
+        float _e48 = indexRatio(s_2.eta.x, wo_1.z, _e47);
+        bool _e49 = isDielectric(code_8);
+        o_2.ratio = pick(_e49, _e48, 1.0);
     }
-    const bool _e50 = hasConductors;
-    const bool _e52 = hasMetallicRoughness;
-    const bool _e55 = hasGlass;
-    if (pick(pick(_e50, true, _e52), true, _e55)) {
-        float _e59 = reflectionBound(wo_1, s_2.alpha);
-        bool _e60 = isDielectric(code_6);
-        o_2.bound = pick(_e60, 1.0, _e59);
-        float _e65 = stretched(wo_1, s_2.alpha);
-        o_2.stretched = _e65;
+    const bool _e53 = hasConductors;
+    const bool _e55 = hasMetallicRoughness;
+    const bool _e58 = hasGlass;
+    if (pick(pick(_e53, true, _e55), true, _e58)) {
+        float _e62 = reflectionBound(wo_1, s_2.alpha);
+        bool _e63 = isDielectric(code_8);
+        o_2.bound = pick(_e63, 1.0, _e62);
+        float _e68 = stretched(wo_1, s_2.alpha);
+        o_2.stretched = _e68;
     }
-    Outgoing _e66 = o_2;
-    return _e66;
+    Outgoing _e69 = o_2;
+    return _e69;
 }
 
 Layers fetchLayers(uint i_1) {
@@ -509,18 +510,18 @@ Layers fetchLayers(uint i_1) {
     return Layers(t0_1.xyz, t0_1.w, t1_1.xyz, t1_1.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
 }
 
-Layers layersOf(float layers_1) {
+Layers layersOf(uint code_6, float eta_2) {
     Layers l_3 = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    const bool _e3 = hasLayers;
-    if (_e3) {
-        bool _e4 = isLayered(layers_1);
-        if (_e4) {
-            Layers _e7 = fetchLayers(uint(abs(layers_1)));
-            l_3 = _e7;
+    const bool _e4 = hasLayers;
+    if (_e4) {
+        bool _e5 = isLayered(code_6, eta_2);
+        if (_e5) {
+            Layers _e8 = fetchLayers(uint(abs(eta_2)));
+            l_3 = _e8;
         }
     }
-    Layers _e8 = l_3;
-    return _e8;
+    Layers _e9 = l_3;
+    return _e9;
 }
 
 float mirrorShare(float reflectivity) {
@@ -534,8 +535,8 @@ vec3 sampleCosine(vec2 u) {
     return normalize(vec3((radius * cos(phi)), (radius * sin(phi)), sqrt((1.0 - u.x))));
 }
 
-bool isSmooth(uint code_5) {
-    return ((code_5 & 32u) != 0u);
+bool isSmooth(uint code_7) {
+    return ((code_7 & 32u) != 0u);
 }
 
 vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_1) {
@@ -554,13 +555,13 @@ vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_2) {
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_2);
 }
 
-vec3 conductorFresnel(float cosine_10, vec3 eta_1, vec3 k) {
+vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
     float cosine2_ = (cosine_10 * cosine_10);
     float sine2_2 = (1.0 - cosine2_);
-    vec3 difference_2 = (((eta_1 * eta_1) - (k * k)) - vec3(sine2_2));
-    vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_1) * eta_1) * k) * k)));
+    vec3 difference_2 = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_2));
+    vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_3) * eta_3) * k) * k)));
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
-    vec3 smaller = ((eta_1 * k) / larger);
+    vec3 smaller = ((eta_3 * k) / larger);
     vec3 a = mix(smaller, larger, greaterThan(difference_2, vec3(0.0)));
     vec3 b = mix(larger, smaller, greaterThan(difference_2, vec3(0.0)));
     vec3 b2_ = ((b * b) + vec3(1e-20));
@@ -573,9 +574,9 @@ vec3 conductorFresnel(float cosine_10, vec3 eta_1, vec3 k) {
     return ((0.5 * across) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_1, float cosine_11) {
-    float constants = dot((eta_2 + k_1), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_11, eta_2, k_1);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_1, float cosine_11) {
+    float constants = dot((eta_4 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_11, eta_4, k_1);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
@@ -594,7 +595,7 @@ float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
 
 vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
     vec3 reflectance = vec3(0.0);
-    uint code_7 = uint(s_3.code);
+    uint code_9 = uint(s_3.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_3.baseColor, s_3.metallic);
@@ -605,15 +606,15 @@ vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_3.baseColor, s_3.eta, s_3.k, cosine_14);
-        bool _e21 = isConductor(code_7);
+        bool _e21 = isConductor(code_9);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_7);
+        bool _e26 = isThin(code_9);
         float _e27 = glassReflectance(cosine_14, ratio_4, _e26);
-        bool _e29 = isDielectric(code_7);
+        bool _e29 = isDielectric(code_9);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -737,9 +738,9 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_8 = uint(s_6.code);
-        bool _e29 = isDielectric(code_8);
-        bool _e30 = isSmooth(code_8);
+        uint code_10 = uint(s_6.code);
+        bool _e29 = isDielectric(code_10);
+        bool _e30 = isSmooth(code_10);
         vec3 _e33 = sampleFacet(s_6.alpha, _e30, o_7, u_5.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_6, oh_1, o_7.ratio);
@@ -749,7 +750,7 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
         weight = (_e38 / vec3(o_7.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_8);
+            bool _e56 = isThin(code_10);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_10, _e33, o_7.ratio);
             wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
@@ -774,27 +775,27 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     }
     const bool _e116 = hasLayers;
     if (_e116) {
-        bool _e118 = isLayered(s_6.layers);
-        if (_e118) {
-            LayeredSample _e122 = sampleLayered(s_6, o_7.stack, vec3(u_5.xy, choice));
-            drawn_1 = BsdfSample(_e122.direction, (base_1 * _e122.pdf), _e122.weight, _e122.delta);
+        bool _e121 = isLayered(uint(s_6.code), s_6.eta.x);
+        if (_e121) {
+            LayeredSample _e125 = sampleLayered(s_6, o_7.stack, vec3(u_5.xy, choice));
+            drawn_1 = BsdfSample(_e125.direction, (base_1 * _e125.pdf), _e125.weight, _e125.delta);
         }
     }
-    const bool _e130 = hasMirrorLayers;
-    if (_e130) {
+    const bool _e133 = hasMirrorLayers;
+    if (_e133) {
         bool reflected_1 = (u_5.z < _e5);
-        vec3 _e135 = drawn_1.direction;
-        vec3 _e136 = mirrored(wo_10);
-        drawn_1.direction = pick(reflected_1, _e136, _e135);
-        float _e140 = drawn_1.pdf;
-        drawn_1.pdf = pick(reflected_1, _e5, _e140);
-        vec3 _e144 = drawn_1.weight;
-        drawn_1.weight = pick(reflected_1, vec3(1.0), _e144);
-        bool _e150 = drawn_1.delta;
-        drawn_1.delta = pick(_e150, true, reflected_1);
+        vec3 _e138 = drawn_1.direction;
+        vec3 _e139 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_1, _e139, _e138);
+        float _e143 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_1, _e5, _e143);
+        vec3 _e147 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_1, vec3(1.0), _e147);
+        bool _e153 = drawn_1.delta;
+        drawn_1.delta = pick(_e153, true, reflected_1);
     }
-    BsdfSample _e152 = drawn_1;
-    return _e152;
+    BsdfSample _e155 = drawn_1;
+    return _e155;
 }
 
 float facetDensity(vec3 h_1, float alpha_9) {
@@ -803,9 +804,9 @@ float facetDensity(vec3 h_1, float alpha_9) {
 }
 
 vec3 compensation(Surface s_7, float cosine_15) {
-    uint code_9 = uint(s_7.code);
-    bool _e8 = isDielectric(code_9);
-    bool asked_1 = pick(((code_9 & 8u) != 0u), !(_e8), false);
+    uint code_11 = uint(s_7.code);
+    bool _e8 = isDielectric(code_11);
+    bool asked_1 = pick(((code_11 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_15, s_7.alpha);
     vec3 _e17 = facetReflectance(s_7, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -854,24 +855,24 @@ vec4 evaluateBsdf(Surface s_9, Outgoing o_9, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_10 = uint(s_9.code);
+        uint code_12 = uint(s_9.code);
         FacetLobe _e32 = evaluateFacets(s_9, o_9, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_9.baseColor, s_9.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_10);
+            bool _e43 = isMetallicRoughness(code_12);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_10);
+        bool _e52 = isSmooth(code_12);
         vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_9.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_10);
+        uint _e62 = kindOf(code_12);
         value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_9.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_10);
-        bool _e68 = isDielectric(code_10);
+        bool _e67 = isSmooth(code_12);
+        bool _e68 = isDielectric(code_12);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_9.reflectivity);
@@ -1008,31 +1009,31 @@ Pair evaluatePair(Surface s_11, Outgoing o_12, vec3 toLight, vec3 toSample) {
     pair = Pair(_e4, _e5);
     const bool _e9 = hasLayers;
     if (_e9) {
-        bool _e11 = isLayered(s_11.layers);
-        if (_e11) {
-            uint _e14 = frame.emitterCount;
-            isLight = (_e14 > 0u);
+        bool _e14 = isLayered(uint(s_11.code), s_11.eta.x);
+        if (_e14) {
+            uint _e17 = frame.emitterCount;
+            isLight = (_e17 > 0u);
             while(true) {
-                float _e19 = mirrorShare(s_11.reflectivity);
-                bool _e23 = isLight;
-                vec4 _e25 = evaluateLayered(s_11, o_12.stack, pick(_e23, toLight, toSample));
-                vec4 value_2 = ((1.0 - _e19) * _e25);
-                bool _e27 = isLight;
-                if (_e27) {
+                float _e22 = mirrorShare(s_11.reflectivity);
+                bool _e26 = isLight;
+                vec4 _e28 = evaluateLayered(s_11, o_12.stack, pick(_e26, toLight, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e28);
+                bool _e30 = isLight;
+                if (_e30) {
                     pair.toLight = value_2;
                 } else {
                     pair.toSample = value_2;
                 }
-                bool _e30 = isLight;
-                if (!(_e30)) {
+                bool _e33 = isLight;
+                if (!(_e33)) {
                     break;
                 }
                 isLight = false;
             }
         }
     }
-    Pair _e33 = pair;
-    return _e33;
+    Pair _e36 = pair;
+    return _e36;
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
@@ -1050,20 +1051,20 @@ void main() {
     uint asked_2 = (uint(b_2.w) % 3u);
     uint color = (uint(b_2.w) / 3u);
     vec3 hero_3 = pick((color == 0u), vec3(1.0), (3.0 * vec3(equal(uvec3(color), uvec3(1u, 2u, 3u)))));
-    Layers _e47 = layersOf(_e23.layers);
-    Outgoing _e49 = outgoing(_e23, _e47, a_2.xyz, hero_3);
-    BsdfSample _e51 = sampleLobe(_e23, _e49, b_2.xyz);
-    Pair _e54 = evaluatePair(_e23, _e49, b_2.xyz, _e51.direction);
+    Layers _e50 = layersOf(uint(_e23.code), _e23.eta.x);
+    Outgoing _e52 = outgoing(_e23, _e50, a_2.xyz, hero_3);
+    BsdfSample _e54 = sampleLobe(_e23, _e52, b_2.xyz);
+    Pair _e57 = evaluatePair(_e23, _e52, b_2.xyz, _e54.direction);
     if ((asked_2 == evaluation)) {
-        _fs2p_location0 = _e54.toLight;
+        _fs2p_location0 = _e57.toLight;
         return;
     }
-    BsdfSample _e59 = completed(_e51, _e54.toSample);
+    BsdfSample _e62 = completed(_e54, _e57.toSample);
     if ((asked_2 == sampledDirection)) {
-        _fs2p_location0 = vec4(_e59.direction, _e59.pdf);
+        _fs2p_location0 = vec4(_e62.direction, _e62.pdf);
         return;
     }
-    _fs2p_location0 = vec4(_e59.weight, pick(_e59.delta, 1.0, 0.0));
+    _fs2p_location0 = vec4(_e62.weight, pick(_e62.delta, 1.0, 0.0));
     return;
 }
 

@@ -14,7 +14,7 @@ const sampledDirection = 1u;
   let asked = u32(b.w) % 3u;
   let color = u32(b.w) / 3u;
   let hero = select(3.0 * vec3f(vec3u(color) == vec3u(1u, 2u, 3u)), vec3f(1.0), color == 0u);
-  let o = outgoing(surface, layersOf(surface.layers), a.xyz, hero);
+  let o = outgoing(surface, layersOf(u32(surface.code), surface.eta.x), a.xyz, hero);
   let drawn = sampleLobe(surface, o, b.xyz);
   // The other direction is to a light in path.wesl.
   let values = evaluatePair(surface, o, b.xyz, drawn.direction);
@@ -48,7 +48,7 @@ fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
   o.bound = 1.0;
   o.stretched = 1.0;
   if (hasLayers) {
-    if (isLayered(s.layers)) {
+    if (isLayered(u32(s.code), s.eta.x)) {
       o.stack = stackOf(s, l, wo, hero);
     }
   }
@@ -66,11 +66,11 @@ fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
 }
 
 // All zero where there are none.
-fn layersOf(layers: f32) -> Layers {
+fn layersOf(code: u32, eta: f32) -> Layers {
   var l: Layers;
   if (hasLayers) {
-    if (isLayered(layers)) {
-      l = fetchLayers(u32(abs(layers)));
+    if (isLayered(code, eta)) {
+      l = fetchLayers(u32(abs(eta)));
     }
   }
   return l;
@@ -111,7 +111,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
     drawn.delta = specular & delta;
   }
   if (hasLayers) {
-    if (isLayered(s.layers)) {
+    if (isLayered(u32(s.code), s.eta.x)) {
       let layered = sampleLayered(s, o.stack, vec3f(u.xy, choice));
       drawn = BsdfSample(layered.direction, base * layered.pdf, layered.weight, layered.delta);
     }
@@ -131,7 +131,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
   var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
   if (hasLayers) {
-    if (isLayered(s.layers)) {
+    if (isLayered(u32(s.code), s.eta.x)) {
       var isLight = frame.emitterCount > 0u;
       loop {
         let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, o.stack, select(toSample, toLight, isLight));
@@ -168,7 +168,7 @@ struct Surface {
   emission: vec3f,
   // share of the perfect mirror layer over the base
   reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
+  // conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none
   eta: vec3f,
   // GGX width, roughness^2; 0: smooth
   alpha: f32,
@@ -178,8 +178,8 @@ struct Surface {
   metallic: f32,
   // dielectric: Beer-Lambert coefficient, 1 / metre
   absorption: vec3f,
-  // metallicRoughness: the row of the table that holds its Layers, with a minus sign when light may go through; 0: there are none
-  layers: f32,
+  // row of its MaterialTextures among the texels
+  textures: f32,
 }
 
 
@@ -193,8 +193,6 @@ fn isDielectric(code: u32) -> bool {
 
 // What glTF's extensions add to metallicRoughness, and the one of them that is long.
 override hasLayers = false;
-
-override hasMetallicRoughness = false;
 
 override hasGlass = false;
 
@@ -231,10 +229,10 @@ struct Layers {
   film: f32,
   // its index
   filmIor: f32,
-  // its thickness where a texture is 0, nanometres
-  thinnest: f32,
-  // and where it is 1, or there is none
-  thickest: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
   // 20 / Abbe number
   dispersion: f32,
   // unused
@@ -292,9 +290,9 @@ struct Stack {
 }
 
 
-// These take Surface.layers.
-fn isLayered(layers: f32) -> bool {
-  return hasLayers & (layers != 0.0);
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
 }
 
 fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
@@ -384,7 +382,7 @@ fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
     // Mostly one of the two.
     var isMetal = s.metallic >= 1.0;
     loop {
-      let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.thickest, outer);
+      let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
       if (isMetal) {
         metal = mix(metal, film, l.film);
       } else {
@@ -516,16 +514,25 @@ fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
   return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
 }
 
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
+
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
 // its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
 fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
   let specular = dot(schlick(metallicRoughnessF0(baseColor, metallic), cosine), vec3f(1.0));
   let diffuse = dot(metallicRoughnessDiffuse(baseColor, metallic, 1.0), vec3f(1.0));
   return specular / max(specular + diffuse, 1e-20);
-}
-
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
 }
 
 fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
@@ -538,13 +545,6 @@ fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec
 }
 
 const dielectricF00 = 0.04;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const metallicRoughness = 1u;
 
 // Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
 fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {

@@ -156,7 +156,6 @@ struct FarLight {
 const uint directionAndPdf = 0u;
 const uint radianceAndDistance = 1u;
 const uint pdfOfSample = 2u;
-const uint pdfOfDirection = 3u;
 const uint choice_1 = 4u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;

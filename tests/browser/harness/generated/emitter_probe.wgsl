@@ -8,8 +8,6 @@ const radianceAndDistance = 1u;
 
 const pdfOfSample = 2u;
 
-const pdfOfDirection = 3u;
-
 const choice = 4u;
 
 @fragment fn emitterProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {

@@ -18,7 +18,7 @@ export function layerTable(materials: readonly LayeredMaterial[], energyCompensa
   materials.forEach((given, row) => {
     const material = { ...materialOf(given), energyCompensation };
     if (!isLayered(material)) throw new Error(`No layers: ${JSON.stringify(given)}`);
-    writeRow(table, 'Surface', row, surfaceValues(material, null, materials.length + row));
+    writeRow(table, 'Surface', row, surfaceValues(material, null, 0, materials.length + row));
     writeRow(table, 'Layers', materials.length + row, layerValues(material));
   });
   return table;

@@ -20,7 +20,7 @@ import { compileProgram } from './program.ts';
 /** How long a lost context may take to come back before the device counts as gone. */
 const RESTORE_TIMEOUT_MS = 3000;
 const RESTORE_PAUSE_MS = 50;
-/** Columns of the texture that data lie in, as shading/mesh/geometry_row.wesl has it: every device has so many. */
+/** Columns of the texture that data lie in, as shading/mesh/geometry_row.wesl and shading/texture/texel_row.wesl have it: every device has so many. */
 const DATA_COLUMNS = 2048;
 
 interface GlPass extends Pass {
@@ -186,10 +186,11 @@ class WebGl2Device implements Device {
     return { ...base, write, destroy } as TableTexture;
   }
 
-  createData(rows: number): DataBuffer {
+  createData(rows: number, what: string): DataBuffer {
     const gl = this.#gl;
     const lines = Math.ceil(rows / DATA_COLUMNS);
-    if (lines > this.maxTextureSize) throw noRoom('maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
+    if (lines > this.maxTextureSize)
+      throw noRoom(what, 'maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
     const base = this.#texture(DATA_COLUMNS, lines, gl.RGBA32UI);
     const put = (row: number, count: number, words: Uint32Array) => {
       const [x, y] = [row % DATA_COLUMNS, Math.floor(row / DATA_COLUMNS)];

@@ -214,10 +214,10 @@ class WebGpuDevice implements Device {
     return { ...base, write } as TableTexture;
   }
 
-  createData(rows: number): DataBuffer {
+  createData(rows: number, what: string): DataBuffer {
     const size = rows * 16;
     for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
-      if (size > this.#device.limits[limit]) throw noRoom(limit, this.#device.limits[limit], size);
+      if (size > this.#device.limits[limit]) throw noRoom(what, limit, this.#device.limits[limit], size);
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
     const data: DataBuffer & GpuResource = {

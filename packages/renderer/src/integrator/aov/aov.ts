@@ -16,12 +16,13 @@ import type {
 import { FILTER_PIECES } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
-import { ALL_SWITCHES } from '../../shading/features.ts';
+import { FEATURES as ALL, SHAPE_FEATURES } from '../../shading/features.ts';
 import aovWgsl from '../../shading/generated/aov.wgsl?raw';
 import aovDataGlsl from '../../shading/generated/aovData.glsl?raw';
 import aovFeaturesGlsl from '../../shading/generated/aovFeatures.glsl?raw';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
+import { sourceFor } from '../../shading/program-text.ts';
 
 /** Sums of albedo and samples, and of shading normal and hits; or place and shape, and geometric normal and closeness. */
 export type AovContent = 'features' | 'data';
@@ -41,9 +42,9 @@ const FEATURES: PassSource = {
     { texture: 'previousSecond' },
     { texture: 'environment' },
     { data: 'geometry' },
+    { data: 'texels' },
   ],
   target: 'film',
-  switches: ALL_SWITCHES,
   layers: AOV_LAYERS,
 };
 const DATA: PassSource = {
@@ -60,16 +61,20 @@ export interface AovInputs {
   readonly previous: readonly FloatTexture[];
   readonly environment: TableTexture;
   readonly geometry: DataBuffer;
+  readonly texels: DataBuffer;
 }
 
-export const createAovPass = (device: Device, content: AovContent): Promise<Pass> =>
-  device.createPass(content === 'features' ? FEATURES : DATA);
+/** `models`: whether it draws scenes with models. */
+export async function createAovPass(device: Device, content: AovContent, models: boolean): Promise<Pass> {
+  const source = content === 'features' ? FEATURES : DATA;
+  return device.createPass(await sourceFor(source, content, new Set(models ? ALL : SHAPE_FEATURES)));
+}
 
 export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: AovInputs, region: Region): void {
   device.draw(
     pass,
     film,
-    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry],
+    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry, inputs.texels],
     region,
   );
 }

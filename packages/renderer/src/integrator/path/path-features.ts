@@ -5,9 +5,11 @@
 
 import { isLayered } from '../../packed-scene/layer-values.ts';
 import { EMITTER_KIND, emittersOf } from '../../packed-scene/pack-emitters.ts';
+import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
-import type { Camera, Material, Scene, Shape, ShapeType } from '../../scene/scene.ts';
+import { meshShapes } from '../../scene/placed.ts';
+import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
 
 /** What a film needs a program for. */
@@ -17,21 +19,33 @@ export interface PathDemand {
   readonly settings: Pick<RendererSettings, 'pixelFilter'>;
 }
 
+/** What a scene asks for; one does not change. */
+const known = new WeakMap<Scene, Partial<Record<Feature, boolean>>>();
+
 export function pathFeatures({ scene, camera, settings }: PathDemand): ReadonlySet<Feature> {
-  const lamps = lampsAsShapes(scene);
-  const shapes = Object.values(lamps.scene.shapes);
-  const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
-  const { emitters } = emittersOf(lamps, camera.eye, () => 0);
-  const needs: Record<Feature, boolean> = {
-    ...shapeFeatures(shapes),
-    ...lightFeatures(emitters.map(({ kind }) => kind as number)),
-    ...materialFeatures(materials),
-    hasEnvironment: scene.sky.map !== undefined,
+  let ofScene = known.get(scene);
+  if (!ofScene) known.set(scene, (ofScene = sceneFeatures(scene)));
+  const needs: Partial<Record<Feature, boolean>> = {
+    ...ofScene,
     hasLens: (camera.aperture ?? 0) > 0,
     hasOtherProjections: (camera.projection ?? 'perspective') !== 'perspective',
     hasFilter: settings.pixelFilter !== 'box',
   };
   return new Set(FEATURES.filter((feature) => needs[feature]));
+}
+
+function sceneFeatures(scene: Scene) {
+  const lamps = lampsAsShapes(scene);
+  const shapes = Object.values(lamps.scene.shapes);
+  const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
+  const { emitters } = emittersOf(lamps, scene.camera.eye, () => 0);
+  return {
+    ...shapeFeatures(shapes),
+    ...lightFeatures(emitters.map(({ kind }) => kind as number)),
+    ...materialFeatures(materials),
+    ...meshFeatures(lamps.scene, meshShapes(lamps.scene)),
+    hasEnvironment: scene.sky.map !== undefined,
+  };
 }
 
 function shapeFeatures(shapes: readonly Shape[]) {
@@ -45,6 +59,20 @@ function shapeFeatures(shapes: readonly Shape[]) {
     hasMeshes: has('mesh'),
   };
 }
+
+function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [string, MeshShape][]) {
+  const all = shapes.map(([, { material, mesh }]) => [materials[material]!, meshes[mesh]?.data] as const);
+  return {
+    // Frames of tangents come with them.
+    hasTextures: all.some(
+      ([material, mesh]) => slotsOf(material).length > 0 || mesh?.colors !== undefined || hasGrain(material),
+    ),
+    hasOneSided: all.some(([material]) => isOneSided(material)),
+    hasCutouts: all.some(([material, mesh]) => mayBeMissing(material, mesh)),
+  };
+}
+
+const hasGrain = (material: Material): boolean => isLayered(material) && (material.anisotropy?.strength ?? 0) > 0;
 
 function lightFeatures(kinds: readonly number[]) {
   const has = (...wanted: number[]) => kinds.some((kind) => wanted.includes(kind));

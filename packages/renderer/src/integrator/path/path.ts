@@ -10,11 +10,12 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
-import { type Feature, switchesFor } from '../../shading/features.ts';
+import type { Feature } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
 import pathWgsl from '../../shading/generated/path.wgsl?raw';
+import { sourceFor } from '../../shading/program-text.ts';
 
 /** Layers of the film that it needs. */
 export const PATH_LAYERS = 2;
@@ -42,6 +43,7 @@ const PATH: PassSource = {
     { texture: 'previousSquares' },
     { texture: 'environment' },
     { data: 'geometry' },
+    { data: 'texels' },
   ],
   target: 'film',
   compute: { wgsl: pathWgsl, entry: 'pathCompute' },
@@ -55,18 +57,19 @@ export interface PathInputs {
   readonly previous: readonly FloatTexture[];
   readonly environment: TableTexture;
   readonly geometry: DataBuffer;
+  readonly texels: DataBuffer;
 }
 
 /** A program for films that ask for no more than these features. */
-export function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
-  return device.createPass({ ...PATH, switches: switchesFor(features) });
+export async function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
+  return device.createPass(await sourceFor(PATH, 'path', features));
 }
 
 export function drawPath(device: Device, pass: Pass, film: FilmTexture, inputs: PathInputs, region: Region): void {
   device.draw(
     pass,
     film,
-    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry],
+    [inputs.frame, inputs.sceneTable, ...inputs.previous, inputs.environment, inputs.geometry, inputs.texels],
     region,
   );
 }

@@ -2,8 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { SCENE_LIMITS } from '../../scene/limits.ts';
 import { parseScene } from '../parse-scene.ts';
 import type { Problem } from '../problem.ts';
-import { brokenAnimation, brokenObjects, brokenParts, brokenShapes } from './broken-scenes.ts';
-import { goodScene } from './good-scene.ts';
+import { brokenAnimation, brokenObjects, brokenParts, brokenRich, brokenShapes } from './broken-scenes.ts';
+import { goodScene, richScene } from './good-scene.ts';
 
 function problemsOf(input: unknown): readonly Problem[] {
   const parsed = parseScene(input);
@@ -24,10 +24,10 @@ test('the scene that is broken below is good as it is', () => {
   expect(parseScene(JSON.stringify(goodScene()))).toMatchObject({ ok: true });
 });
 
-const tables = { brokenParts, brokenShapes, brokenAnimation, brokenObjects };
-describe.each(Object.entries(tables))('%s', (_, table) => {
+const tables = { brokenParts, brokenShapes, brokenAnimation, brokenObjects, brokenRich };
+describe.each(Object.entries(tables))('%s', (name, table) => {
   test.each(table)('%s', (_defect, breakIt, paths) => {
-    const scene = goodScene();
+    const scene = name === 'brokenRich' ? richScene() : goodScene();
     breakIt(scene);
     expect(problemsOf(scene).map(({ path }) => path)).toEqual(paths);
   });

@@ -28,3 +28,102 @@ export const goodScene = (): Draft => ({
     },
   ],
 });
+
+/** The same with everything else that a scene may have. */
+export function richScene(): Draft {
+  const scene = goodScene();
+  return {
+    ...scene,
+    images: { bark: { file: 'textures/bark.jpg' }, 'leaf.png': 'leaf.png' },
+    textures: { bark: { image: 'bark', wrapU: 'mirror', filter: 'nearest', mipmaps: false } },
+    models: {
+      fox: { file: 'models/fox.glb', translation: [3, 0, 0], rotation: [0, 90, 0], node: 'stand', variant: 'winter' },
+    },
+    nodes: {
+      stand: { translation: [0, 0.5, 0], rotation: [0, 45, 0], scale: [2, 2, 2] },
+      arm: { parent: 'stand', rotation: [0, 0, 0.6, 0.8], weights: [0, 0.5] },
+      fixed: { parent: 'arm', matrix: [1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7] },
+    },
+    skins: {
+      bones: {
+        joints: ['stand', 'arm'],
+        inverseBindMatrices: [
+          [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0],
+          [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0],
+        ],
+      },
+    },
+    clips: {
+      wave: {
+        repeat: 'ping-pong',
+        tracks: [
+          {
+            target: '/nodes/arm/rotation',
+            times: [0, 0.1],
+            values: [
+              [0, 0, 0, 1],
+              [0, 0, 0.6, 0.8],
+            ],
+          },
+          {
+            target: '/materials/coated/clearcoat/weight',
+            interpolation: 'cubic',
+            times: [0, 2],
+            values: [0, 0.5, 0.5, 0.25, 1, -9],
+          },
+        ],
+      },
+    },
+    clip: 'wave',
+    variants: { night: { ball: 'glossy', block: 'coated' } },
+    cameras: { close: { eye: [0, 1, 2], target: [0, 1, 0], node: 'stand' } },
+    materials: {
+      ...scene.materials,
+      coated: {
+        type: 'metallicRoughness',
+        ior: 0,
+        baseColorTexture: { texture: 'bark', uvSet: 1, offset: [0.5, 0], rotation: 30, scale: [2, 2] },
+        normalTexture: { texture: 'leaf.png', normalScale: 0.5 },
+        clearcoat: { roughness: 0.1, weightTexture: 'bark' },
+        anisotropy: { texture: 'bumps/grain.webp' },
+        specularLobe: { color: [1, 0.5, 0.5] },
+        transmission: { weight: 0.5 },
+        volume: { thickness: 2 },
+        diffuseTransmission: {},
+        sheen: {},
+        iridescence: { ior: 1.5 },
+        alphaMode: 'mask',
+        alphaCutoff: 0.25,
+        opacity: 0.75,
+        doubleSided: false,
+        emissionStrength: 4,
+        dispersion: 0.1,
+      },
+    },
+    shapes: {
+      ...scene.shapes,
+      parts: {
+        type: 'mesh',
+        mesh: 'parts/bolt.stl',
+        material: 'clay',
+        node: 'arm',
+        skin: 'bones',
+        instances: [[1, 0, 0, 0.1, 0, 1, 0, 0, 0, 0, 1, 0], { translation: [1, 2, 3], rotation: [0, 90, 0] }],
+      },
+    },
+    lights: {
+      ...scene.lights,
+      spot: { type: 'spot', position: [0, 0, 0], direction: [0, -1, 0], intensity: 9, node: 'arm' },
+    },
+    animation: [
+      ...scene.animation,
+      {
+        target: '/nodes/stand/translation/1',
+        keys: [
+          { time: 0, value: 1 },
+          { time: 1, value: 2 },
+        ],
+      },
+    ],
+  };
+}

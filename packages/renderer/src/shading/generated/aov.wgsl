@@ -22,7 +22,7 @@ fn look(fragment: vec2f) -> Sight {
   var s = startSampler(vec2u(fragment), frame.sampleIndex, frame.seed);
   let filmPosition = floor(fragment) + frame.jitter + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, next2d(&s));
-  let rays = oneRay(camera.origin, camera.direction);
+  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
   let offCentre = filmPosition - floor(fragment) - 0.5;
   return Sight(rays, tracePair(rays), 1.0 / (1.0 + dot(offCentre, offCentre)));
 }
@@ -38,11 +38,10 @@ fn look(fragment: vec2f) -> Sight {
   sums.first.a += 1.0;
   let shape = sight.hit.shape;
   if (shape != noShape) {
-    let surface = fetchSurface(shape);
-    let normals = normalsAt(sight.rays, sight.hit, shape, letsThrough(u32(surface.code), surface.layers));
+    let met = surfaceAt(sight.rays, sight.hit, shape);
     let direction = sight.rays.direction;
-    sums.first += vec4f(albedoOf(surface, dot(normals.geometric, direction) > 0.0), 0.0);
-    sums.second += vec4f(select(normals.shading, -normals.shading, dot(normals.shading, direction) > 0.0), 1.0);
+    sums.first += vec4f(albedoOf(met.surface, dot(met.geometric, direction) > 0.0), 0.0);
+    sums.second += vec4f(select(met.shading, -met.shading, dot(met.shading, direction) > 0.0), 1.0);
   }
   return sums;
 }
@@ -55,7 +54,7 @@ fn look(fragment: vec2f) -> Sight {
   var data = Layers(vec4f(0.0), vec4f(0.0, 0.0, 0.0, sight.closeness));
   if (shape != noShape) {
     data.first = vec4f(sight.rays.point + sight.hit.t * sight.rays.direction, fetchMaterial(shape).id);
-    data.second = vec4f(normalsAt(sight.rays, sight.hit, shape, false).geometric, sight.closeness);
+    data.second = vec4f(surfaceAt(sight.rays, sight.hit, shape).geometric, sight.closeness);
   }
   if (frame.sampleIndex > 0u) {
     let pixel = vec2u(fragment.xy);
@@ -87,6 +86,8 @@ struct RayPair {
   lightDistance: f32,
   // The shape that is the light, or noShape.
   lightShape: u32,
+  // For what is there by chance: sampler.wesl, numberOfNext.
+  number: u32,
 }
 
 
@@ -144,8 +145,13 @@ fn cameraRay(filmPosition: vec2f, lens: vec2f) -> CameraRay {
 }
 
 // A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
+fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
+  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
+}
+
+// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
+fn numberOfNext(s: Sampler) -> u32 {
+  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
@@ -189,9 +195,7 @@ fn tracePair(p: RayPair) -> PairHit {
       }
     }
   }
-  if (hasMeshes) {
-    found = meetMeshes(found, p);
-  }
+  
   return found;
 }
 
@@ -462,9 +466,6 @@ override hasQuads = false;
 
 override hasPlanes = true;
 
-// Triangle meshes, and such with shading normals of their own.
-override hasMeshes = false;
-
 fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
   let b = fetchBounds(i);
   let own = i == p.shape;
@@ -623,353 +624,24 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
-fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
-  let most = select(-1.0, found.t, p.goesOn);
-  let lightMost = select(p.lightDistance, -1.0, found.blocked);
-  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), p.left);
-  var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
-  if (hit.instance != noInstance) {
-    result.t = hit.t;
-    result.shape = rowOfInstance(hit.instance);
-    result.triangle = LeftTriangle(hit.instance, hit.triangle);
-  }
-  return result;
-}
-
-fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
-  var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
-  var toLight = !(rays.most > 0.0);
-  // Of the present ray.
-  var most = select(rays.most, rays.lightMost, toLight);
-  var instance = noInstance;
-  var nodes = 0u;
-  var triangles = 0u;
-  var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
-  var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
-  var top = 0u;
-  // The only instance needs no tree above it, and no way back.
-  let alone = frame.instanceCount == 1u;
-  let first = select(beginning, leafBit, alone);
-  var current = first;
-  if ((frame.instanceCount == 0u) | !(most > 0.0)) {
-    return found;
-  }
-  loop {
-    var pops = false;
-    if ((current & leafBit) == 0u) {
-      let node = nodes + current * nodeRows;
-      let r = geometryRow(node + childrenRow);
-      let t = enterChildren(node, slabs, r, most);
-      // Farthest first onto the stack: a sorting network of five exchanges.
-      let a = t.x < t.z;
-      let b = t.y < t.w;
-      let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
-      let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
-      let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
-      let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
-      let c = t0.x < t1.x;
-      let d = t0.y < t1.y;
-      let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
-      let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
-      let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
-      let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
-      let e = ta.y < tb.x;
-      let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
-      let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
-      if (ta.x < 1e30) {
-        stack[top] = ra.x;
-        top++;
-      }
-      if (tm.x < 1e30) {
-        stack[top] = rm.x;
-        top++;
-      }
-      if (tm.y < 1e30) {
-        stack[top] = rm.y;
-        top++;
-      }
-      pops = tb.y >= 1e30;
-      current = rb.y;
-    } else if ((instance == noInstance) | (current >= beginning)) {
-      // Into an instance, or back into the world.
-      let toWorld = current >= beginning;
-      pops = current == leaving;
-      instance = select(current & placeMask, noInstance, toWorld);
-      var o = rays.origin;
-      var d = select(rays.direction, rays.lightDirection, toLight);
-      nodes = 0u;
-      if (!toWorld) {
-        let i = fetchInstance(frame.instances + instance * instanceRows);
-        let p = vec4f(o, 1.0);
-        o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
-        d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
-        nodes = i.nodes;
-        triangles = i.triangles;
-        if (!alone) {
-          stack[top] = leaving;
-          top++;
-        }
-      }
-      current = 0u;
-      slabs = slabRay(o, d);
-      ray = meshRay(o, d);
-    } else {
-      // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
-      let place = current & placeMask;
-      let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
-      let own = (instance == left.instance) & (place == left.triangle);
-      let nearer = (hit.t > rays.least) & (hit.t < most) & !own;
-      current = current + 1u - (1u << countShift);
-      pops = ((current >> countShift) & 7u) == 0u;
-      if (nearer) {
-        if (toLight) {
-          found.blocked = true;
-          break;
-        }
-        most = hit.t;
-        found = MeshHit(hit.t, instance, place, hit.weights, false);
-      }
-    }
-    if (pops) {
-      if (top > 0u) {
-        top--;
-        current = stack[top];
-      } else {
-        if (toLight | !(rays.lightMost > 0.0)) {
-          break;
-        }
-        toLight = true;
-        most = rays.lightMost;
-        instance = noInstance;
-        current = first;
-      }
-    }
-  }
-  return found;
-}
-
-struct MeshRays {
-  origin: vec3f,
-  direction: vec3f,
-  lightDirection: vec3f,
-  // What is nearer does not count.
-  least: f32,
-  // Nor what is farther; 0 or less: there is no such ray.
-  most: f32,
-  lightMost: f32,
-}
-
-
-// Of the scene table.
-fn rowOfInstance(instance: u32) -> u32 {
-  return fetchInstance(frame.instances + instance * instanceRows).row;
-}
-
-fn fetchInstance(row: u32) -> Instance {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  let r3 = geometryRow(row + 3u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
-}
-
-const instanceRows = 4u;
-
-fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
-}
-
-struct Instance {
-  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
-  toMeshX: vec4f,
-  // y
-  toMeshY: vec4f,
-  // z
-  toMeshZ: vec4f,
-  // row of the root of its tree
-  nodes: u32,
-  // row of its first triangle
-  triangles: u32,
-  // 1: shading normals are interpolated; 0: triangles are flat
-  interpolated: u32,
-  // of the scene table: what it is made of
-  row: u32,
-}
-
 
 // Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
 @group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
 
-struct MeshHit {
-  t: f32,
-  // noInstance: nothing met.
-  instance: u32,
-  triangle: u32,
-  // Of the triangle's second and third vertex.
-  weights: vec2f,
-  // Whether something is in the light's way.
-  blocked: bool,
-}
+
+// Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
+@group(0) @binding(6) var<storage, read> texels: array<vec4u>;
 
 
-// What the slabs of boxes are worked out with.
-struct SlabRay {
-  inverse: vec3f,
-  // -origin * inverse
-  offset: vec3f,
-  // From a node to the rows that hold the near planes.
-  near: vec3u,
-}
-
-
-// A ray in the space of a mesh.
-struct MeshRay {
-  origin: vec3f,
-  // The axis along which the direction is longest: 0, 1 or 2.
-  axis: u32,
-  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
-  shear: vec3f,
-}
-
-
-// A ray begins, in the world.
-const beginning = 0xfffffffeu;
-
-// References: encode-wide-bvh.ts.
-const leafBit = 0x80000000u;
-
-// Rows of a node; from the rows of least to those of greatest places; and where the references are.
-const nodeRows = 7u;
-
-const childrenRow = 6u;
-
-// Where the ray enters each child, 1e30 where it does not.
-fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
-  // The row of the far planes is the other one of the two.
-  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  let entered = select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
-  return select(vec4f(1e30), entered, children != vec4u(0u));
-}
-
-// pack-geometry.ts refuses trees that need more.
-var<private> stack: array<u32, 64>;
-
-const leastToGreatest = 3u;
-
-fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
-  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
-}
-
-// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
-const slabRounding = 1.0 + 1e-6;
-
-// On the stack: here the ray leaves the instance.
-const leaving = 0xffffffffu;
-
-const placeMask = 0x0fffffffu;
-
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
-}
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
-fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
-  let a = turnedTo(ray.axis, triangle.a - ray.origin);
-  let b = turnedTo(ray.axis, triangle.b - ray.origin);
-  let c = turnedTo(ray.axis, triangle.c - ray.origin);
-  let pa = a.xy + a.z * ray.shear.xy;
-  let pb = b.xy + b.z * ray.shear.xy;
-  let pc = c.xy + c.z * ray.shear.xy;
-  let u = edge(pc, pb);
-  let v = edge(pa, pc);
-  let w = edge(pb, pa);
-  let sum = u + v + w;
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
-  let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
-  let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
-  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse);
-}
-
-fn fetchTriangle(row: u32) -> Triangle {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
-}
-
-const triangleRows = 3u;
-
-const countShift = 28u;
-
-fn edge(a: vec2f, b: vec2f) -> f32 {
-  let p = a.x * b.y;
-  let q = a.y * b.x;
-  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
-}
-
-struct TriangleHit {
-  // Below 0: missed.
-  t: f32,
-  // How much the second and third vertex count.
-  weights: vec2f,
-}
-
-
-struct Triangle {
-  // first vertex, in the space of its mesh
-  a: vec3f,
-  // its shading normal, octahedral, 16 bits each
-  normalA: u32,
-  // second vertex
-  b: vec3f,
-  // its shading normal
-  normalB: u32,
-  // third vertex
-  c: vec3f,
-  // its shading normal
-  normalC: u32,
-}
-
-
-fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
-  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
-}
-
-// Out of solids, or to the front of triangles. Only meshes have two; and where the two of a glass body do not agree on which side a ray
-// comes from, the geometric one is right.
-fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
+fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  var normals = Normals(outward, outward);
-  if (hasMeshes & (hit.triangle.instance != noInstance)) {
-    let n = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
-    normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
-  }
-  return normals;
-}
-
-// Whether light may go through the surface.
-fn letsThrough(code: u32, layers: f32) -> bool {
-  return isDielectric(code) | (hasLayers & (layers < 0.0));
+  let surface = fetchSurface(shape);
+  var p = SurfacePoint(surface, layersOf(u32(surface.code), surface.eta.x), outward, outward, vec3f(0.0));
+  var tangent = vec3f(0.0);
+  var bitangent = vec3f(0.0);
+  
+  
+  return p;
 }
 
 // One-sided lamps have a dark back.
@@ -988,30 +660,6 @@ fn albedoOf(s: Surface, fromBack: bool) -> vec3f {
   let brightest = max(max(emission.x, emission.y), max(emission.z, 1.0));
   return clamp(albedo + emission / brightest, vec3f(0.0), vec3f(1.0));
 }
-
-struct Surface {
-  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
-  baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
-  code: f32,
-  // radiance sent out
-  emission: vec3f,
-  // share of the perfect mirror layer over the base
-  reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
-  eta: vec3f,
-  // GGX width, roughness^2; 0: smooth
-  alpha: f32,
-  // conductor: extinction coefficient per channel
-  k: vec3f,
-  // metallicRoughness: share of metal
-  metallic: f32,
-  // dielectric: Beer-Lambert coefficient, 1 / metre
-  absorption: vec3f,
-  // metallicRoughness: the row of the table that holds its Layers, with a minus sign when light may go through; 0: there are none
-  layers: f32,
-}
-
 
 // The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
 fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
@@ -1034,42 +682,109 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
   return normalize(normal);
 }
 
-struct Normals {
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+struct SurfacePoint {
+  surface: Surface,
+  // All zero where it has none.
+  layers: Layers0,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
   geometric: vec3f,
   shading: vec3f,
+  // Along the surface, where facets have a grain; else zero.
+  grain: vec3f,
 }
 
 
-// Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
-fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
-  let i = fetchInstance(frame.instances + instance * instanceRows);
-  let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
-  let blended = (1.0 - weights.x - weights.y) * fromOctahedral(triangle.normalA) + weights.x * fromOctahedral(triangle.normalB) + weights.y * fromOctahedral(triangle.normalC);
-  let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blended;
-  let size = dot(smoothed, smoothed);
-  let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
-  // Normals that cancel out, between two that look opposite ways, are none.
-  let useful = (i.interpolated != 0u) & (size > 0.0);
-  return MeshNormals(geometric, select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful));
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers0 {
+  var l: Layers0;
+  
+  return l;
 }
 
-// Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
-// EGSR 2010). packed-scene/octahedral.ts writes them.
-fn fromOctahedral(code: u32) -> vec3f {
-  let p = vec2f(f32(code & 0xffffu), f32(code >> 16u)) * (2.0 / 65534.0) - 1.0;
-  let z = 1.0 - abs(p.x) - abs(p.y);
-  let folded = (1.0 - abs(p.yx)) * select(vec2f(1.0), vec2f(-1.0), p < vec2f(0.0));
-  return normalize(vec3f(select(p, folded, z < 0.0), z));
+struct Surface {
+  // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
+  baseColor: vec3f,
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  code: f32,
+  // radiance sent out
+  emission: vec3f,
+  // share of the perfect mirror layer over the base
+  reflectivity: f32,
+  // conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none
+  eta: vec3f,
+  // GGX width, roughness^2; 0: smooth
+  alpha: f32,
+  // conductor: extinction coefficient per channel
+  k: vec3f,
+  // metallicRoughness: share of metal
+  metallic: f32,
+  // dielectric: Beer-Lambert coefficient, 1 / metre
+  absorption: vec3f,
+  // row of its MaterialTextures among the texels
+  textures: f32,
 }
 
-// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
-struct MeshNormals {
-  geometric: vec3f,
-  shading: vec3f,
+
+struct Layers0 {
+  // factor on what facets of the dielectric reflect at normal incidence
+  specularColor: vec3f,
+  // share of what they reflect
+  specularWeight: f32,
+  // of the fibres on top; black: there are none
+  sheenColor: vec3f,
+  // alpha is its square
+  sheenRoughness: f32,
+  // factor on light that leaves diffusely on the other side
+  beyondColor: vec3f,
+  // share of the diffuse light that does
+  beyond: f32,
+  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
+  grain: vec2f,
+  // how much they are; 0: not
+  anisotropy: f32,
+  // share of the diffuse body that is a refracting boundary instead
+  transmission: f32,
+  // share of the surface that has a clear coat
+  coat: f32,
+  // alpha is its square
+  coatRoughness: f32,
+  // index of the body
+  ior: f32,
+  // 1: the body is solid; 0: a thin wall
+  solid: f32,
+  // share of the surface that has a thin film
+  film: f32,
+  // its index
+  filmIor: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
+  // 20 / Abbe number
+  dispersion: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
 }
 
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const dielectric = 3u;
 
 fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
@@ -1100,22 +815,6 @@ fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
 }
 
-fn isDielectric(code: u32) -> bool {
-  return hasGlass & (kindOf(code) == dielectric);
-}
-
-// What glTF's extensions add to metallicRoughness, and the one of them that is long.
-override hasLayers = false;
-
-override hasGlass = false;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const dielectric = 3u;
-
 const conductor = 2u;
 
 // Without measured constants (eta and k black) the base colour comes back at every angle.
@@ -1132,22 +831,22 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
   let difference = eta * eta - k * k - sine2;
   let a2PlusB2 = sqrt(difference * difference + 4.0 * eta * eta * k * k);
   // a + i b is the root of difference + 2 i eta k; the smaller part from the larger, or its digits are lost.
-  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least);
+  let larger = sqrt(0.5 * (a2PlusB2 + abs(difference)) + least0);
   let smaller = eta * k / larger;
   let a = select(smaller, larger, difference > vec3f(0.0));
   let b = select(larger, smaller, difference > vec3f(0.0));
   // Sums of squares, not multiplied out: rounding never takes them below 0. least: an index of 1 along the surface is no 0 / 0.
-  let b2 = b * b + least;
+  let b2 = b * b + least0;
   let acrossFar = a + cosine;
   let acrossNear = a - cosine;
   let across = (acrossNear * acrossNear + b2) / (acrossFar * acrossFar + b2);
   let alongFar = a * cosine + sine2;
   let alongNear = a * cosine - sine2;
-  let b2cosine2 = b2 * cosine2 + least;
+  let b2cosine2 = b2 * cosine2 + least0;
   return 0.5 * across * (1.0 + (alongNear * alongNear + b2cosine2) / (alongFar * alongFar + b2cosine2));
 }
 
-const least = 1e-20;
+const least0 = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
   let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);

@@ -479,6 +479,24 @@ Material fetchMaterial(uint i_14) {
     return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
 }
 
+uint pcg(uint x) {
+    uint s_2 = ((x * 747796405u) + 2891336453u);
+    uint w = (((s_2 >> ((s_2 >> 28u) + 4u)) ^ s_2) * 277803737u);
+    return ((w >> 22u) ^ w);
+}
+
+float unitFloat(uint h) {
+    return (float((h >> 8u)) * 5.9604645e-8);
+}
+
+LightSampler lightSampler(uint count, uint pixelHash, uint light, uint reflection) {
+    uint _e8 = pcg(((pixelHash + (128u * light)) + reflection));
+    float _e9 = unitFloat(_e8);
+    uint _e10 = pcg(_e8);
+    float _e11 = unitFloat(_e10);
+    return LightSampler(count, vec2(_e9, _e11));
+}
+
 vec2 firstTurn(LightSampler s, uint k) {
     float phi = (6.2831855 * fract(((float(k) * 0.618034) + s.shift.y)));
     return vec2(cos(phi), sin(phi));
@@ -488,17 +506,17 @@ uint everySample(SampleGroup group) {
     return (4294967295u >> (32u - group.count));
 }
 
-float sampleReach(uint count) {
-    if ((count == 1u)) {
+float sampleReach(uint count_1) {
+    if ((count_1 == 1u)) {
         return 0.0;
     }
-    return pick((count == 9u), 0.70710677, 1.0);
+    return pick((count_1 == 9u), 0.70710677, 1.0);
 }
 
-ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_1) {
+ShadowCone shadowCone(vec3 apex, vec3 center_2, float radius_1, uint count_2) {
     vec3 toLight_2 = (center_2 - apex);
     float distance_ = max(length(toLight_2), 1e-30);
-    float _e8 = sampleReach(count_1);
+    float _e8 = sampleReach(count_2);
     float reach_1 = (radius_1 * _e8);
     float sine = min((reach_1 / distance_), 1.0);
     float cosine = sqrt((1.0 - (sine * sine)));
@@ -527,7 +545,7 @@ uint candidates(SampleGroup group_1, ShadowCone cone_3, uint base) {
     uint found = 0u;
     uint i_15 = 0u;
     uint _e5 = frame.occluderEnd;
-    uint end_1 = min(_e5, (base + 32u));
+    uint end_2 = min(_e5, (base + 32u));
     i_15 = base;
     while(true) {
         uint _e12 = i_15;
@@ -544,7 +562,7 @@ uint candidates(SampleGroup group_1, ShadowCone cone_3, uint base) {
         uint _e34 = i_15;
         i_15 = (_e34 + 1u);
         uint _e36 = i_15;
-        if ((_e36 >= end_1)) {
+        if ((_e36 >= end_2)) {
             break;
         }
     }
@@ -702,7 +720,7 @@ uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
     axis_1 = cone_7.axis;
     vec3 _e15 = origin_8;
     vec3 _e16 = axis_1;
-    float end_2 = (_e3.radius - dot(_e15, _e16));
+    float end_3 = (_e3.radius - dot(_e15, _e16));
     if (_e6) {
         vec3 _e20 = origin_8;
         vec3 _e21 = rotate(_e4.a, _e20);
@@ -714,7 +732,7 @@ uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
     bool startsInside_3 = (i_18 == group_5.start.inside);
     vec3 _e28 = origin_8;
     vec3 _e29 = axis_1;
-    uint _e32 = placeBox(cone_7, _e28, _e29, _e4.b.xyz, end_2);
+    uint _e32 = placeBox(cone_7, _e28, _e29, _e4.b.xyz, end_3);
     uint meets = pick(startsInside_3, boxMet, _e32);
     if ((meets != boxMet)) {
         uint _e38 = everySample(group_5);
@@ -754,7 +772,7 @@ uint behindBox(SampleGroup group_5, uint i_18, ShadowCone cone_7) {
 
 uint hiddenSamples(SampleGroup group_6) {
     uint hidden = 0u;
-    uint base_1 = 0u;
+    uint end_1 = 0u;
     uint rest = 0u;
     uint _e5 = frame.occluderEnd;
     if ((_e5 == 0u)) {
@@ -764,57 +782,54 @@ uint hiddenSamples(SampleGroup group_6) {
     uint _e9 = everySample(group_6);
     ShadowCone _e16 = shadowCone(group_6.start.point, group_6.center, group_6.radius, group_6.points.count);
     while(true) {
-        uint _e19 = base_1;
-        uint _e20 = candidates(group_6, _e16, _e19);
-        rest = _e20;
-        uint _e22 = rest;
-        if ((_e22 != 0u)) {
-            while(true) {
-                uint _e25 = base_1;
-                uint _e26 = rest;
-                uint _e27 = lowestBit(_e26);
-                uint i_21 = (_e25 + _e27);
-                bool _e29 = isSphere(i_21);
-                if (_e29) {
-                    uint _e30 = hidden;
-                    uint _e31 = behindSphere(group_6, i_21, _e16);
-                    hidden = (_e30 | _e31);
+        uint _e21 = rest;
+        if ((_e21 == 0u)) {
+            uint _e24 = end_1;
+            uint _e25 = candidates(group_6, _e16, _e24);
+            rest = _e25;
+            uint _e26 = end_1;
+            end_1 = (_e26 + 32u);
+        }
+        uint _e29 = rest;
+        if ((_e29 != 0u)) {
+            uint _e32 = end_1;
+            uint _e35 = rest;
+            uint _e36 = lowestBit(_e35);
+            uint i_21 = ((_e32 - 32u) + _e36);
+            bool _e38 = isSphere(i_21);
+            if (_e38) {
+                uint _e39 = hidden;
+                uint _e40 = behindSphere(group_6, i_21, _e16);
+                hidden = (_e39 | _e40);
+            } else {
+                bool _e42 = isFlat(i_21);
+                if (_e42) {
+                    uint _e43 = hidden;
+                    uint _e44 = behindFlat(group_6, i_21);
+                    hidden = (_e43 | _e44);
                 } else {
-                    bool _e33 = isFlat(i_21);
-                    if (_e33) {
-                        uint _e34 = hidden;
-                        uint _e35 = behindFlat(group_6, i_21);
-                        hidden = (_e34 | _e35);
-                    } else {
-                        uint _e37 = hidden;
-                        uint _e38 = behindBox(group_6, i_21, _e16);
-                        hidden = (_e37 | _e38);
-                    }
-                }
-                uint _e40 = rest;
-                uint _e41 = rest;
-                rest = (_e40 & (_e41 - 1u));
-                uint _e45 = rest;
-                uint _e48 = hidden;
-                if (pick((_e45 == 0u), true, (_e48 == _e9))) {
-                    break;
+                    uint _e46 = hidden;
+                    uint _e47 = behindBox(group_6, i_21, _e16);
+                    hidden = (_e46 | _e47);
                 }
             }
+            uint _e49 = rest;
+            uint _e50 = rest;
+            rest = (_e49 & (_e50 - 1u));
         }
-        uint _e51 = base_1;
-        base_1 = (_e51 + 32u);
-        uint _e54 = base_1;
-        uint _e57 = frame.occluderEnd;
-        uint _e59 = hidden;
-        if (pick((_e54 >= _e57), true, (_e59 == _e9))) {
+        uint _e54 = rest;
+        uint _e57 = end_1;
+        uint _e60 = frame.occluderEnd;
+        uint _e63 = hidden;
+        if (pick(pick((_e54 == 0u), (_e57 >= _e60), false), true, (_e63 == _e9))) {
             break;
         }
     }
-    uint _e62 = hidden;
-    return _e62;
+    uint _e66 = hidden;
+    return _e66;
 }
 
-vec3 sampleLight(SurfacePoint p, Material m, Light light, vec3 toLight) {
+vec3 sampleLight(SurfacePoint p, Material m, Light light_1, vec3 toLight) {
     vec3 c = vec3(0.0);
     float distance2_ = dot(toLight, toLight);
     vec3 l = (toLight * inversesqrt(distance2_));
@@ -822,108 +837,90 @@ vec3 sampleLight(SurfacePoint p, Material m, Light light, vec3 toLight) {
     if ((cosine_1 <= 0.0)) {
         return vec3(0.0);
     }
-    c = ((m.baseColor * light.diffuse) * cosine_1);
+    c = ((m.baseColor * light_1.diffuse) * cosine_1);
     if ((m.specular > 0.0)) {
         vec3 _e21 = c;
-        c = (_e21 + ((m.specular * light.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
+        c = (_e21 + ((m.specular * light_1.specular) * pow(max(dot(p.normal, normalize((l + p.view))), 1e-10), m.exponent)));
     }
     vec3 _e36 = c;
-    return (_e36 * (light.power / distance2_));
+    return (_e36 * (light_1.power / distance2_));
 }
 
-vec3 sampled(SurfacePoint p_1, Material m_1, Light light_1, LightSampler samples) {
+vec3 sampled(SurfacePoint p_1, Material m_1, Light light_2, SampleGroup group_7) {
     vec3 sum_2 = vec3(0.0);
-    uint first = 0u;
     vec2 turn_6 = vec2(0.0);
     uint k_6 = 0u;
+    uint _e7 = hiddenSamples(group_7);
+    turn_6 = group_7.turn;
     while(true) {
-        uint _e12 = first;
-        uint _e14 = first;
-        uint _e18 = first;
-        vec2 _e19 = firstTurn(samples, _e18);
-        SampleGroup group_7 = SampleGroup(p_1.start, light_1.center, light_1.radius, samples, _e12, min((samples.count - _e14), 32u), _e19);
-        uint _e21 = hiddenSamples(group_7);
-        turn_6 = group_7.turn;
-        k_6 = 0u;
-        while(true) {
-            uint _e26 = k_6;
-            if ((((_e21 >> _e26) & 1u) == 0u)) {
-                vec3 _e32 = sum_2;
-                uint _e33 = k_6;
-                vec2 _e34 = turn_6;
-                vec3 _e35 = toSample(group_7, _e33, _e34);
-                vec3 _e36 = sampleLight(p_1, m_1, light_1, _e35);
-                sum_2 = (_e32 + _e36);
-            }
-            vec2 _e38 = turn_6;
-            vec2 _e39 = nextTurn(_e38);
-            turn_6 = _e39;
-            uint _e41 = k_6;
-            k_6 = (_e41 + 1u);
-            uint _e43 = k_6;
-            if ((_e43 >= group_7.count)) {
-                break;
-            }
+        uint _e12 = k_6;
+        if ((((_e7 >> _e12) & 1u) == 0u)) {
+            vec3 _e18 = sum_2;
+            uint _e19 = k_6;
+            vec2 _e20 = turn_6;
+            vec3 _e21 = toSample(group_7, _e19, _e20);
+            vec3 _e22 = sampleLight(p_1, m_1, light_2, _e21);
+            sum_2 = (_e18 + _e22);
         }
-        uint _e46 = first;
-        first = (_e46 + 32u);
-        uint _e49 = first;
-        if ((_e49 >= samples.count)) {
+        vec2 _e24 = turn_6;
+        vec2 _e25 = nextTurn(_e24);
+        turn_6 = _e25;
+        uint _e27 = k_6;
+        k_6 = (_e27 + 1u);
+        uint _e29 = k_6;
+        if ((_e29 >= group_7.count)) {
             break;
         }
     }
-    vec3 _e52 = sum_2;
-    return (_e52 / vec3(float(samples.count)));
-}
-
-uint pcg(uint x) {
-    uint s_2 = ((x * 747796405u) + 2891336453u);
-    uint w = (((s_2 >> ((s_2 >> 28u) + 4u)) ^ s_2) * 277803737u);
-    return ((w >> 22u) ^ w);
-}
-
-float unitFloat(uint h) {
-    return (float((h >> 8u)) * 5.9604645e-8);
-}
-
-LightSampler lightSampler(uint count_2, uint pixelHash, uint light_2, uint reflection) {
-    uint _e8 = pcg(((pixelHash + (128u * light_2)) + reflection));
-    float _e9 = unitFloat(_e8);
-    uint _e10 = pcg(_e8);
-    float _e11 = unitFloat(_e10);
-    return LightSampler(count_2, vec2(_e9, _e11));
+    vec3 _e32 = sum_2;
+    return _e32;
 }
 
 vec3 shade(SurfacePoint p_2, Material m_2, uint pixelHash_1, uint reflection_1, uint sampleCount) {
     vec3 color = vec3(0.0);
     uint i_19 = 0u;
+    uint first = 0u;
     uint _e10 = frame.lightCount;
     if ((_e10 == 0u)) {
         vec3 _e13 = color;
         return _e13;
     }
     while(true) {
-        uint _e16 = i_19;
-        Light _e17 = fetchLight(_e16);
-        vec3 _e18 = color;
-        color = (_e18 + (_e17.ambient * m_2.baseColor));
-        if ((dot(p_2.normal, (_e17.center - p_2.start.point)) > -(_e17.radius))) {
-            vec3 _e32 = color;
-            uint _e33 = i_19;
-            LightSampler _e34 = lightSampler(sampleCount, pixelHash_1, _e33, reflection_1);
-            vec3 _e35 = sampled(p_2, m_2, _e17, _e34);
-            color = (_e32 + _e35);
+        uint _e18 = i_19;
+        Light _e19 = fetchLight(_e18);
+        uint _e20 = first;
+        if ((_e20 == 0u)) {
+            vec3 _e23 = color;
+            color = (_e23 + (_e19.ambient * m_2.baseColor));
         }
-        uint _e38 = i_19;
-        i_19 = (_e38 + 1u);
-        uint _e40 = i_19;
-        uint _e43 = frame.lightCount;
-        if ((_e40 >= _e43)) {
+        if ((dot(p_2.normal, (_e19.center - p_2.start.point)) > -(_e19.radius))) {
+            uint _e37 = i_19;
+            LightSampler _e38 = lightSampler(sampleCount, pixelHash_1, _e37, reflection_1);
+            uint _e42 = first;
+            uint _e44 = first;
+            uint _e48 = first;
+            vec2 _e49 = firstTurn(_e38, _e48);
+            SampleGroup group_8 = SampleGroup(p_2.start, _e19.center, _e19.radius, _e38, _e42, min((_e38.count - _e44), 32u), _e49);
+            vec3 _e51 = color;
+            vec3 _e52 = sampled(p_2, m_2, _e19, group_8);
+            color = (_e51 + (_e52 / vec3(float(_e38.count))));
+        }
+        uint _e58 = first;
+        first = (_e58 + 32u);
+        uint _e61 = first;
+        if ((_e61 >= sampleCount)) {
+            first = 0u;
+            uint _e65 = i_19;
+            i_19 = (_e65 + 1u);
+        }
+        uint _e67 = i_19;
+        uint _e70 = frame.lightCount;
+        if ((_e67 >= _e70)) {
             break;
         }
     }
-    vec3 _e45 = color;
-    return _e45;
+    vec3 _e72 = color;
+    return _e72;
 }
 
 vec3 trace(Ray first_1, uint hash, uint maxReflections, uint lightSamples) {

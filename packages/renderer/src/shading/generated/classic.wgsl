@@ -205,20 +205,30 @@ struct SurfacePoint {
 }
 
 
+// The mean over all sample points of a light is added up group by group, light after light, in one loop.
 fn shade(p: SurfacePoint, m: Material, pixelHash: u32, reflection: u32, sampleCount: u32) -> vec3f {
   var color = vec3f(0.0);
   if (frame.lightCount == 0u) {
     return color;
   }
   var i = 0u;
+  var first = 0u;
   loop {
     let light = fetchLight(i);
-    color += light.ambient * m.baseColor;
+    if (first == 0u) {
+      color += light.ambient * m.baseColor;
+    }
     // Not wholly behind the surface.
     if (dot(p.normal, light.center - p.start.point) > -light.radius) {
-      color += sampled(p, m, light, lightSampler(sampleCount, pixelHash, i, reflection));
+      let samples = lightSampler(sampleCount, pixelHash, i, reflection);
+      let group = SampleGroup(p.start, light.center, light.radius, samples, first, min(samples.count - first, 32u), firstTurn(samples, first));
+      color += sampled(p, m, light, group) / f32(samples.count);
     }
-    i++;
+    first += 32u;
+    if (first >= sampleCount) {
+      first = 0u;
+      i++;
+    }
     if (i >= frame.lightCount) {
       break;
     }
@@ -531,44 +541,10 @@ struct Material {
 }
 
 
-// Diffuse and highlight, the mean of all sample points.
-fn sampled(p: SurfacePoint, m: Material, light: Light, samples: LightSampler) -> vec3f {
-  var sum = vec3f(0.0);
-  var first = 0u;
-  loop {
-    let group = SampleGroup(p.start, light.center, light.radius, samples, first, min(samples.count - first, 32u), firstTurn(samples, first));
-    let hidden = hiddenSamples(group);
-    var turn = group.turn;
-    var k = 0u;
-    loop {
-      if (((hidden >> k) & 1u) == 0u) {
-        sum += sampleLight(p, m, light, toSample(group, k, turn));
-      }
-      turn = nextTurn(turn);
-      k++;
-      if (k >= group.count) {
-        break;
-      }
-    }
-    first += 32u;
-    if (first >= samples.count) {
-      break;
-    }
-  }
-  return sum / f32(samples.count);
-}
-
 fn lightSampler(count: u32, pixelHash: u32, light: u32, reflection: u32) -> LightSampler {
   let h = pcg(pixelHash + 128u * light + reflection);
   return LightSampler(count, vec2f(unitFloat(h), unitFloat(pcg(h))));
 }
-
-struct LightSampler {
-  count: u32,
-  // Turns the Fibonacci lattice, different for each pixel, film sample, reflection and light.
-  shift: vec2f,
-}
-
 
 // The samples first … first + count − 1 of a light seen from one point, at most 32.
 struct SampleGroup {
@@ -590,7 +566,47 @@ fn firstTurn(s: LightSampler, k: u32) -> vec2f {
   return vec2f(cos(phi), sin(phi));
 }
 
-// Bit k set: sample k of the group is hidden.
+// Diffuse and highlight of the group's sample points that are not hidden.
+fn sampled(p: SurfacePoint, m: Material, light: Light, group: SampleGroup) -> vec3f {
+  var sum = vec3f(0.0);
+  let hidden = hiddenSamples(group);
+  var turn = group.turn;
+  var k = 0u;
+  loop {
+    if (((hidden >> k) & 1u) == 0u) {
+      sum += sampleLight(p, m, light, toSample(group, k, turn));
+    }
+    turn = nextTurn(turn);
+    k++;
+    if (k >= group.count) {
+      break;
+    }
+  }
+  return sum;
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+struct LightSampler {
+  count: u32,
+  // Turns the Fibonacci lattice, different for each pixel, film sample, reflection and light.
+  shift: vec2f,
+}
+
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+// Bit k set: sample k of the group is hidden. One loop takes up the occluders by the 32 and goes through those that matter: nested, it
+// would double what Windows' shader compiler needs.
 fn hiddenSamples(group: SampleGroup) -> u32 {
   var hidden = 0u;
   if (frame.occluderEnd == 0u) {
@@ -598,27 +614,26 @@ fn hiddenSamples(group: SampleGroup) -> u32 {
   }
   let all = everySample(group);
   let cone = shadowCone(group.start.point, group.center, group.radius, group.points.count);
-  var base = 0u;
+  // Past the occluders taken up, and which of them are still to be looked at.
+  var end = 0u;
+  var rest = 0u;
   loop {
-    var rest = candidates(group, cone, base);
-    if (rest != 0u) {
-      loop {
-        let i = base + lowestBit(rest);
-        if (isSphere(i)) {
-          hidden |= behindSphere(group, i, cone);
-        } else if (isFlat(i)) {
-          hidden |= behindFlat(group, i);
-        } else {
-          hidden |= behindBox(group, i, cone);
-        }
-        rest &= rest - 1u;
-        if ((rest == 0u) | (hidden == all)) {
-          break;
-        }
-      }
+    if (rest == 0u) {
+      rest = candidates(group, cone, end);
+      end += 32u;
     }
-    base += 32u;
-    if ((base >= frame.occluderEnd) | (hidden == all)) {
+    if (rest != 0u) {
+      let i = end - 32u + lowestBit(rest);
+      if (isSphere(i)) {
+        hidden |= behindSphere(group, i, cone);
+      } else if (isFlat(i)) {
+        hidden |= behindFlat(group, i);
+      } else {
+        hidden |= behindBox(group, i, cone);
+      }
+      rest &= rest - 1u;
+    }
+    if (((rest == 0u) & (end >= frame.occluderEnd)) | (hidden == all)) {
       break;
     }
   }
@@ -699,6 +714,50 @@ fn candidates(group: SampleGroup, cone: ShadowCone, base: u32) -> u32 {
   return found & ~select(0u, 1u << (leaves & 31u), leaves < 32u);
 }
 
+struct ShadowCone {
+  apex: vec3f,
+  axis: vec3f,
+  // How far along the axis sample points may lie, at least and at most.
+  start: f32,
+  end: f32,
+  sine: f32,
+  cosine: f32,
+  tangent: f32,
+}
+
+
+// Whether a plane lies between the apex and some sample point.
+fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
+  let here = dot(normal, cone.apex) - offset;
+  let there = here + dot(normal, cone.axis) * 0.5 * (cone.start + cone.end);
+  return min(here * there, abs(there) - 0.5 * (cone.end - cone.start)) <= 0.0;
+}
+
+// True only when no ray of the cone meets the ball. The distance from the cone's mantle is across · cos − along · sin. Maxima in place
+// of conditions: software rasterisers and compilers both take them faster.
+fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
+  let beside = ball.across * cone.cosine - ball.along * cone.sine;
+  let outside = max(max(beside, -ball.along), ball.along - cone.end);
+  return outside > select(radius, everywhere, cone.tangent == everywhere);
+}
+
+fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
+  let toBall = center - cone.apex;
+  let along = dot(toBall, cone.axis);
+  // Not by Pythagoras: the difference of two large squares hides small balls that are far away.
+  return BallPlace(along, length(toBall - along * cone.axis));
+}
+
+// Farther than any scene. For a point among the sample points themselves, where there is no cone.
+const everywhere = 1e30;
+
+// Where a ball lies to the cone.
+struct BallPlace {
+  along: f32,
+  across: f32,
+}
+
+
 // Index of the lowest set bit: the exponent of that power of two as a float. (WebGL2 has no instruction for it.)
 fn lowestBit(bits: u32) -> u32 {
   return (bitcast<u32>(f32(bits & (~bits + 1u))) >> 23u) - 127u;
@@ -732,32 +791,6 @@ fn ballHidesLight(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
   let covers = radius * 0.9999 - ball.across * cone.cosine - ball.along * cone.sine;
   return min(min(covers, ball.along - radius), cone.start - ball.along - radius) > 0.0;
 }
-
-fn placeBall(cone: ShadowCone, center: vec3f) -> BallPlace {
-  let toBall = center - cone.apex;
-  let along = dot(toBall, cone.axis);
-  // Not by Pythagoras: the difference of two large squares hides small balls that are far away.
-  return BallPlace(along, length(toBall - along * cone.axis));
-}
-
-struct ShadowCone {
-  apex: vec3f,
-  axis: vec3f,
-  // How far along the axis sample points may lie, at least and at most.
-  start: f32,
-  end: f32,
-  sine: f32,
-  cosine: f32,
-  tangent: f32,
-}
-
-
-// Where a ball lies to the cone.
-struct BallPlace {
-  along: f32,
-  across: f32,
-}
-
 
 fn behindFlat(group: SampleGroup, i: u32) -> u32 {
   let bounds = fetchBounds(i);
@@ -857,43 +890,12 @@ fn min3(v: vec3f) -> f32 {
 // box ends, every ray misses if the axis does; against the box shrunk by it, every ray goes through if the axis does.
 const boxMissed = 0u;
 
-// Farther than any scene. For a point among the sample points themselves, where there is no cone.
-const everywhere = 1e30;
-
-// Whether a plane lies between the apex and some sample point.
-fn coneMeetsPlane(cone: ShadowCone, normal: vec3f, offset: f32) -> bool {
-  let here = dot(normal, cone.apex) - offset;
-  let there = here + dot(normal, cone.axis) * 0.5 * (cone.start + cone.end);
-  return min(here * there, abs(there) - 0.5 * (cone.end - cone.start)) <= 0.0;
-}
-
-// True only when no ray of the cone meets the ball. The distance from the cone's mantle is across · cos − along · sin. Maxima in place
-// of conditions: software rasterisers and compilers both take them faster.
-fn coneMissesBall(cone: ShadowCone, ball: BallPlace, radius: f32) -> bool {
-  let beside = ball.across * cone.cosine - ball.along * cone.sine;
-  let outside = max(max(beside, -ball.along), ball.along - cone.end);
-  return outside > select(radius, everywhere, cone.tangent == everywhere);
-}
-
 // How far the points reach from the light's centre, in radii.
 fn sampleReach(count: u32) -> f32 {
   if (count == 1u) {
     return 0.0;
   }
   return select(1.0, 0.70710678, count == 9u);
-}
-
-// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
-// GPU Rendering", JCGT 9(3), 2020.
-fn pcg(x: u32) -> u32 {
-  let s = x * 747796405u + 2891336453u;
-  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
-  return (w >> 22u) ^ w;
-}
-
-// Uniform in [0, 1) with 24 bits.
-fn unitFloat(h: u32) -> f32 {
-  return f32(h >> 8u) * 5.9604644775390625e-8;
 }
 
 // The camera as a pinhole.

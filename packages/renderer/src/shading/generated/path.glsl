@@ -32,6 +32,7 @@ struct RayPair {
     bool lightInwards;
     float lightDistance;
     uint lightShape;
+    uint number;
 };
 struct Sampler {
     uint key;
@@ -115,52 +116,6 @@ struct Slabs {
     float near;
     float far;
 };
-struct MeshRays {
-    vec3 origin;
-    vec3 direction;
-    vec3 lightDirection;
-    float least;
-    float most;
-    float lightMost;
-};
-struct MeshHit {
-    float t;
-    uint instance;
-    uint triangle;
-    vec2 weights;
-    bool blocked;
-};
-struct SlabRay {
-    vec3 inverse_;
-    vec3 offset;
-    uvec3 near;
-};
-struct MeshRay {
-    vec3 origin;
-    uint axis;
-    vec3 shear;
-};
-struct Instance {
-    vec4 toMeshX;
-    vec4 toMeshY;
-    vec4 toMeshZ;
-    uint nodes;
-    uint triangles;
-    uint interpolated;
-    uint row;
-};
-struct Triangle {
-    vec3 a;
-    uint normalA;
-    vec3 b;
-    uint normalB;
-    vec3 c;
-    uint normalC;
-};
-struct TriangleHit {
-    float t;
-    vec2 weights;
-};
 struct Surface {
     vec3 baseColor;
     float code;
@@ -171,7 +126,7 @@ struct Surface {
     vec3 k;
     float metallic;
     vec3 absorption;
-    float layers;
+    float textures;
 };
 struct Layers {
     vec3 specularColor;
@@ -189,20 +144,19 @@ struct Layers {
     float solid;
     float film;
     float filmIor;
-    float thinnest;
-    float thickest;
+    float filmThickness;
+    float filmLeast;
     float dispersion;
     float spare0_;
     float spare1_;
     float spare2_;
 };
-struct Normals {
+struct SurfacePoint {
+    Surface surface;
+    Layers layers;
     vec3 geometric;
     vec3 shading;
-};
-struct MeshNormals {
-    vec3 geometric;
-    vec3 shading;
+    vec3 grain;
 };
 struct Basis {
     vec3 tangent;
@@ -325,17 +279,6 @@ struct BsdfSample {
     vec3 weight;
     bool delta;
 };
-struct LayeredSample {
-    vec3 direction;
-    float pdf;
-    vec3 weight;
-    bool delta;
-};
-struct Parting {
-    vec3 toward;
-    vec3 beyond;
-    float share;
-};
 struct Pair {
     vec4 toLight;
     vec4 toSample;
@@ -348,21 +291,13 @@ struct FacetLobe {
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
-const uint beginning = 4294967294u;
-const uint leafBit = 2147483648u;
-const uint nodeRows = 7u;
-const uint childrenRow = 6u;
-const uint leastToGreatest = 3u;
-const uint leaving = 4294967295u;
-const uint placeMask = 268435455u;
-const uint instanceRows = 4u;
-const uint triangleRows = 3u;
-const uint countShift = 28u;
-const uint dielectric_1 = 3u;
+const uint dielectric = 3u;
+const bool hasLayers = false;
+const uint metallicRoughness = 1u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
-const uint metallicRoughness = 1u;
 const uint diffuse0_ = 0u;
+const bool hasMeshes = false;
 const uint rouletteDepth = 5u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
@@ -385,15 +320,9 @@ const bool hasQuads = false;
 
 const bool hasPlanes = true;
 
-const bool hasMeshes = false;
-
-uniform highp usampler2D geometry;
-
-uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-
-const bool hasLayers = false;
-
 const bool hasGlass = false;
+
+const bool hasMetallicRoughness = false;
 
 const bool hasManyLights = true;
 
@@ -415,13 +344,9 @@ const bool hasPointLights = false;
 
 const bool hasConductors = false;
 
-const bool hasCompensation = false;
-
-const bool hasIridescence = false;
-
-const bool hasMetallicRoughness = false;
-
 const bool hasMirrorLayers = true;
+
+const bool hasCompensation = false;
 
 uniform highp sampler2D previousFilm;
 
@@ -431,9 +356,9 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_23 = ((x * 747796405u) + 2891336453u);
-    uint w_3 = (((s_23 >> ((s_23 >> 28u) + 4u)) ^ s_23) * 277803737u);
-    return ((w_3 >> 22u) ^ w_3);
+    uint s_19 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_19 >> ((s_19 >> 28u) + 4u)) ^ s_19) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -480,8 +405,8 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_1 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_1 << 24u)));
+    uint place = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
     uint used = pick(independent, 0u, _e32);
     uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
@@ -489,12 +414,12 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_15), 15.0);
-    float t_3 = (x_15 - piece);
+    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_14), 15.0);
+    float t_2 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_3 = (c.x + (t_3 * (c.y + (t_3 * (c.z + (t_3 * c.w))))));
-    return pick((across < 0.0), -(offset_3), offset_3);
+    float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
+    return pick((across < 0.0), -(offset_2), offset_2);
 }
 
 vec2 filterOffset(vec2 u_1) {
@@ -603,20 +528,20 @@ vec2 concentricDisc(vec2 u_2) {
     vec2 p_13 = ((2.0 * u_2) - vec2(1.0));
     bool wide = (abs(p_13.x) > abs(p_13.y));
     float radius_1 = pick(wide, p_13.x, p_13.y);
-    float ratio_6 = (pick(wide, p_13.y, p_13.x) / pick((radius_1 == 0.0), 1.0, radius_1));
-    float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
+    float ratio_4 = (pick(wide, p_13.y, p_13.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
 
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_16 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_16 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_15 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -632,7 +557,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     const bool _e74 = hasOtherProjections;
     uint _e77 = frame.projection;
     if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_16);
+        float longitude = (3.1415927 * x_15);
         float latitude = (1.5707964 * y_9);
         vec3 _e88 = frame.right;
         vec3 _e93 = frame.forward;
@@ -675,23 +600,31 @@ vec2 lensPoint_2(inout Sampler s_3) {
     return _e7;
 }
 
-RayPair oneRay(vec3 origin, vec3 direction) {
-    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
+RayPair oneRay(vec3 origin, vec3 direction, uint number) {
+    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
+}
+
+uint numberOfNext(Sampler s_4) {
+    uint _e8 = mixBits((((s_4.key + 1u) ^ s_4.salt) ^ 2246822507u));
+    uint _e15 = mixBits((_e8 + ((s_4.sample_ << 8u) | s_4.place)));
+    return _e15;
 }
 
 Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
-    Sampler s_4 = Sampler(0u, 0u, 0u, 0u);
+    Sampler s_5 = Sampler(0u, 0u, 0u, 0u);
     uint _e4 = frame.seed;
     Sampler _e5 = startSampler(pixel_2, sampleIndex_2, _e4);
-    s_4 = _e5;
-    vec2 _e11 = next2d(s_4);
+    s_5 = _e5;
+    vec2 _e11 = next2d(s_5);
     vec2 _e12 = filterOffset(_e11);
     vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
-    vec2 _e14 = lensPoint_2(s_4);
+    vec2 _e14 = lensPoint_2(s_5);
     CameraRay _e15 = cameraRay(filmPosition_2, _e14);
-    RayPair _e18 = oneRay(_e15.origin, _e15.direction);
-    Sampler _e29 = s_4;
-    return Path(_e18, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e29);
+    Sampler _e18 = s_5;
+    uint _e19 = numberOfNext(_e18);
+    RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
+    Sampler _e31 = s_5;
+    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e31);
 }
 
 Bounds fetchBounds(uint i) {
@@ -707,8 +640,8 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far_1 = (along + half_1);
-    float t_4 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
+    float t_3 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -735,11 +668,11 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_5 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_5)) + cross(q.xyz, t_5));
+    vec3 t_4 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_4)) + cross(q.xyz, t_4));
 }
 
-vec3 turned0_(vec4 q_1, vec3 v_1) {
+vec3 turned(vec4 q_1, vec3 v_1) {
     vec3 w = vec3(0.0);
     w = v_1;
     const bool _e4 = hasTurnedBoxes;
@@ -767,31 +700,31 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_6 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_6 > tMin_1), false), t_6, 1e30));
+    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
     bool own_4 = (i_4 == p_3.shape);
-    vec3 _e11 = turned0_(_e4.a, (p_3.point - _e3.center));
-    vec3 _e14 = turned0_(_e4.a, p_3.direction);
+    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_3.direction);
     float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.inwards, false));
-    vec3 _e23 = turned0_(_e4.a, p_3.lightDirection);
+    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
     float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.lightInwards, false));
     PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
     return _e31;
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_9 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_9);
+    vec3 normal_7 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_7);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_7 = (dot(toCenter_1, normal_9) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_14 = ((t_7 * direction_4) - toCenter_1);
+    float t_6 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_14 = ((t_6 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_14, reciprocalU)), abs(dot(p_14, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_7 > tMin_2), (t_7 < 1e30), false), within, false), t_7, 1e30);
+    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -805,11 +738,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_8 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_7 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_8 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_8, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -820,585 +753,247 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
     return _e17;
 }
 
-uvec4 geometryRow(uint i_7) {
-    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
-    return _e8;
-}
-
-vec4 planes(uint row, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
-}
-
-vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
-    uvec3 far_2 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
-    vec4 _e45 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
-    vec4 _e52 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
-    vec4 _e60 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e45, _e52), _e60);
-    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
-    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
-}
-
-Instance fetchInstance(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    uvec4 _e12 = geometryRow((row_1 + 3u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size = abs(direction_7);
-    uint axis_3 = pick((size.z >= max(size.x, size.y)), 2u, pick((size.y > size.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
-float edge(vec2 a, vec2 b) {
-    float p_15 = (a.x * b.y);
-    float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_15)));
-}
-
-TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
-    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
-    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum_2 = ((_e35 + _e36) + _e37);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float inverse_2 = (1.0 / pick((sum_2 == 0.0), 1.0, sum_2));
-    float t_9 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum_2 != 0.0), false), t_9, -1.0), (vec2(_e36, _e37) * inverse_2));
-}
-
-Triangle fetchTriangle(uint row_2) {
-    uvec4 _e3 = geometryRow((row_2 + 0u));
-    uvec4 _e6 = geometryRow((row_2 + 1u));
-    uvec4 _e9 = geometryRow((row_2 + 2u));
-    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
-}
-
-MeshHit traverse(MeshRays rays, LeftTriangle left) {
-    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
-    bool toLight = false;
-    float most = 0.0;
-    uint instance = noInstance;
-    uint nodes = 0u;
-    uint triangles = 0u;
-    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
-    MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
-    uint top = 0u;
-    uint current = 0u;
-    bool pops = false;
-    vec3 o = vec3(0.0);
-    vec3 d_1 = vec3(0.0);
-    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
-    toLight = !((rays.most > 0.0));
-    bool _e17 = toLight;
-    most = pick(_e17, rays.lightMost, rays.most);
-    uint _e45 = frame.instanceCount;
-    bool alone = (_e45 == 1u);
-    uint first = pick(alone, leafBit, beginning);
-    current = first;
-    uint _e54 = frame.instanceCount;
-    float _e57 = most;
-    if (pick((_e54 == 0u), true, !((_e57 > 0.0)))) {
-        MeshHit _e62 = found_5;
-        return _e62;
-    }
-    while(true) {
-        pops = false;
-        uint _e65 = current;
-        if (((_e65 & leafBit) == 0u)) {
-            uint _e70 = nodes;
-            uint _e71 = current;
-            uint node_1 = (_e70 + (_e71 * nodeRows));
-            uvec4 _e77 = geometryRow((node_1 + childrenRow));
-            SlabRay _e78 = slabs;
-            float _e79 = most;
-            vec4 _e80 = enterChildren(node_1, _e78, _e77, _e79);
-            bool a_2 = (_e80.x < _e80.z);
-            bool b_6 = (_e80.y < _e80.w);
-            vec2 t0_2 = pick(a_2, vec2(_e80.z, _e80.x), vec2(_e80.x, _e80.z));
-            uvec2 r0_ = pick(a_2, uvec2(_e77.z, _e77.x), uvec2(_e77.x, _e77.z));
-            vec2 t1_1 = pick(b_6, vec2(_e80.w, _e80.y), vec2(_e80.y, _e80.w));
-            uvec2 r1_ = pick(b_6, uvec2(_e77.w, _e77.y), uvec2(_e77.y, _e77.w));
-            bool c_1 = (t0_2.x < t1_1.x);
-            bool d_2 = (t0_2.y < t1_1.y);
-            vec2 ta = pick(c_1, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
-            uvec2 ra = pick(c_1, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-            vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
-            uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-            bool e_21 = (ta.y < tb.x);
-            vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-            uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-            if ((ta.x < 1e30)) {
-                uint _e170 = top;
-                stack[_e170] = ra.x;
-                uint _e174 = top;
-                top = (_e174 + 1u);
-            }
-            if ((tm.x < 1e30)) {
-                uint _e180 = top;
-                stack[_e180] = rm.x;
-                uint _e184 = top;
-                top = (_e184 + 1u);
-            }
-            if ((tm.y < 1e30)) {
-                uint _e190 = top;
-                stack[_e190] = rm.y;
-                uint _e194 = top;
-                top = (_e194 + 1u);
-            }
-            pops = (tb.y >= 1e30);
-            current = rb.y;
-        } else {
-            uint _e200 = instance;
-            uint _e203 = current;
-            if (pick((_e200 == noInstance), true, (_e203 >= beginning))) {
-                uint _e207 = current;
-                bool toWorld_1 = (_e207 >= beginning);
-                uint _e210 = current;
-                pops = (_e210 == leaving);
-                uint _e213 = current;
-                instance = pick(toWorld_1, noInstance, (_e213 & placeMask));
-                o = rays.origin;
-                bool _e222 = toLight;
-                d_1 = pick(_e222, rays.lightDirection, rays.direction);
-                nodes = 0u;
-                if (!(toWorld_1)) {
-                    uint _e229 = frame.instances;
-                    uint _e230 = instance;
-                    Instance _e234 = fetchInstance((_e229 + (_e230 * instanceRows)));
-                    vec3 _e235 = o;
-                    vec4 p_16 = vec4(_e235, 1.0);
-                    o = vec3(dot(_e234.toMeshX, p_16), dot(_e234.toMeshY, p_16), dot(_e234.toMeshZ, p_16));
-                    vec3 _e247 = d_1;
-                    vec3 _e251 = d_1;
-                    vec3 _e255 = d_1;
-                    d_1 = vec3(dot(_e234.toMeshX.xyz, _e247), dot(_e234.toMeshY.xyz, _e251), dot(_e234.toMeshZ.xyz, _e255));
-                    nodes = _e234.nodes;
-                    triangles = _e234.triangles;
-                    if (!(alone)) {
-                        uint _e262 = top;
-                        stack[_e262] = leaving;
-                        uint _e266 = top;
-                        top = (_e266 + 1u);
-                    }
-                }
-                current = 0u;
-                vec3 _e269 = o;
-                vec3 _e270 = d_1;
-                SlabRay _e271 = slabRay(_e269, _e270);
-                slabs = _e271;
-                vec3 _e272 = o;
-                vec3 _e273 = d_1;
-                MeshRay _e274 = meshRay(_e272, _e273);
-                ray_2 = _e274;
-            } else {
-                uint _e275 = current;
-                uint place_2 = (_e275 & placeMask);
-                MeshRay _e278 = ray_2;
-                uint _e279 = triangles;
-                Triangle _e283 = fetchTriangle((_e279 + (place_2 * triangleRows)));
-                TriangleHit _e284 = intersectTriangle(_e278, _e283);
-                uint _e285 = instance;
-                bool own_5 = pick((_e285 == left.instance), (place_2 == left.triangle), false);
-                float _e295 = most;
-                bool nearer_1 = pick(pick((_e284.t > rays.least), (_e284.t < _e295), false), !(own_5), false);
-                uint _e300 = current;
-                current = ((_e300 + 1u) - 268435456u);
-                uint _e305 = current;
-                pops = (((_e305 >> countShift) & 7u) == 0u);
-                if (nearer_1) {
-                    bool _e312 = toLight;
-                    if (_e312) {
-                        found_5.blocked = true;
-                        break;
-                    }
-                    most = _e284.t;
-                    uint _e317 = instance;
-                    found_5 = MeshHit(_e284.t, _e317, place_2, _e284.weights, false);
-                }
-            }
-        }
-        bool _e321 = pops;
-        if (_e321) {
-            uint _e322 = top;
-            if ((_e322 > 0u)) {
-                uint _e326 = top;
-                top = (_e326 - 1u);
-                uint _e329 = top;
-                uint _e331 = stack[_e329];
-                current = _e331;
-            } else {
-                bool _e332 = toLight;
-                if (pick(_e332, true, !((rays.lightMost > 0.0)))) {
-                    break;
-                }
-                toLight = true;
-                most = rays.lightMost;
-                instance = noInstance;
-                current = first;
-            }
-        }
-    }
-    MeshHit _e341 = found_5;
-    return _e341;
-}
-
-uint rowOfInstance(uint instance_1) {
-    uint _e3 = frame.instances;
-    Instance _e7 = fetchInstance((_e3 + (instance_1 * instanceRows)));
-    return _e7.row;
-}
-
-PairHit meetMeshes(PairHit found_6, RayPair p_6) {
-    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
-    float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
-    float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
-    MeshHit _e16 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost), p_6.left);
-    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e16.blocked), noTriangle, _e16.weights);
-    if ((_e16.instance != noInstance)) {
-        result.t = _e16.t;
-        uint _e33 = rowOfInstance(_e16.instance);
-        result.shape = _e33;
-        result.triangle = LeftTriangle(_e16.instance, _e16.triangle);
-    }
-    PairHit _e38 = result;
-    return _e38;
-}
-
-PairHit tracePair(RayPair p_7) {
-    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
-    uint i_8 = 0u;
+PairHit tracePair(RayPair p_6) {
+    PairHit found_5 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_7 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_8;
+    uint _e18 = i_7;
     if (pick(_e17, (_e18 < ends.x), false)) {
         while(true) {
-            PairHit _e22 = found_7;
-            uint _e23 = i_8;
-            PairHit _e24 = meetSphere(_e22, p_7, _e23);
-            found_7 = _e24;
-            uint _e26 = i_8;
-            i_8 = (_e26 + 1u);
-            uint _e28 = i_8;
+            PairHit _e22 = found_5;
+            uint _e23 = i_7;
+            PairHit _e24 = meetSphere(_e22, p_6, _e23);
+            found_5 = _e24;
+            uint _e26 = i_7;
+            i_7 = (_e26 + 1u);
+            uint _e28 = i_7;
             if ((_e28 >= ends.x)) {
                 break;
             }
         }
     }
     const bool _e32 = hasBoxes;
-    uint _e33 = i_8;
+    uint _e33 = i_7;
     if (pick(_e32, (_e33 < ends.y), false)) {
         while(true) {
-            PairHit _e37 = found_7;
-            uint _e38 = i_8;
-            PairHit _e39 = meetBox(_e37, p_7, _e38);
-            found_7 = _e39;
-            uint _e41 = i_8;
-            i_8 = (_e41 + 1u);
-            uint _e43 = i_8;
+            PairHit _e37 = found_5;
+            uint _e38 = i_7;
+            PairHit _e39 = meetBox(_e37, p_6, _e38);
+            found_5 = _e39;
+            uint _e41 = i_7;
+            i_7 = (_e41 + 1u);
+            uint _e43 = i_7;
             if ((_e43 >= ends.y)) {
                 break;
             }
         }
     }
     const bool _e47 = hasQuads;
-    uint _e48 = i_8;
+    uint _e48 = i_7;
     if (pick(_e47, (_e48 < ends.z), false)) {
         while(true) {
-            PairHit _e52 = found_7;
-            uint _e53 = i_8;
-            PairHit _e54 = meetQuad(_e52, p_7, _e53);
-            found_7 = _e54;
-            uint _e56 = i_8;
-            i_8 = (_e56 + 1u);
-            uint _e58 = i_8;
+            PairHit _e52 = found_5;
+            uint _e53 = i_7;
+            PairHit _e54 = meetQuad(_e52, p_6, _e53);
+            found_5 = _e54;
+            uint _e56 = i_7;
+            i_7 = (_e56 + 1u);
+            uint _e58 = i_7;
             if ((_e58 >= ends.z)) {
                 break;
             }
         }
     }
     const bool _e62 = hasPlanes;
-    uint _e63 = i_8;
+    uint _e63 = i_7;
     if (pick(_e62, (_e63 < ends.w), false)) {
         while(true) {
-            PairHit _e67 = found_7;
-            uint _e68 = i_8;
-            PairHit _e69 = meetPlane(_e67, p_7, _e68);
-            found_7 = _e69;
-            uint _e71 = i_8;
-            i_8 = (_e71 + 1u);
-            uint _e73 = i_8;
+            PairHit _e67 = found_5;
+            uint _e68 = i_7;
+            PairHit _e69 = meetPlane(_e67, p_6, _e68);
+            found_5 = _e69;
+            uint _e71 = i_7;
+            i_7 = (_e71 + 1u);
+            uint _e73 = i_7;
             if ((_e73 >= ends.w)) {
                 break;
             }
         }
     }
-    const bool _e77 = hasMeshes;
-    if (_e77) {
-        PairHit _e78 = found_7;
-        PairHit _e79 = meetMeshes(_e78, p_7);
-        found_7 = _e79;
-    }
-    PairHit _e80 = found_7;
-    return _e80;
+    PairHit _e76 = found_5;
+    return _e76;
 }
 
-Surface fetchSurface(uint i_9) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_9)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_9)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_9)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_9)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_9)), 0);
-    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
-}
-
-bool isLayered(float layers) {
-    const bool _e2 = hasLayers;
-    return pick(_e2, (layers != 0.0), false);
-}
-
-Layers fetchLayers(uint i_10) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_10)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_10)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_10)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_10)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_10)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_10)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_10)), 0);
-    return Layers(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
-}
-
-Layers layersOf(float layers_1) {
-    Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    const bool _e3 = hasLayers;
-    if (_e3) {
-        bool _e4 = isLayered(layers_1);
-        if (_e4) {
-            Layers _e7 = fetchLayers(uint(abs(layers_1)));
-            l = _e7;
-        }
-    }
-    Layers _e8 = l;
-    return _e8;
-}
-
-uint kindOf(uint code) {
-    return (code & 3u);
-}
-
-bool isDielectric(uint code_1) {
-    const bool _e2 = hasGlass;
-    uint _e3 = kindOf(code_1);
-    return pick(_e2, (_e3 == dielectric_1), false);
-}
-
-bool letsThrough(uint code_2, float layers_2) {
-    bool _e2 = isDielectric(code_2);
-    const bool _e4 = hasLayers;
-    return pick(_e2, true, pick(_e4, (layers_2 < 0.0), false));
-}
-
-bool isPlane(uint i_11) {
+bool isPlane(uint i_8) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_11 >= _e4), (i_11 < _e9), false);
+    return pick((i_8 >= _e4), (i_8 < _e9), false);
 }
 
-vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
+vec3 boxNormal(vec3 origin_7, vec3 direction_6, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_7, direction_6, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_10 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_10);
-    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    float t_8 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));
+    bool onX = (crossed.x == t_8);
+    bool onY = pick(!(onX), (crossed.y == t_8), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 turnedBack(vec4 q_2, vec3 v_3) {
-    vec3 _e6 = turned0_(vec4(-(q_2.xyz), q_2.w), v_3);
+vec3 turnedBack(vec4 q_2, vec3 v_2) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_2);
     return _e6;
 }
 
-bool isBox(uint i_12) {
+bool isBox(uint i_9) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
+    return pick((i_9 >= _e4), (i_9 < _e9), false);
 }
 
-bool isSphere(uint i_13) {
+bool isSphere(uint i_10) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_13 < _e4);
+    return (i_10 < _e4);
 }
 
-vec3 normalAt(RayPair p_8, float t_2, uint i_14) {
+vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
     vec3 normal_1 = vec3(0.0);
-    Bounds _e3 = fetchBounds(i_14);
-    vec3 origin_10 = (p_8.point - _e3.center);
+    Bounds _e3 = fetchBounds(i_11);
+    vec3 origin_8 = (p_7.point - _e3.center);
     normal_1 = _e3.center;
     const bool _e10 = hasQuads;
     if (_e10) {
-        Extent _e11 = fetchExtent(i_14);
+        Extent _e11 = fetchExtent(i_11);
         vec3 _e17 = normal_1;
-        bool _e18 = isPlane(i_14);
+        bool _e18 = isPlane(i_11);
         normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
     }
     const bool _e21 = hasBoxes;
     if (_e21) {
-        Extent _e22 = fetchExtent(i_14);
-        bool inside = pick((i_14 == p_8.shape), p_8.inwards, false);
-        vec3 _e28 = turned0_(_e22.a, origin_10);
-        vec3 _e31 = turned0_(_e22.a, p_8.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside);
+        Extent _e22 = fetchExtent(i_11);
+        bool inside = pick((i_11 == p_7.shape), p_7.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_8);
+        vec3 _e31 = turned(_e22.a, p_7.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
-        bool _e39 = isBox(i_14);
+        bool _e39 = isBox(i_11);
         normal_1 = pick(_e39, _e38, _e36);
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
         vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
-        normal_1 = pick(_e47, (origin_10 + (t_2 * p_8.direction)), _e43);
+        bool _e47 = isSphere(i_11);
+        normal_1 = pick(_e47, (origin_8 + (t_1 * p_7.direction)), _e43);
     }
     vec3 _e49 = normal_1;
     return normalize(_e49);
 }
 
-vec3 fromOctahedral(uint code_3) {
-    vec2 p_17 = ((vec2(float((code_3 & 65535u)), float((code_3 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_17.x)) - abs(p_17.y));
-    vec2 folded = ((vec2(1.0) - abs(p_17.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_17, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_17), z_1));
+Surface fetchSurface(uint i_12) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_12)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_12)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_12)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_12)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_12)), 0);
+    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-MeshNormals meshNormals(uint instance_2, uint place, vec2 weights) {
-    uint _e5 = frame.instances;
-    Instance _e9 = fetchInstance((_e5 + (instance_2 * instanceRows)));
-    Triangle _e14 = fetchTriangle((_e9.triangles + (place * triangleRows)));
-    vec3 normal_10 = cross((_e14.b - _e14.a), (_e14.c - _e14.a));
-    vec3 geometric = normalize((mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * normal_10));
-    vec3 _e37 = fromOctahedral(_e14.normalA);
-    vec3 _e41 = fromOctahedral(_e14.normalB);
-    vec3 _e46 = fromOctahedral(_e14.normalC);
-    vec3 blended = (((((1.0 - weights.x) - weights.y) * _e37) + (weights.x * _e41)) + (weights.y * _e46));
-    vec3 smoothed = (mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz) * blended);
-    float size_1 = dot(smoothed, smoothed);
-    float side_1 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
-    bool useful = pick((_e9.interpolated != 0u), (size_1 > 0.0), false);
-    return MeshNormals(geometric, pick(useful, (smoothed * (side_1 * inversesqrt(max(size_1, 1e-37)))), geometric));
+Layers layersOf(uint code, float eta) {
+    Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Layers _e3 = l;
+    return _e3;
 }
 
-Normals normalsAt(RayPair rays_1, PairHit hit, uint shape, bool isGlass) {
-    Normals normals = Normals(vec3(0.0), vec3(0.0));
-    vec3 _e5 = normalAt(rays_1, hit.t, shape);
-    normals = Normals(_e5, _e5);
-    const bool _e9 = hasMeshes;
-    if (pick(_e9, (hit.triangle.instance != noInstance), false)) {
-        MeshNormals _e20 = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        bool agree = ((dot(_e20.geometric, rays_1.direction) > 0.0) == (dot(_e20.shading, rays_1.direction) > 0.0));
-        normals = Normals(_e20.geometric, pick(pick(isGlass, !(agree), false), _e20.geometric, _e20.shading));
-    }
-    Normals _e39 = normals;
-    return _e39;
+SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
+    SurfacePoint p_8 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 tangent = vec3(0.0);
+    vec3 bitangent = vec3(0.0);
+    vec3 _e4 = normalAt(rays, hit.t, shape);
+    Surface _e5 = fetchSurface(shape);
+    Layers _e10 = layersOf(uint(_e5.code), _e5.eta.x);
+    p_8 = SurfacePoint(_e5, _e10, _e4, _e4, vec3(0.0));
+    SurfacePoint _e19 = p_8;
+    return _e19;
+}
+
+uint kindOf(uint code_1) {
+    return (code_1 & 3u);
+}
+
+bool isDielectric(uint code_2) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_2);
+    return pick(_e2, (_e3 == dielectric), false);
+}
+
+bool isMetallicRoughness(uint code_3) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_3);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_4, float eta_1) {
+    bool _e3 = isMetallicRoughness(code_4);
+    return pick(pick(hasLayers, _e3, false), (eta_1 != 0.0), false);
+}
+
+bool letsThrough(uint code_5, float eta_2) {
+    bool _e2 = isDielectric(code_5);
+    bool _e3 = isLayered(code_5, eta_2);
+    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
 }
 
 Basis basisAbout(vec3 n) {
-    float side_2 = pick((n.z >= 0.0), 1.0, -1.0);
-    float a_3 = (-1.0 / (side_2 + n.z));
-    float b_7 = ((n.x * n.y) * a_3);
-    return Basis(vec3((1.0 + (((side_2 * n.x) * n.x) * a_3)), (side_2 * b_7), (-(side_2) * n.x)), vec3(b_7, (side_2 + ((n.y * n.y) * a_3)), -(n.y)), n);
+    float side_1 = pick((n.z >= 0.0), 1.0, -1.0);
+    float a_2 = (-1.0 / (side_1 + n.z));
+    float b_6 = ((n.x * n.y) * a_2);
+    return Basis(vec3((1.0 + (((side_1 * n.x) * n.x) * a_2)), (side_1 * b_6), (-(side_1) * n.x)), vec3(b_6, (side_1 + ((n.y * n.y) * a_2)), -(n.y)), n);
 }
 
-vec3 tangentAt(vec3 normal_2) {
-    vec3 east = vec3(normal_2.z, 0.0, -(normal_2.x));
-    float length2_ = dot(east, east);
-    return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
+vec3 toLocal(Basis b, vec3 v_3) {
+    return vec3(dot(v_3, b.tangent), dot(v_3, b.bitangent), dot(v_3, b.normal));
 }
 
-Basis basisAlong(vec3 normal_3, vec3 outward, vec2 grain) {
-    vec3 _e3 = tangentAt(outward);
-    vec3 turned = ((grain.x * _e3) + (grain.y * cross(outward, _e3)));
-    vec3 along_1 = normalize((turned - (dot(turned, normal_3) * normal_3)));
-    return Basis(along_1, cross(normal_3, along_1), normal_3);
-}
-
-vec3 toLocal(Basis b_1, vec3 v_4) {
-    return vec3(dot(v_4, b_1.tangent), dot(v_4, b_1.bitangent), dot(v_4, b_1.normal));
-}
-
-bool isThin(uint code_4) {
+bool isThin(uint code_6) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_4 & 7u) == 7u), false);
+    return pick(_e2, ((code_6 & 7u) == 7u), false);
 }
 
-vec3 schlick(vec3 f0_, float cosine) {
-    float m = max((1.0 - cosine), 0.0);
-    float m2_ = (m * m);
-    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+Emitter fetchEmitter(uint i_13) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
+    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
 }
 
-float coatReflectance(float coat, float cosine_1) {
-    vec3 _e4 = schlick(vec3(0.04), cosine_1);
-    return (coat * _e4.x);
+int emitterOf(float code_7) {
+    return ((int(code_7) >> 6u) - 1);
 }
 
-Emitter fetchEmitter(uint i_15) {
-    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(14u, i_15)), 0);
-    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(15u, i_15)), 0);
-    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(16u, i_15)), 0);
-    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(17u, i_15)), 0);
-    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(18u, i_15)), 0);
-    return Emitter(t0_5.xyz, t0_5.w, t1_4.xyz, t1_4.w, t2_2.xyz, t2_2.w, t3_2.xyz, t3_2.w, t4_2.x, t4_2.y, t4_2.z, t4_2.w);
-}
-
-int emitterOf(float code_5) {
-    return ((int(code_5) >> 6u) - 1);
-}
-
-Emitter emitterAt(uint i_16, Emitter only) {
+Emitter emitterAt(uint i_14, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_16);
+        Emitter _e5 = fetchEmitter(i_14);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
     return _e6;
 }
 
-bool isOnDisc(Emitter e, vec3 direction_9) {
-    vec3 chord = (direction_9 + e.u);
+bool isOnDisc(Emitter e, vec3 direction_7) {
+    vec3 chord = (direction_7 + e.u);
     return ((3.1415927 * dot(chord, chord)) < e.area);
 }
 
-float directionalPdf(Emitter e_1, vec3 direction_10) {
-    bool _e7 = isOnDisc(e_1, direction_10);
+float directionalPdf(Emitter e_1, vec3 direction_8) {
+    bool _e7 = isOnDisc(e_1, direction_8);
     return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
 }
 
@@ -1406,10 +1001,10 @@ vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
     vec2 low = min(x_9, y_5);
     vec2 high = max(x_9, y_5);
     bvec2 middle_1 = greaterThan(low, (0.41421357 * high));
-    vec2 r_1 = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
-    vec2 z_2 = (r_1 * r_1);
-    vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
+    vec2 r = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
+    vec2 z_1 = (r * r);
+    vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_9));
 }
 
@@ -1420,69 +1015,69 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_2 = uvec2(_e3);
-    uint left_1 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
-    uint right = pick((cell.x == size_2.x), 0u, cell.x);
+    uvec2 size = uvec2(_e3);
+    uint left = (pick((cell.x == 0u), size.x, cell.x) - 1u);
+    uint right = pick((cell.x == size.x), 0u, cell.x);
     uint upper = (max(cell.y, 1u) - 1u);
-    uint lower = min(cell.y, (size_2.y - 1u));
+    uint lower = min(cell.y, (size.y - 1u));
     vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper)), 0);
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
     return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_11) {
-    vec2 size_3 = frame.environmentSize;
-    float sine_1 = max(length(direction_11.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_1));
-    float turn = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
+EnvironmentLight lookUpEnvironment(vec3 direction_9) {
+    vec2 size_1 = frame.environmentSize;
+    float sine_1 = max(length(direction_9.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_9.z, direction_9.y)), vec2(abs(direction_9.x), sine_1));
+    float turn = (pick((direction_9.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_9.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn * 0.15915494) + _e35)) * size_3.x) + 0.5);
-    float fromPole = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_3 = floor(fromPole);
-    bool isLower = (direction_11.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_3.y - row_3), row_3));
-    float within_2 = (fromPole - row_3);
-    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
+    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
+    float row = floor(fromPole);
+    bool isLower = (direction_9.y < 0.0);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
+    float within_1 = (fromPole - row);
+    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
     return _e67;
 }
 
-vec3 sky(vec3 direction_12) {
+vec3 sky(vec3 direction_10) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_12.y, 0.0));
+    return mix(_e3, _e6, max(direction_10.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_13) {
+EnvironmentLight skyLight(vec3 direction_11) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_13);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_11);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_13);
+    vec3 _e8 = sky(direction_11);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_2, vec3 direction_14) {
+FarLight farLight(Emitter e_2, vec3 direction_12) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e8 = hasSuns;
     if (_e8) {
-        bool _e12 = isOnDisc(e_2, direction_14);
+        bool _e12 = isOnDisc(e_2, direction_12);
         bool seen = pick((e_2.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_2, direction_14);
+        float _e18 = directionalPdf(e_2, direction_12);
         far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
     if (pick(_e23, (e_2.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_14);
+        EnvironmentLight _e28 = skyLight(direction_12);
         far = FarLight(_e28.radiance, _e28.pdf);
     }
     FarLight _e32 = far;
@@ -1491,21 +1086,21 @@ FarLight farLight(Emitter e_2, vec3 direction_14) {
 
 SphereView viewSphere(Emitter e_3, vec3 point) {
     vec3 toCenter_2 = (e_3.position - point);
-    float d_3 = length(toCenter_2);
-    float power = abs(((d_3 - e_3.radius) * (d_3 + e_3.radius)));
-    bool inside_1 = (d_3 <= e_3.radius);
-    float sine_2 = min((e_3.radius / max(d_3, 1e-30)), 1.0);
-    float cosine_17 = (sqrt(power) / max(d_3, 1e-30));
-    return SphereView(toCenter_2, d_3, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_17))));
+    float d_1 = length(toCenter_2);
+    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
+    bool inside_1 = (d_1 <= e_3.radius);
+    float sine_2 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
+    float cosine_10 = (sqrt(power) / max(d_1, 1e-30));
+    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_15) {
+float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_13) {
     SphereView _e3 = viewSphere(e_4, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_15, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_13, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1522,20 +1117,20 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
 }
 
 float arctangent(float x_10) {
-    float a_4 = abs(x_10);
-    bool steep = (a_4 > 2.4142137);
-    bool middle_2 = pick((a_4 > 0.41421357), !(steep), false);
-    float r_2 = pick(steep, (-1.0 / max(a_4, 1.0)), pick(middle_2, ((a_4 - 1.0) / (a_4 + 1.0)), a_4));
+    float a_3 = abs(x_10);
+    bool steep = (a_3 > 2.4142137);
+    bool middle_2 = pick((a_3 > 0.41421357), !(steep), false);
+    float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_2, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_3 = (r_2 * r_2);
-    float series_1 = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
-    return (sign(x_10) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
+    float z_2 = (r_1 * r_1);
+    float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
+    return (sign(x_10) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
 }
 
 float stretch(float x_11, vec2 y_6, float h) {
-    vec2 r_3 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
-    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_3.y)));
-    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_3.x)));
+    vec2 r_2 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
+    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
@@ -1544,8 +1139,8 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     vec2 lengths = vec2(length(e_5.u), length(e_5.v));
     vec3 axisX = (e_5.u / vec3(lengths.x));
     vec3 axisY = (e_5.v / vec3(lengths.y));
-    vec3 normal_11 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_11);
+    vec3 normal_8 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_8);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
@@ -1556,7 +1151,7 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_11 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_8 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1575,18 +1170,18 @@ BoxView viewBox(Emitter e_7, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_16, float distance_3, vec3 normal_4) {
+float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_14, float distance_3, vec3 normal_2) {
     BoxView _e5 = viewBox(e_8, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_16, normal_4))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_14, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_17, float distance_4, vec3 normal_5) {
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_15, float distance_4, vec3 normal_3) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
     if (pick(_e8, (e_9.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_9, point_6, direction_17);
+        float _e13 = spherePdf(e_9, point_6, direction_15);
         pdf = _e13;
     }
     const bool _e15 = hasQuadLights;
@@ -1596,45 +1191,45 @@ float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_17, float distance_4, v
     }
     const bool _e22 = hasBoxLights;
     if (pick(_e22, (e_9.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_9, point_6, direction_17, distance_4, normal_5);
+        float _e27 = boxPdf(e_9, point_6, direction_15, distance_4, normal_3);
         pdf = _e27;
     }
     float _e28 = pdf;
     return _e28;
 }
 
-float spotFalloff(Emitter e_10, vec3 toLight_1) {
-    float share = clamp(((-(dot(toLight_1, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+float spotFalloff(Emitter e_10, vec3 toLight) {
+    float share = clamp(((-(dot(toLight, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
     return (share * share);
 }
 
-float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_6) {
+float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
     bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_11.kind == 5.0), false);
     vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
-    vec3 toLight_3 = pick(isFar, -(e_11.u), (middle_3 - point_7));
-    float distance2_ = dot(toLight_3, toLight_3);
+    vec3 toLight_2 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    float distance2_ = dot(toLight_2, toLight_2);
     float distance_5 = sqrt(distance2_);
     float grown = max((distance_5 + e_11.reach), 1e-15);
-    float above_1 = clamp(((dot(normal_6, toLight_3) + e_11.reach) / grown), 0.0, 1.0);
-    float cosine_18 = pick((dot(normal_6, normal_6) == 0.0), 1.0, above_1);
+    float above_1 = clamp(((dot(normal_4, toLight_2) + e_11.reach) / grown), 0.0, 1.0);
+    float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
     float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
-    estimate = ((e_11.power * cosine_18) / pick(isFar, 1.0, max(square, 1e-15)));
+    estimate = ((e_11.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_3)) / max(e_11.area, 1e-30));
-        float side_3 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_3 > 0.0), ((side_3 + e_11.reach) / grown), 0.0);
+        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_2)) / max(e_11.area, 1e-30));
+        float side_2 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_11.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
     const bool _e94 = hasPointLights;
     if (_e94) {
         float _e95 = estimate;
-        float _e100 = spotFalloff(e_11, (toLight_3 / vec3(max(distance_5, 1e-15))));
+        float _e100 = spotFalloff(e_11, (toLight_2 / vec3(max(distance_5, 1e-15))));
         estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
     }
     const bool _e108 = hasSky;
@@ -1646,14 +1241,14 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_6) {
     return _e115;
 }
 
-float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
+float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
     uint _e15 = frame.emitterCount;
     if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_12, point_8, normal_7);
+        float _e19 = estimatedIrradiance(e_12, point_8, normal_5);
         probability = (_e19 / max(total, 1e-37));
     }
     float _e23 = probability;
@@ -1661,48 +1256,48 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
 }
 
 float misWeight(float own, float other) {
-    float ratio_7 = (other / own);
-    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
+    float ratio_5 = (other / own);
+    return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_9, PairHit hit_1, Surface s_5, vec3 outward_1, Emitter only_1) {
-    vec3 found_8 = vec3(0.0);
-    uint i_17 = 0u;
+vec3 foundLight(Path p_9, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
+    vec3 found_6 = vec3(0.0);
+    uint i_15 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_18 = p_9.rays.direction;
-    bool hidden = pick(((uint(s_5.code) & 16u) != 0u), (dot(outward_1, direction_18) > 0.0), false);
-    int _e21 = emitterOf(s_5.code);
-    found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_5.emission);
+    vec3 direction_16 = p_9.rays.direction;
+    bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_16) > 0.0), false);
+    int _e21 = emitterOf(s_6.code);
+    found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_6.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
     uint _e33 = frame.emitterCount;
     if (pick(weighed, (_e33 > 0u), false)) {
-        vec3 emission = found_8;
-        found_8 = vec3(0.0);
-        i_17 = pick(escaped, 0u, uint(max(_e21, 0)));
+        vec3 emission = found_6;
+        found_6 = vec3(0.0);
+        i_15 = pick(escaped, 0u, uint(max(_e21, 0)));
         while(true) {
-            uint _e46 = i_17;
+            uint _e46 = i_15;
             Emitter _e47 = emitterAt(_e46, only_1);
-            FarLight _e48 = farLight(_e47, direction_18);
-            float _e52 = shapePdf(_e47, p_9.rays.point, direction_18, hit_1.t, outward_1);
+            FarLight _e48 = farLight(_e47, direction_16);
+            float _e52 = shapePdf(_e47, p_9.rays.point, direction_16, hit_1.t, outward);
             float density = pick(escaped, _e48.pdf, _e52);
             float _e59 = probabilityOf(_e47, p_9.rays.point, p_9.litSide, p_9.total);
             float pdf_3 = (density * _e59);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
-            vec3 _e63 = found_8;
+            vec3 _e63 = found_6;
             float _e65 = misWeight(p_9.pdf, pdf_3);
-            found_8 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_17;
-            i_17 = (_e74 + 1u);
+            found_6 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
+            uint _e74 = i_15;
+            i_15 = (_e74 + 1u);
             const bool _e77 = hasSky;
             const bool _e79 = hasSuns;
-            uint _e84 = i_17;
+            uint _e84 = i_15;
             uint _e87 = frame.emitterCount;
             if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
                 break;
             }
         }
     }
-    vec3 _e90 = found_8;
+    vec3 _e90 = found_6;
     return _e90;
 }
 
@@ -1720,8 +1315,8 @@ uint pascalW2_(uint x_12) {
     return (_e16 ^ _e22);
 }
 
-vec3 next3d(inout Sampler s_6) {
-    Group _e1 = nextGroup(s_6);
+vec3 next3d(inout Sampler s_7) {
+    Group _e1 = nextGroup(s_7);
     uint _e4 = timesW2_(_e1.shift);
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
@@ -1731,13 +1326,13 @@ vec3 next3d(inout Sampler s_6) {
     return vec3(_e13, _e17);
 }
 
-EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
+EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
-    uint i_18 = 0u;
+    uint i_16 = 0u;
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
@@ -1745,9 +1340,9 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
     if (pick(_e14, (_e17 > 1u), false)) {
         rest = u_4;
         while(true) {
-            uint _e30 = i_18;
+            uint _e30 = i_16;
             Emitter _e31 = fetchEmitter(_e30);
-            float _e32 = estimatedIrradiance(_e31, point_9, normal_8);
+            float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
             float _e33 = total_1;
             total_1 = (_e33 + _e32);
             float _e35 = total_1;
@@ -1755,16 +1350,16 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
             float _e39 = rest;
             bool take = (_e39 < share_1);
             uint _e41 = chosen;
-            uint _e42 = i_18;
+            uint _e42 = i_16;
             chosen = pick(take, _e42, _e41);
             float _e44 = chosenWeight;
             chosenWeight = pick(take, _e32, _e44);
             float _e46 = rest;
             float _e53 = rest;
             rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_18;
-            i_18 = (_e59 + 1u);
-            uint _e61 = i_18;
+            uint _e59 = i_16;
+            i_16 = (_e59 + 1u);
+            uint _e61 = i_16;
             uint _e64 = frame.emitterCount;
             if ((_e61 >= _e64)) {
                 break;
@@ -1780,86 +1375,86 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
     return _e74;
 }
 
-vec3 turnTo(vec3 axis_1, vec3 v_5) {
-    float s_24 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (s_24 + axis_1.z));
-    float b_8 = ((axis_1.x * axis_1.y) * a_5);
-    vec3 x_17 = vec3((1.0 + (((s_24 * axis_1.x) * axis_1.x) * a_5)), (s_24 * b_8), (-(s_24) * axis_1.x));
-    vec3 y_11 = vec3(b_8, (s_24 + ((axis_1.y * axis_1.y) * a_5)), -(axis_1.y));
-    return (((v_5.x * x_17) + (v_5.y * y_11)) + (v_5.z * axis_1));
+vec3 turnTo(vec3 axis, vec3 v_4) {
+    float s_20 = pick((axis.z >= 0.0), 1.0, -1.0);
+    float a_4 = (-1.0 / (s_20 + axis.z));
+    float b_7 = ((axis.x * axis.y) * a_4);
+    vec3 x_16 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
+    vec3 y_11 = vec3(b_7, (s_20 + ((axis.y * axis.y) * a_4)), -(axis.y));
+    return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
-ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_5) {
+ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_5) {
     float oneMinusCosine = (u_5.x * width_1);
-    float cosine_19 = (1.0 - oneMinusCosine);
+    float cosine_12 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_5.y);
     vec2 turn_1 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_19));
-    return ConeDirection(_e23, cosine_19, sine2_);
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
+    return ConeDirection(_e23, cosine_12, sine2_);
 }
 
 LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
     SphereView _e3 = viewSphere(e_13, point_10);
-    vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_6);
-    float along_2 = (_e3.distance_ * _e19.cosine);
+    vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_6);
+    float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along_2) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
+    float larger = (abs(along_1) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
     float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
     return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_13) {
-    float h_5 = (0.5 * x_13);
-    float z_4 = (h_5 * h_5);
-    float sine_4 = (((((((-0.00019515296 * z_4) + 0.008332161) * z_4) - 0.16666655) * z_4) * h_5) + h_5);
+    float h_4 = (0.5 * x_13);
+    float z_3 = (h_4 * h_4);
+    float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
-    float h_6 = q_4.height;
+    float h_5 = q_4.height;
     vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_25 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_6 * h_6)))));
+    vec2 s_21 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
-    vec2 across_3 = (vec2((s_25.y - s_25.x), (s_25.y + s_25.x)) * _e21);
-    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
-    float x_18 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_18 * x_18) + (h_6 * h_6));
+    vec2 across_3 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
+    float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
+    float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_17 * x_17) + (h_5 * h_5));
     vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
-    float v_11 = mix(ends_1.x, ends_1.y, u_7.y);
-    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_12.x, y_12.y);
-    return (((x_18 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
+    float v_8 = mix(ends_1.x, ends_1.y, u_7.y);
+    float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
+    return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
     QuadView _e3 = viewQuad(e_14, point_11);
     vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
     vec3 _e13 = sphericalRectangle(_e3, u_8);
-    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_4), _e3.height);
+    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_3), _e3.height);
     float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_4 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    return LightSample((toLight_3 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_2, vec2 u_9) {
-    float both = (b_2.faces.x + b_2.faces.y);
-    float at_2 = (u_9.x * b_2.area);
-    bool onX_1 = (at_2 < b_2.faces.x);
+vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
+    float both = (b_1.faces.x + b_1.faces.y);
+    float at_2 = (u_9.x * b_1.area);
+    bool onX_1 = (at_2 < b_1.faces.x);
     bool onY_1 = pick(!(onX_1), (at_2 < both), false);
-    float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
-    float within_3 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_18 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_18.xyz, pick(onY_1, p_18.zxy, p_18.yzx)) * e_15.u) - b_2.point);
-    return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
+    float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
+    float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
+    vec3 p_15 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX_1, p_15.xyz, pick(onY_1, p_15.zxy, p_15.yzx)) * e_15.u) - b_1.point);
+    return vec4(toLight_4, abs(dot(axis_3, toLight_4)));
 }
 
-vec3 rotateBack(vec4 q_5, vec3 v_6) {
-    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_6);
+vec3 rotateBack(vec4 q_5, vec3 v_5) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_5);
     return _e6;
 }
 
@@ -1870,32 +1465,32 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_19 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_17 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_19);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
     return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
 }
 
 LightSample samplePoint(Emitter e_17, vec3 point_13) {
-    vec3 toLight_6 = (e_17.position - point_13);
-    float distance_9 = length(toLight_6);
+    vec3 toLight_5 = (e_17.position - point_13);
+    float distance_9 = length(toLight_5);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_5 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_18, vec3 point_14) {
-    LightSample s_7 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample s_8 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
     LightSample _e2 = samplePoint(e_18, point_14);
-    s_7 = _e2;
-    vec3 _e5 = s_7.direction;
+    s_8 = _e2;
+    vec3 _e5 = s_8.direction;
     float _e6 = spotFalloff(e_18, _e5);
-    vec3 _e8 = s_7.radiance;
-    s_7.radiance = (_e8 * _e6);
-    float _e12 = s_7.pdf;
-    s_7.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s_7;
+    vec3 _e8 = s_8.radiance;
+    s_8.radiance = (_e8 * _e6);
+    float _e12 = s_8.pdf;
+    s_8.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_8;
     return _e17;
 }
 
@@ -1914,435 +1509,196 @@ Parts splitProduct(vec2 u_12, uvec2 n_1) {
 
 ChosenCell chooseCell(vec2 u_13) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_4 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_13, (size_4 + uvec2(0u, 1u)));
+    uvec2 size_2 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_13, (size_2 + uvec2(0u, 1u)));
     uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
     float fine = ((float(hash) * 5.9604645e-8) * _e26);
-    float x_19 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
-    uint rows = ((size_4.y + 2u) / 2u);
+    float x_18 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    uint rows = ((size_2.y + 2u) / 2u);
     bool second = (_e9.whole.y >= rows);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_4.y) - pick(second, rows, 0u)))), 0);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_2.y) - pick(second, rows, 0u)))), 0);
     vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own_6 = (x_19 < entry.x);
+    bool own_5 = (x_18 < entry.x);
     uint other_1 = uint(entry.y);
-    uint otherRow = (other_1 / size_4.x);
-    uvec2 cell_2 = pick(own_6, _e9.whole, uvec2((other_1 - (otherRow * size_4.x)), otherRow));
-    float rest_1 = pick(own_6, (x_19 / max(entry.x, 1e-37)), ((x_19 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    uint otherRow = (other_1 / size_2.x);
+    uvec2 cell_2 = pick(own_5, _e9.whole, uvec2((other_1 - (otherRow * size_2.x)), otherRow));
+    float rest_1 = pick(own_5, (x_18 / max(entry.x, 1e-37)), ((x_18 - entry.x) / max((1.0 - entry.x), 1e-7)));
     return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
-float linearSample(float u_14, float a_1, float b_3) {
-    vec2 ends_2 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
+float linearSample(float u_14, float a, float b_2) {
+    vec2 ends_2 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
     return min((u_14 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_14))), 1e-9)), 1.0);
 }
 
 EnvironmentSample sampleEnvironment(vec2 u_15) {
-    vec2 size_5 = frame.environmentSize;
+    vec2 size_3 = frame.environmentSize;
     ChosenCell _e4 = chooseCell(u_15);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_3 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_5.y));
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_11 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_11), mix(_e6.b.w, _e6.d.w, t_11));
-    bool isLower_1 = ((2.0 * cell_3.y) > size_5.y);
-    float fromPole_1 = pick(isLower_1, ((size_5.y - cell_3.y) + (0.5 - t_11)), (cell_3.y + (t_11 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_5.y)));
+    float t_9 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_9), mix(_e6.b.w, _e6.d.w, t_9));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_3.y);
+    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_3.y) + (0.5 - t_9)), (cell_3.y + (t_9 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_5.x) - _e85));
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_3.x) - _e85));
     float nearest = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_20 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
-    return EnvironmentSample(direction_20, _e119);
+    vec3 direction_18 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_5);
+    return EnvironmentSample(direction_18, _e119);
 }
 
 LightSample sampleSky(vec2 u_16) {
-    EnvironmentSample s_8 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    EnvironmentSample s_9 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
     ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
-    s_8 = EnvironmentSample(_e6.direction, white);
+    s_9 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
         EnvironmentSample _e13 = sampleEnvironment(u_16);
-        s_8 = _e13;
+        s_9 = _e13;
     }
-    vec3 _e15 = s_8.direction;
-    vec3 _e18 = s_8.light.radiance;
-    vec3 _e20 = s_8.direction;
+    vec3 _e15 = s_9.direction;
+    vec3 _e18 = s_9.light.radiance;
+    vec3 _e20 = s_9.direction;
     vec3 _e21 = sky(_e20);
-    float _e25 = s_8.light.pdf;
+    float _e25 = s_9.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
 LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
-    LightSample s_9 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+    LightSample s_10 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (pick(_e15, (e_20.kind == 0.0), false)) {
         LightSample _e20 = sampleSphere(e_20, point_15, u_17);
-        s_9 = _e20;
+        s_10 = _e20;
     }
     const bool _e22 = hasQuadLights;
     if (pick(_e22, (e_20.kind == 1.0), false)) {
         LightSample _e27 = sampleQuad(e_20, point_15, u_17);
-        s_9 = _e27;
+        s_10 = _e27;
     }
     const bool _e29 = hasBoxLights;
     if (pick(_e29, (e_20.kind == 2.0), false)) {
         LightSample _e34 = sampleBox(e_20, point_15, u_17);
-        s_9 = _e34;
+        s_10 = _e34;
     }
     const bool _e36 = hasPointLights;
     if (pick(_e36, (e_20.kind == 3.0), false)) {
         LightSample _e41 = samplePoint(e_20, point_15);
-        s_9 = _e41;
+        s_10 = _e41;
     }
     const bool _e43 = hasPointLights;
     if (pick(_e43, (e_20.kind == 4.0), false)) {
         LightSample _e48 = sampleSpot(e_20, point_15);
-        s_9 = _e48;
+        s_10 = _e48;
     }
     const bool _e50 = hasSuns;
     if (pick(_e50, (e_20.kind == 5.0), false)) {
         LightSample _e55 = sampleDirectional(e_20, u_17);
-        s_9 = _e55;
+        s_10 = _e55;
     }
     const bool _e57 = hasSky;
     if (pick(_e57, (e_20.kind == 6.0), false)) {
         LightSample _e62 = sampleSky(u_17);
-        s_9 = _e62;
+        s_10 = _e62;
     }
-    float _e65 = s_9.pdf;
-    float _e67 = s_9.distance_;
-    s_9.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
-    LightSample _e74 = s_9;
+    float _e65 = s_10.pdf;
+    float _e67 = s_10.distance_;
+    s_10.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
+    LightSample _e74 = s_10;
     return _e74;
 }
 
-vec3 heroColor(vec3 throughput, float u_18) {
-    vec3 share_2 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_18 < share_2.x);
-    bool isBlue = pick(pick(!(isRed), (u_18 >= (share_2.x + share_2.y)), false), (share_2.z > 0.0), false);
-    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_2), 1e-6)));
-}
-
-float unitFloat(uint h_1) {
-    return (float((h_1 >> 8u)) * 5.9604645e-8);
-}
-
-float nextHash(inout Sampler s_10) {
-    uint _e3 = s_10.key;
-    s_10.key = (_e3 + 1u);
-    uint _e7 = s_10.key;
-    uint _e9 = s_10.salt;
-    uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_10.sample_;
-    uint _e17 = s_10.place;
-    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
-    float _e21 = unitFloat(_e20);
-    return _e21;
-}
-
-bool isConductor(uint code_6) {
+bool isConductor(uint code_8) {
     const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_6);
+    uint _e3 = kindOf(code_8);
     return pick(_e2, (_e3 == conductor), false);
 }
 
-float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_4 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_4 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
-}
-
-vec2 ellipticAlpha(float alpha, float strength) {
-    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
-}
-
-float greatest(vec3 v_7) {
-    return max(max(v_7.x, v_7.y), v_7.z);
-}
-
-float sheenAlbedo(float cosine_2, float roughness) {
-    float u_25 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_3 = (vec3(0.746962, 0.0397496, 0.224802) + (u_25 * (vec3(-0.448339, 0.3406, -0.509736) + (u_25 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_25 * (vec3(0.0587112, 0.187983, 0.191769) + (u_25 * (vec3(-0.182064, 0.425384, 0.971703) + (u_25 * (vec3(0.0763965, -0.331055, 0.616069) + (u_25 * (vec3(0.0893496, -0.409073, -0.445006) + (u_25 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_3 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_25 * (vec3(0.492365, -0.201291, -0.00570256) + (u_25 * (vec3(0.833264, 0.765625, -1.06831) + (u_25 * (vec3(-1.29238, 0.71056, 0.237437) + (u_25 * (vec3(-2.81818, -0.673857, 2.17806) + (u_25 * (vec3(0.500911, -0.777981, 0.0143213) + (u_25 * (vec3(1.97956, 0.108218, -1.28939) + (u_25 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_12 * v_12);
-    float root = dot((low_3 + ((v2_ * v_12) * high_3)), vec3(1.0, v_12, v2_));
-    float albedo = (root * root);
-    return (albedo + (0.005 * max(albedo, 1.0)));
-}
-
-vec3 dielectricF0_(Layers l_1) {
-    float contrast = ((l_1.ior - 1.0) / (l_1.ior + 1.0));
-    return min(((contrast * contrast) * l_1.specularColor), vec3(1.0));
-}
-
-float singleScatteringAlbedo(float cosine_3, float alpha_1) {
-    float x_20 = (cosine_3 / (cosine_3 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_20 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_20 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_20 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_20 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
-    float a2_ = (alpha_1 * alpha_1);
-    return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
-}
-
-float cosineInAir(float cosine_4, float ratio) {
-    float sine2_1 = ((1.0 - (cosine_4 * cosine_4)) / (ratio * ratio));
-    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_4);
-}
-
-vec3 indexOf(vec3 f0_1) {
-    vec3 root_1 = sqrt(min(f0_1, vec3(0.9999)));
-    return ((vec3(1.0) + root_1) / (vec3(1.0) - root_1));
-}
-
-vec3 sensitivity(float difference, vec3 shift) {
-    float phase = (6.2831855e-9 * difference);
-    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
-    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
-    vec4 height_3 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
-    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
-    vec4 lobes = ((height_3 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_21 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_21) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_21) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_21) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
-}
-
-vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_5) {
-    vec3 sum = vec3(0.0);
-    vec3 amplitude = vec3(0.0);
-    float order = 1.0;
-    float sine2_2 = ((1.0 - (cosine_5 * cosine_5)) / (filmIor * filmIor));
-    float within_4 = sqrt(max((1.0 - sine2_2), 0.0));
-    float first_1 = ((filmIor - 1.0) / (filmIor + 1.0));
-    vec3 _e21 = schlick(vec3((first_1 * first_1)), cosine_5);
-    float r12_ = _e21.x;
-    float t121_ = (1.0 - r12_);
-    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
-    vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_4);
-    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
-    vec3 once = sqrt(r123_);
-    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
-    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_1 = (((2.0 * filmIor) * thickness) * within_4);
-    sum = (vec3(r12_) + rs);
-    amplitude = (rs - vec3(t121_));
-    while(true) {
-        vec3 _e71 = amplitude;
-        amplitude = (_e71 * once);
-        vec3 _e73 = sum;
-        vec3 _e74 = amplitude;
-        float _e77 = order;
-        float _e79 = order;
-        vec3 _e81 = sensitivity((_e77 * difference_1), (_e79 * shift_1));
-        sum = (_e73 + ((2.0 * _e74) * _e81));
-        float _e84 = order;
-        order = (_e84 + 1.0);
-        float _e87 = order;
-        if ((_e87 > 2.5)) {
-            break;
-        }
-    }
-    vec3 _e90 = sum;
-    return clamp(_e90, vec3(0.0), vec3(1.0));
-}
-
-bool reflectsAll(float cosine_6, float ratio_1) {
-    return pick((ratio_1 < 1.0), ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1)), false);
-}
-
-vec4 baseReflectance(Surface s_11, Stack o_1, float cosine_7) {
-    vec3 dielectric = vec3(0.0);
-    vec3 metal = vec3(0.0);
-    bool isMetal = false;
-    Layers l_4 = o_1.layers;
-    float _e5 = cosineInAir(cosine_7, o_1.ratio);
-    vec3 _e6 = dielectricF0_(l_4);
-    vec3 _e8 = schlick(_e6, _e5);
-    dielectric = (l_4.specularWeight * _e8);
-    vec3 _e12 = schlick(s_11.baseColor, _e5);
-    metal = _e12;
-    const bool _e15 = hasIridescence;
-    if (pick(_e15, (l_4.film > 0.0), false)) {
-        isMetal = (s_11.metallic >= 1.0);
-        while(true) {
-            bool _e27 = isMetal;
-            vec3 _e31 = filmReflectance(pick(_e27, s_11.baseColor, (l_4.specularWeight * _e6)), l_4.filmIor, l_4.thickest, _e5);
-            bool _e32 = isMetal;
-            if (_e32) {
-                vec3 _e33 = metal;
-                metal = mix(_e33, _e31, l_4.film);
-            } else {
-                vec3 _e36 = dielectric;
-                dielectric = mix(_e36, _e31, l_4.film);
-            }
-            bool _e39 = isMetal;
-            if (pick(_e39, true, (s_11.metallic <= 0.0))) {
-                break;
-            }
-            isMetal = true;
-        }
-    }
-    vec3 _e45 = dielectric;
-    bool _e49 = reflectsAll(cosine_7, o_1.ratio);
-    dielectric = pick(_e49, vec3(1.0), _e45);
-    vec3 _e51 = dielectric;
-    vec3 _e52 = metal;
-    vec3 _e58 = dielectric;
-    float _e59 = greatest(_e58);
-    return vec4(mix(_e51, _e52, s_11.metallic), ((1.0 - s_11.metallic) * (1.0 - _e59)));
-}
-
-float mean3_(vec3 v_8) {
-    return dot(v_8, vec3(0.33333334));
-}
-
-Stack stackOf(Surface s_12, Layers l_2, vec3 given, vec3 hero_1) {
-    float sheen = 0.0;
-    vec3 more = vec3(1.0);
-    Stack o_2 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_5 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_5));
-    bool isSolid = (l_2.solid > 0.0);
-    bool inside_2 = pick(isSolid, (side_5 < 0.0), false);
-    float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
-    float ratio_8 = pick(isSolid, pick(inside_2, (1.0 / _e22), _e22), 1.0);
-    bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
-    vec2 _e39 = ellipticAlpha(s_12.alpha, l_2.anisotropy);
-    vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
-    float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
-    float _e48 = coatReflectance(l_2.coat, wo_8.z);
-    float coat_1 = pick(inside_2, 0.0, _e48);
-    float _e52 = greatest(l_2.sheenColor);
-    if ((_e52 > 0.0)) {
-        float _e59 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
-        sheen = pick(inside_2, 0.0, _e59);
-    }
-    vec3 _e63 = dielectricF0_(l_2);
-    vec3 f0_3 = (l_2.specularWeight * _e63);
-    const bool _e69 = hasCompensation;
-    if (_e69) {
-        float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
-        bool asked = pick(((uint(s_12.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
-        vec3 _e86 = more;
-        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_12.baseColor, s_12.metallic) * ((1.0 - _e75) / _e75))), _e86);
-    }
-    vec3 _e98 = more;
-    float _e99 = sheen;
-    o_2 = Stack(l_2, wo_8, side_5, hero_1, ratio_8, inside_2, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
-    Stack _e106 = o_2;
-    vec4 _e108 = baseReflectance(s_12, _e106, wo_8.z);
-    float _e111 = sheen;
-    float below_1 = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
-    float film_1 = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
-    float _e127 = mean3_(_e108.xyz);
-    float _e133 = mean3_(s_12.baseColor);
-    float facets = (below_1 * ((_e127 + film_1) + ((_e108.w * l_2.transmission) * _e133)));
-    float _e139 = sheen;
-    float _e142 = mean3_(l_2.sheenColor);
-    float fibres = (((1.0 - coat_1) * _e139) * _e142);
-    float _e148 = greatest(f0_3);
-    float body = (((below_1 * (1.0 - s_12.metallic)) * (1.0 - _e148)) * (1.0 - l_2.transmission));
-    float _e161 = mean3_(s_12.baseColor);
-    float diffuse = ((body * (1.0 - l_2.beyond)) * _e161);
-    float _e166 = mean3_(l_2.beyondColor);
-    float beyond = ((body * l_2.beyond) * _e166);
-    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    o_2.ofCoat = (coat_1 / all_);
-    o_2.ofFacets = (facets / all_);
-    o_2.ofSheen = (fibres / all_);
-    o_2.ofDiffuse = (diffuse / all_);
-    Stack _e182 = o_2;
-    return _e182;
+vec3 schlick(vec3 f0_, float cosine) {
+    float m = max((1.0 - cosine), 0.0);
+    float m2_ = (m * m);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
 }
 
 vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
     return mix(vec3(0.04), baseColor, metallic);
 }
 
-vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_8) {
-    vec3 _e7 = schlick(vec3(0.04), cosine_8);
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_1) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_1);
     return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
 }
 
-float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
     vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
-    vec3 _e4 = schlick(_e3, cosine_9);
+    vec3 _e4 = schlick(_e3, cosine_2);
     float specular = dot(_e4, vec3(1.0));
     vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
-    float diffuse_1 = dot(_e9, vec3(1.0));
-    return (specular / max((specular + diffuse_1), 1e-20));
+    float diffuse = dot(_e9, vec3(1.0));
+    return (specular / max((specular + diffuse), 1e-20));
 }
 
-bool isMetallicRoughness(uint code_7) {
-    const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_7);
-    return pick(_e2, (_e3 == metallicRoughness), false);
+float indexRatio(float eta_3, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
 }
 
-float indexRatio(float eta, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta), eta);
+float reflectionBound(vec3 wo, float alpha) {
+    float s_22 = (1.0 + length(wo.xy));
+    float s2_ = (s_22 * s_22);
+    float a2_ = (alpha * alpha);
+    return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
 }
 
-float reflectionBound(vec3 wo, float alpha_2) {
-    float s_26 = (1.0 + length(wo.xy));
-    float s2_ = (s_26 * s_26);
-    float a2_1 = (alpha_2 * alpha_2);
-    return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
+float stretched(vec3 w_1, float alpha_1) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
 }
 
-float stretched(vec3 w_1, float alpha_3) {
-    return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
-}
-
-Outgoing outgoing(Surface s_13, Layers l_3, vec3 wo_1, vec3 hero_2) {
-    Outgoing o_3 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
-    uint code_9 = uint(s_13.code);
-    o_3.wo = wo_1;
-    bool _e9 = isConductor(code_9);
-    bool _e10 = isDielectric(code_9);
-    o_3.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
-    o_3.ratio = 1.0;
-    o_3.bound = 1.0;
-    o_3.stretched = 1.0;
-    const bool _e22 = hasLayers;
+Outgoing outgoing(Surface s_11, Layers l_1, vec3 wo_1, vec3 hero) {
+    Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+    uint code_10 = uint(s_11.code);
+    o.wo = wo_1;
+    bool _e9 = isConductor(code_10);
+    bool _e10 = isDielectric(code_10);
+    o.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
+    o.ratio = 1.0;
+    o.bound = 1.0;
+    o.stretched = 1.0;
+    const bool _e22 = hasMetallicRoughness;
     if (_e22) {
-        bool _e24 = isLayered(s_13.layers);
-        if (_e24) {
-            Stack _e26 = stackOf(s_13, l_3, wo_1, hero_2);
-            o_3.stack = _e26;
-        }
+        float _e25 = o.share;
+        float _e29 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
+        bool _e30 = isMetallicRoughness(code_10);
+        o.share = pick(_e30, _e29, _e25);
     }
-    const bool _e28 = hasMetallicRoughness;
-    if (_e28) {
-        float _e31 = o_3.share;
-        float _e35 = specularShare(s_13.baseColor, s_13.metallic, wo_1.z);
-        bool _e36 = isMetallicRoughness(code_9);
-        o_3.share = pick(_e36, _e35, _e31);
+    const bool _e33 = hasGlass;
+    if (_e33) {
+        bool _e38 = isThin(code_10);
+        float _e39 = indexRatio(s_11.eta.x, wo_1.z, _e38);
+        bool _e40 = isDielectric(code_10);
+        o.ratio = pick(_e40, _e39, 1.0);
     }
-    const bool _e39 = hasGlass;
-    if (_e39) {
-        bool _e44 = isThin(code_9);
-        float _e45 = indexRatio(s_13.eta.x, wo_1.z, _e44);
-        bool _e46 = isDielectric(code_9);
-        o_3.ratio = pick(_e46, _e45, 1.0);
+    const bool _e44 = hasConductors;
+    const bool _e46 = hasMetallicRoughness;
+    const bool _e49 = hasGlass;
+    if (pick(pick(_e44, true, _e46), true, _e49)) {
+        float _e53 = reflectionBound(wo_1, s_11.alpha);
+        bool _e54 = isDielectric(code_10);
+        o.bound = pick(_e54, 1.0, _e53);
+        float _e59 = stretched(wo_1, s_11.alpha);
+        o.stretched = _e59;
     }
-    const bool _e50 = hasConductors;
-    const bool _e52 = hasMetallicRoughness;
-    const bool _e55 = hasGlass;
-    if (pick(pick(_e50, true, _e52), true, _e55)) {
-        float _e59 = reflectionBound(wo_1, s_13.alpha);
-        bool _e60 = isDielectric(code_9);
-        o_3.bound = pick(_e60, 1.0, _e59);
-        float _e65 = stretched(wo_1, s_13.alpha);
-        o_3.stretched = _e65;
-    }
-    Outgoing _e66 = o_3;
-    return _e66;
+    Outgoing _e60 = o;
+    return _e60;
 }
 
 float mirrorShare(float reflectivity) {
@@ -2350,642 +1706,405 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_19) {
-    float radius_2 = sqrt(u_19.x);
-    float phi_2 = ((6.2831855 * u_19.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_19.x))));
+vec3 sampleCosine(vec2 u_18) {
+    float radius_2 = sqrt(u_18.x);
+    float phi_2 = ((6.2831855 * u_18.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_18.x))));
 }
 
-bool isSmooth(uint code_8) {
-    return ((code_8 & 32u) != 0u);
+bool isSmooth(uint code_9) {
+    return ((code_9 & 32u) != 0u);
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_20) {
-    float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_20.x) - 3.1415927);
-    float drop = (u_20.y * (1.0 + (bound * w_5.z)));
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_2, float bound, vec2 u_19) {
+    float _e8 = stretched(wo_2, alpha_2);
+    vec3 w_4 = (vec3((alpha_2 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_19.x) - 3.1415927);
+    float drop = (u_19.y * (1.0 + (bound * w_4.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+    vec3 h_6 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_2 * h_6.xy), max(h_6.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_4, vec2 u_21) {
-    float side_6 = pick((o_4.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_4.wo * side_6), max(alpha_5, 0.001), o_4.bound, u_21);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_6);
+vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_20) {
+    float side_3 = pick((o_1.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_1.wo * side_3), max(alpha_3, 0.001), o_1.bound, u_20);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
-vec3 conductorFresnel(float cosine_10, vec3 eta_1, vec3 k_1) {
-    float cosine2_ = (cosine_10 * cosine_10);
-    float sine2_3 = (1.0 - cosine2_);
-    vec3 difference_2 = (((eta_1 * eta_1) - (k_1 * k_1)) - vec3(sine2_3));
-    vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
-    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
-    vec3 smaller = ((eta_1 * k_1) / larger_1);
-    vec3 a_6 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
-    vec3 b_9 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
-    vec3 b2_ = ((b_9 * b_9) + vec3(1e-20));
-    vec3 acrossFar = (a_6 + vec3(cosine_10));
-    vec3 acrossNear = (a_6 - vec3(cosine_10));
+vec3 conductorFresnel(float cosine_3, vec3 eta_4, vec3 k_1) {
+    float cosine2_ = (cosine_3 * cosine_3);
+    float sine2_1 = (1.0 - cosine2_);
+    vec3 difference = (((eta_4 * eta_4) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 smaller = ((eta_4 * k_1) / larger_1);
+    vec3 a_5 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_8 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_8 * b_8) + vec3(1e-20));
+    vec3 acrossFar = (a_5 + vec3(cosine_3));
+    vec3 acrossNear = (a_5 - vec3(cosine_3));
     vec3 across_4 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_6 * cosine_10) + vec3(sine2_3));
-    vec3 alongNear = ((a_6 * cosine_10) - vec3(sine2_3));
+    vec3 alongFar = ((a_5 * cosine_3) + vec3(sine2_1));
+    vec3 alongNear = ((a_5 * cosine_3) - vec3(sine2_1));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_2, float cosine_11) {
-    float constants = dot((eta_2 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_11, eta_2, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_5 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_5, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
-float dielectricFresnel(float cosine_12, float ratio_2) {
-    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_12 * cosine_12));
-    float inside_3 = sqrt(max(inside2_, 0.0));
-    float across_5 = ((cosine_12 - inside_3) / (cosine_12 + inside_3));
-    float along_3 = ((((ratio_2 * ratio_2) * cosine_12) - inside_3) / (((ratio_2 * ratio_2) * cosine_12) + inside_3));
-    return pick((inside2_ > 0.0), (0.5 * ((across_5 * across_5) + (along_3 * along_3))), 1.0);
+float dielectricFresnel(float cosine_5, float ratio) {
+    float inside2_ = (((ratio - 1.0) * (ratio + 1.0)) + (cosine_5 * cosine_5));
+    float inside_2 = sqrt(max(inside2_, 0.0));
+    float across_5 = ((cosine_5 - inside_2) / (cosine_5 + inside_2));
+    float along_2 = ((((ratio * ratio) * cosine_5) - inside_2) / (((ratio * ratio) * cosine_5) + inside_2));
+    return pick((inside2_ > 0.0), (0.5 * ((across_5 * across_5) + (along_2 * along_2))), 1.0);
 }
 
-float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_13, ratio_3);
+float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_6, ratio_1);
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_14, float cosine_14, float ratio_4) {
+vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_10 = uint(s_14.code);
+    uint code_11 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_14.baseColor, s_14.metallic);
-        vec3 _e13 = schlick(_e12, cosine_14);
+        vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
+        vec3 _e13 = schlick(_e12, cosine_7);
         reflectance = _e13;
     }
     const bool _e15 = hasConductors;
     if (_e15) {
         vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_14.baseColor, s_14.eta, s_14.k, cosine_14);
-        bool _e21 = isConductor(code_10);
+        vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
+        bool _e21 = isConductor(code_11);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_10);
-        float _e27 = glassReflectance(cosine_14, ratio_4, _e26);
-        bool _e29 = isDielectric(code_10);
+        bool _e26 = isThin(code_11);
+        float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
+        bool _e29 = isDielectric(code_11);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
     return _e31;
 }
 
-vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
-    float cosine_20 = dot(wo_3, h_2);
-    float inside_4 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_20 * cosine_20)), 0.0));
-    return ((((cosine_20 - inside_4) * h_2) - wo_3) / vec3(ratio_5));
+vec3 refracted(vec3 wo_3, vec3 h_1, float ratio_3) {
+    float cosine_13 = dot(wo_3, h_1);
+    float inside_3 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_13 * cosine_13)), 0.0));
+    return ((((cosine_13 - inside_3) * h_1) - wo_3) / vec3(ratio_3));
 }
 
-float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_27 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_27 * s_27);
-    float least_1 = min(alpha_6.x, alpha_6.y);
-    float a2_2 = (least_1 * least_1);
-    return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
+vec3 mirrored(vec3 wo_4) {
+    return vec3(-(wo_4.xy), wo_4.z);
 }
 
-float ellipticStretched(vec3 w_2, vec2 alpha_7) {
-    vec2 scaled = (alpha_7 * w_2.xy);
-    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
-}
-
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_22) {
-    float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_22.x) - 3.1415927);
-    float drop_1 = (u_22.y * (1.0 + (bound_1 * w_6.z)));
-    float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
-}
-
-Parting partingOf(Surface s_15, Stack o_5, vec4 reflectance_1) {
-    vec3 toward = (reflectance_1.xyz * pick(o_5.inside, o_5.hero, vec3(1.0)));
-    vec3 beyond_1 = (((reflectance_1.w * o_5.layers.transmission) * s_15.baseColor) * o_5.hero);
-    float _e18 = mean3_(toward);
-    float _e19 = mean3_(beyond_1);
-    return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
-}
-
-float throughCover(Stack o_6, float zi, bool crossing) {
-    float sheen_1 = 0.0;
-    Layers l_5 = o_6.layers;
-    bool isSolid_1 = (l_5.solid > 0.0);
-    bool entersHere = pick(o_6.inside, crossing, false);
-    float _e11 = coatReflectance(l_5.coat, zi);
-    float coat_2 = pick(entersHere, _e11, o_6.coat);
-    sheen_1 = o_6.sheen;
-    if ((o_6.sheenColor > 0.0)) {
-        bool isOutside = pick(!(isSolid_1), true, (o_6.inside == crossing));
-        float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_5.sheenRoughness);
-        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
-    }
-    float _e31 = sheen_1;
-    return ((1.0 - coat_2) * (1.0 - (o_6.sheenColor * min(_e31, 1.0))));
-}
-
-LayeredSample sampleLayered(Surface s_16, Stack o_7, vec3 u_23) {
-    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
-    vec3 wo_9 = o_7.wo;
-    bool isSolid_2 = (o_7.layers.solid > 0.0);
-    bool isCoat_1 = (u_23.z < o_7.ofCoat);
-    bool isFacet = (u_23.z < (o_7.ofCoat + o_7.ofFacets));
-    vec2 alpha_15 = pick(isCoat_1, vec2(o_7.coatAlpha), o_7.alpha);
-    bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
-    vec2 wide_1 = max(alpha_15, vec2(0.001));
-    float _e28 = ellipticBound(wo_9, wide_1);
-    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_23.xy);
-    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
-    float oh = max(dot(wo_9, h_9), 0.0);
-    vec4 _e43 = baseReflectance(s_16, o_7, oh);
-    Parting _e44 = partingOf(s_16, o_7, _e43);
-    float left_2 = ((u_23.z - o_7.ofCoat) / max(o_7.ofFacets, 1e-20));
-    bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
-    vec3 reflected = (((2.0 * oh) * h_9) - wo_9);
-    vec3 _e65 = refracted(wo_9, h_9, o_7.ratio);
-    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected.xy, -(reflected.z)));
-    vec3 met = pick(crossing_1, beyond_2, reflected);
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
-    float _e76 = throughCover(o_7, abs(met.z), crossing_1);
-    vec3 weight_1 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_7.ratio) * o_7.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met, pick(isCoat_1, o_7.ofCoat, (o_7.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_7.coat / max(o_7.ofCoat, 1e-20))), (weight_1 / vec3(max(o_7.ofFacets, 1e-20)))), isSmooth_1);
-    float _e122 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e122);
-    if (!(isFacet)) {
-        float next = ((u_23.z - o_7.ofCoat) - o_7.ofFacets);
-        float sine_8 = sqrt(max((u_23.x * (2.0 - u_23.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_23.y) - 3.1415927);
-        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_23.x));
-        vec3 _e153 = sampleCosine(u_23.xy);
-        vec3 below_2 = vec3(_e153.xy, pick((next >= (o_7.ofSheen + o_7.ofDiffuse)), -(_e153.z), _e153.z));
-        drawn = LayeredSample(pick((next < o_7.ofSheen), even, below_2), 1.0, vec3(1.0), false);
-    }
-    float _e174 = drawn.direction.z;
-    drawn.direction.z = (_e174 * o_7.side);
-    LayeredSample _e177 = drawn;
-    return _e177;
-}
-
-vec3 mirrored(vec3 wo_6) {
-    return vec3(-(wo_6.xy), wo_6.z);
-}
-
-BsdfSample sampleLobe(Surface s_17, Outgoing o_8, vec3 u_24) {
-    BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
+BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
+    BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_1 = 0.0;
     vec3 weight = vec3(0.0);
-    vec3 wo_10 = o_8.wo;
-    float _e5 = mirrorShare(s_17.reflectivity);
+    vec3 wo_5 = o_2.wo;
+    float _e5 = mirrorShare(s_13.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_1 = ((u_24.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_24.xy);
-    drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
+    float choice_1 = ((u_21.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_21.xy);
+    drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_17.code);
-        bool _e29 = isDielectric(code_11);
-        bool _e30 = isSmooth(code_11);
-        vec3 _e33 = sampleFacet(s_17.alpha, _e30, o_8, u_24.xy);
-        float oh_1 = max(dot(wo_10, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_17, oh_1, o_8.ratio);
-        bool crossing_2 = pick(_e29, (choice_1 >= _e38.x), false);
-        wi = (((2.0 * oh_1) * _e33) - wo_10);
-        probability_1 = (base_2 * o_8.share);
-        weight = (_e38 / vec3(o_8.share));
+        uint code_12 = uint(s_13.code);
+        bool _e29 = isDielectric(code_12);
+        bool _e30 = isSmooth(code_12);
+        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_21.xy);
+        float oh = max(dot(wo_5, _e33), 0.0);
+        vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
+        bool crossing = pick(_e29, (choice_1 >= _e38.x), false);
+        wi = (((2.0 * oh) * _e33) - wo_5);
+        probability_1 = (base_2 * o_2.share);
+        weight = (_e38 / vec3(o_2.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_11);
+            bool _e56 = isThin(code_12);
             vec3 _e57 = wi;
-            vec3 _e59 = refracted(wo_10, _e33, o_8.ratio);
-            wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
+            vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
+            wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
             float _e63 = probability_1;
-            probability_1 = pick(_e29, (base_2 * pick(crossing_2, (1.0 - _e38.x), _e38.x)), _e63);
+            probability_1 = pick(_e29, (base_2 * pick(crossing, (1.0 - _e38.x), _e38.x)), _e63);
             vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing_2, !(_e56), false), (1.0 / (o_8.ratio * o_8.ratio)), 1.0)), _e71);
+            weight = pick(_e29, vec3(pick(pick(crossing, !(_e56), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e71);
         }
         float _e88 = wi.z;
-        bool lost_1 = pick(!(_e30), (crossing_2 != ((wo_10.z < 0.0) != (_e88 < 0.0))), false);
-        bool specular_1 = (choice_1 < o_8.share);
-        vec3 _e98 = drawn_1.direction;
+        bool lost = pick(!(_e30), (crossing != ((wo_5.z < 0.0) != (_e88 < 0.0))), false);
+        bool specular_1 = (choice_1 < o_2.share);
+        vec3 _e98 = drawn.direction;
         vec3 _e99 = wi;
-        drawn_1.direction = pick(specular_1, _e99, _e98);
-        float _e103 = drawn_1.pdf;
+        drawn.direction = pick(specular_1, _e99, _e98);
+        float _e103 = drawn.pdf;
         float _e104 = probability_1;
-        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e104), _e103);
-        vec3 _e110 = drawn_1.weight;
+        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e104), _e103);
+        vec3 _e110 = drawn.weight;
         vec3 _e111 = weight;
-        drawn_1.weight = pick(specular_1, _e111, _e110);
-        drawn_1.delta = pick(specular_1, _e30, false);
+        drawn.weight = pick(specular_1, _e111, _e110);
+        drawn.delta = pick(specular_1, _e30, false);
     }
-    const bool _e116 = hasLayers;
+    const bool _e116 = hasMirrorLayers;
     if (_e116) {
-        bool _e118 = isLayered(s_17.layers);
-        if (_e118) {
-            LayeredSample _e122 = sampleLayered(s_17, o_8.stack, vec3(u_24.xy, choice_1));
-            drawn_1 = BsdfSample(_e122.direction, (base_2 * _e122.pdf), _e122.weight, _e122.delta);
-        }
+        bool reflected = (u_21.z < _e5);
+        vec3 _e121 = drawn.direction;
+        vec3 _e122 = mirrored(wo_5);
+        drawn.direction = pick(reflected, _e122, _e121);
+        float _e126 = drawn.pdf;
+        drawn.pdf = pick(reflected, _e5, _e126);
+        vec3 _e130 = drawn.weight;
+        drawn.weight = pick(reflected, vec3(1.0), _e130);
+        bool _e136 = drawn.delta;
+        drawn.delta = pick(_e136, true, reflected);
     }
-    const bool _e130 = hasMirrorLayers;
-    if (_e130) {
-        bool reflected_1 = (u_24.z < _e5);
-        vec3 _e135 = drawn_1.direction;
-        vec3 _e136 = mirrored(wo_10);
-        drawn_1.direction = pick(reflected_1, _e136, _e135);
-        float _e140 = drawn_1.pdf;
-        drawn_1.pdf = pick(reflected_1, _e5, _e140);
-        vec3 _e144 = drawn_1.weight;
-        drawn_1.weight = pick(reflected_1, vec3(1.0), _e144);
-        bool _e150 = drawn_1.delta;
-        drawn_1.delta = pick(_e150, true, reflected_1);
-    }
-    BsdfSample _e152 = drawn_1;
-    return _e152;
+    BsdfSample _e138 = drawn;
+    return _e138;
 }
 
-float facetDensity(vec3 h_3, float alpha_9) {
-    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
-    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
+float facetDensity(vec3 h_2, float alpha_4) {
+    float slope = max(((dot(h_2.xy, h_2.xy) / (alpha_4 * alpha_4)) + (h_2.z * h_2.z)), 1.0);
+    return (0.31830987 / (((alpha_4 * alpha_4) * slope) * slope));
 }
 
-vec3 compensation(Surface s_18, float cosine_15) {
-    uint code_12 = uint(s_18.code);
-    bool _e8 = isDielectric(code_12);
-    bool asked_1 = pick(((code_12 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_15, s_18.alpha);
-    vec3 _e17 = facetReflectance(s_18, 1.0, 1.0);
-    return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+float singleScatteringAlbedo(float cosine_8, float alpha_5) {
+    float x_19 = (cosine_8 / (cosine_8 + alpha_5));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_1 = (alpha_5 * alpha_5);
+    return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
 }
 
-FacetLobe evaluateFacets(Surface s_19, Outgoing o_9, vec3 wi_1) {
+vec3 compensation(Surface s_14, float cosine_9) {
+    uint code_13 = uint(s_14.code);
+    bool _e8 = isDielectric(code_13);
+    bool asked = pick(((code_13 & 8u) != 0u), !(_e8), false);
+    float _e12 = singleScatteringAlbedo(cosine_9, s_14.alpha);
+    vec3 _e17 = facetReflectance(s_14, 1.0, 1.0);
+    return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+}
+
+FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
     vec3 passes = vec3(0.0);
-    vec3 wo_11 = o_9.wo;
-    bool _e6 = isDielectric(uint(s_19.code));
+    vec3 wo_6 = o_3.wo;
+    bool _e6 = isDielectric(uint(s_15.code));
     const bool _e8 = hasGlass;
-    bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
-    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_9.ratio, 1.0)));
+    bool crossing_1 = pick(_e8, ((wo_6.z < 0.0) != (wi_1.z < 0.0)), false);
+    vec3 m_1 = (wo_6 + (wi_1 * pick(crossing_1, o_3.ratio, 1.0)));
     float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_10 = (m_1 * inversesqrt(m2_1));
-    float oh_2 = dot(wo_11, h_10);
-    float ih = dot(wi_1, h_10);
-    float zo = abs(wo_11.z);
-    float zi_1 = abs(wi_1.z);
-    bool faces_1 = pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false);
-    float _e52 = facetDensity(h_10, s_19.alpha);
-    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_19, abs(oh_2), o_9.ratio);
-    passes = pick(crossing_3, (vec3(1.0) - _e60), _e60);
-    float _e69 = stretched(wi_1, s_19.alpha);
-    float masked = (zi_1 / max(((zi_1 * o_9.stretched) + (zo * _e69)), 1e-20));
+    vec3 h_7 = (m_1 * inversesqrt(m2_1));
+    float oh_1 = dot(wo_6, h_7);
+    float ih = dot(wi_1, h_7);
+    float zo = abs(wo_6.z);
+    float zi = abs(wi_1.z);
+    bool faces_1 = pick((((oh_1 * h_7.z) * wo_6.z) >= 0.0), (((ih * h_7.z) * wi_1.z) >= 0.0), false);
+    float _e52 = facetDensity(h_7, s_15.alpha);
+    float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
+    vec3 _e60 = facetReflectance(s_15, abs(oh_1), o_3.ratio);
+    passes = pick(crossing_1, (vec3(1.0) - _e60), _e60);
+    float _e69 = stretched(wi_1, s_15.alpha);
+    float masked = (zi / max(((zi * o_3.stretched) + (zo * _e69)), 1e-20));
     float _e76 = passes.x;
-    float chosen_3 = (pick(_e6, _e76, 1.0) * pick(crossing_3, (o_9.ratio * o_9.ratio), 1.0));
+    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
     const bool _e86 = hasCompensation;
     if (_e86) {
         vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_19, zo);
+        vec3 _e88 = compensation(s_15, zo);
         passes = (_e87 * _e88);
     }
     vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_3) / ((o_9.bound * zo) + o_9.stretched)), abs(oh_2));
+    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
 }
 
-vec4 evaluateBsdf(Surface s_20, Outgoing o_10, vec3 wi_2) {
+vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_2.z, 0.0));
-    value = (vec4(s_20.baseColor, 1.0) * lambert);
-    dark = pick((o_10.wo.z < 0.0), true, (wi_2.z <= 0.0));
+    value = (vec4(s_16.baseColor, 1.0) * lambert);
+    dark = pick((o_4.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_13 = uint(s_20.code);
-        FacetLobe _e32 = evaluateFacets(s_20, o_10, wi_2);
+        uint code_14 = uint(s_16.code);
+        FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_20.baseColor, s_20.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_13);
+            vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
+            bool _e43 = isMetallicRoughness(code_14);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_13);
-        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_10.share * _e32.pdf)));
+        bool _e52 = isSmooth(code_14);
+        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_13);
-        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_10.share)) * lambert)));
+        uint _e62 = kindOf(code_14);
+        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_13);
-        bool _e68 = isDielectric(code_13);
+        bool _e67 = isSmooth(code_14);
+        bool _e68 = isDielectric(code_14);
         dark = pick(_e68, _e67, _e66);
     }
-    float _e71 = mirrorShare(s_20.reflectivity);
+    float _e71 = mirrorShare(s_16.reflectivity);
     vec4 _e74 = value;
     bool _e78 = dark;
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_4, vec2 alpha_10) {
-    vec2 scaled_1 = (h_4.xy / alpha_10);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
-    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
-}
-
-float shadowingExponent(float x_14, float alpha_11) {
-    float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
-    float a_7 = mix(21.5473, 25.3245, m_2);
-    float b_10 = mix(3.82987, 3.32435, m_2);
-    float c_2 = mix(0.19823, 0.16801, m_2);
-    float d_4 = mix(-1.9776, -1.27393, m_2);
-    float e_22 = mix(-4.32054, -4.85967, m_2);
-    return (((a_7 / (1.0 + (b_10 * pow(x_14, c_2)))) + (d_4 * x_14)) + e_22);
-}
-
-float sheenShadowing(float cosine_16, float alpha_12) {
-    float x_22 = clamp(cosine_16, 1e-6, 1.0);
-    bool isLow = (x_22 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_22, max((1.0 - x_22), 1e-6)), alpha_12);
-    float _e14 = shadowingExponent(0.5, alpha_12);
-    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
-}
-
-float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
-    vec3 m_3 = (wo_7 + wi_3);
-    float m2_2 = max(dot(m_3, m_3), 1e-20);
-    float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
-    float power_1 = (0.5 / alpha_13);
-    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
-    float zo_1 = max(wo_7.z, 1e-6);
-    float _e38 = sheenShadowing(wo_7.z, alpha_13);
-    float _e42 = sheenShadowing(wi_3.z, alpha_13);
-    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
-}
-
-float sheenAlpha(float roughness_1) {
-    float r_4 = max(roughness_1, 0.07);
-    return (r_4 * r_4);
-}
-
-float ofBeyond(Stack o_11) {
-    return max(((((1.0 - o_11.ofCoat) - o_11.ofFacets) - o_11.ofSheen) - o_11.ofDiffuse), 0.0);
-}
-
-vec4 evaluateLayered(Surface s_21, Stack o_12, vec3 given_1) {
-    vec4 sum_1 = vec4(0.0);
-    float intoBody = 0.0;
-    bool isCoat = false;
-    vec3 lobe = vec3(0.0);
-    float chosen_1 = 0.0;
-    Layers l_6 = o_12.layers;
-    vec3 wo_12 = o_12.wo;
-    vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_12.side));
-    bool crossing_4 = (wi_4.z < 0.0);
-    vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
-    float zi_2 = facing.z;
-    float _e18 = throughCover(o_12, zi_2, crossing_4);
-    isCoat = pick((o_12.coat > 0.0), true, (s_21.metallic < 1.0));
-    while(true) {
-        bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_6.solid > 0.0), false);
-        bool _e42 = isCoat;
-        vec2 alpha_16 = pick(_e42, vec2(o_12.coatAlpha), o_12.alpha);
-        bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
-        vec2 wide_2 = max(alpha_16, vec2(0.001));
-        vec3 met_1 = pick(bends, wi_4, facing);
-        vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_12.ratio, 1.0)));
-        float m2_3 = max(dot(m_4, m_4), 1e-20);
-        vec3 h_11 = (m_4 * inversesqrt(m2_3));
-        float oh_3 = dot(wo_12, h_11);
-        float ih_1 = dot(met_1, h_11);
-        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_1.z) >= 0.0), false);
-        float _e81 = ellipticDensity(h_11, wide_2);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e81), 0.0));
-        float _e89 = ellipticStretched(wo_12, wide_2);
-        float _e92 = ellipticStretched(facing, wide_2);
-        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
-        float _e98 = ellipticBound(wo_12, wide_2);
-        bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_6.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
-        bool _e115 = isCoat;
-        vec4 _e119 = baseReflectance(s_21, o_12, pick(pick(_e115, o_12.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e120 = partingOf(s_21, o_12, _e119);
-        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_12.more)));
-        chosen_1 = ((o_12.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_12.ratio * o_12.ratio), 1.0));
-        bool _e142 = isCoat;
-        if (_e142) {
-            intoBody = _e119.w;
-            lobe = vec3(pick(crossing_4, 0.0, o_12.coat));
-            chosen_1 = pick(crossing_4, 0.0, o_12.ofCoat);
-        }
-        vec4 _e151 = sum_1;
-        vec3 _e152 = lobe;
-        float _e155 = chosen_1;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_2)));
-        bool _e159 = isCoat;
-        if (!(_e159)) {
-            break;
-        }
-        isCoat = false;
-    }
-    if (pick(pick((o_12.sheenColor > 0.0), !(crossing_4), false), !(o_12.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_6.sheenRoughness);
-        float most_2 = max(max(o_12.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_6.sheenRoughness);
-        float _e181 = whiteSheen(wo_12, wi_4, _e180);
-        float fibres_1 = (((1.0 - o_12.coat) * _e181) / most_2);
-        vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_6.sheenColor), (o_12.ofSheen * 0.15915494)));
-    }
-    vec3 body_1 = pick(crossing_4, (l_6.beyond * l_6.beyondColor), ((1.0 - l_6.beyond) * s_21.baseColor));
-    float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_6.transmission)) * body_1);
-    vec4 _e208 = sum_1;
-    float _e210 = ofBeyond(o_12);
-    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_12.ofDiffuse)) * (0.31830987 * zi_2)));
-}
-
-Pair evaluatePair(Surface s_22, Outgoing o_13, vec3 toLight_2, vec3 toSample) {
+Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
     Pair pair = Pair(vec4(0.0), vec4(0.0));
-    bool isLight = false;
-    vec4 _e4 = evaluateBsdf(s_22, o_13, toLight_2);
-    vec4 _e5 = evaluateBsdf(s_22, o_13, toSample);
+    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
+    vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
     pair = Pair(_e4, _e5);
-    const bool _e9 = hasLayers;
-    if (_e9) {
-        bool _e11 = isLayered(s_22.layers);
-        if (_e11) {
-            uint _e14 = frame.emitterCount;
-            isLight = (_e14 > 0u);
-            while(true) {
-                float _e19 = mirrorShare(s_22.reflectivity);
-                bool _e23 = isLight;
-                vec4 _e25 = evaluateLayered(s_22, o_13.stack, pick(_e23, toLight_2, toSample));
-                vec4 value_2 = ((1.0 - _e19) * _e25);
-                bool _e27 = isLight;
-                if (_e27) {
-                    pair.toLight = value_2;
-                } else {
-                    pair.toSample = value_2;
-                }
-                bool _e30 = isLight;
-                if (!(_e30)) {
-                    break;
-                }
-                isLight = false;
-            }
-        }
-    }
-    Pair _e33 = pair;
-    return _e33;
+    Pair _e8 = pair;
+    return _e8;
 }
 
-BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
+    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
 }
 
-vec3 toWorld(Basis b_4, vec3 v_9) {
-    return (((v_9.x * b_4.tangent) + (v_9.y * b_4.bitangent)) + (v_9.z * b_4.normal));
+BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
+    float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_1 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_1), drawn_1.delta);
 }
 
-float max3_(vec3 v_10) {
-    return max(max(v_10.x, v_10.y), v_10.z);
+vec3 toWorld(Basis b_4, vec3 v_6) {
+    return (((v_6.x * b_4.tangent) + (v_6.y * b_4.bitangent)) + (v_6.z * b_4.normal));
 }
 
-bool isFlat(uint i_19) {
+float max3_(vec3 v_7) {
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+float unitFloat(uint h_3) {
+    return (float((h_3 >> 8u)) * 5.9604645e-8);
+}
+
+float nextHash(inout Sampler s_18) {
+    uint _e3 = s_18.key;
+    s_18.key = (_e3 + 1u);
+    uint _e7 = s_18.key;
+    uint _e9 = s_18.salt;
+    uint _e11 = mixBits((_e7 ^ _e9));
+    uint _e13 = s_18.sample_;
+    uint _e17 = s_18.place;
+    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    float _e21 = unitFloat(_e20);
+    return _e21;
+}
+
+bool isFlat(uint i_17) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_19 >= _e4);
+    return (i_17 >= _e4);
 }
 
 void meetSurface(inout Path p_10, PairHit hit_2) {
     Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
-    vec3 hero_3 = vec3(1.0);
-    RayPair rays_2 = p_10.rays;
+    vec3 hero_1 = vec3(1.0);
+    RayPair rays_1 = p_10.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
-    Surface _e10 = fetchSurface(shape_1);
-    surface = _e10;
-    float _e13 = surface.layers;
-    Layers _e14 = layersOf(_e13);
-    float _e16 = surface.code;
-    float _e19 = surface.layers;
-    bool _e20 = letsThrough(uint(_e16), _e19);
-    vec3 point_16 = (rays_2.point + (hit_2.t * rays_2.direction));
-    Normals _e26 = normalsAt(rays_2, hit_2, shape_1, _e20);
-    vec3 outward_2 = _e26.shading;
-    vec3 normal_12 = pick(pick((dot(outward_2, rays_2.direction) > 0.0), !(_e20), false), -(outward_2), outward_2);
-    Basis _e36 = basisAbout(normal_12);
-    basis = _e36;
-    const bool _e39 = hasLayers;
-    if (_e39) {
-        if ((_e14.anisotropy > 0.0)) {
-            Basis _e44 = basisAlong(normal_12, outward_2, _e14.grain);
-            basis = _e44;
-        }
+    SurfacePoint _e10 = surfaceAt(rays_1, hit_2, shape_1);
+    surface = _e10.surface;
+    float _e14 = surface.code;
+    float _e18 = surface.eta.x;
+    bool _e19 = letsThrough(uint(_e14), _e18);
+    vec3 point_16 = (rays_1.point + (hit_2.t * rays_1.direction));
+    vec3 outward_1 = _e10.shading;
+    vec3 normal_9 = pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e34 = basisAbout(normal_9);
+    basis = _e34;
+    Basis _e36 = basis;
+    vec3 _e39 = toLocal(_e36, -(rays_1.direction));
+    const bool _e41 = hasGlass;
+    if (pick(_e41, true, hasLayers)) {
+        float _e45 = surface.code;
+        bool _e47 = isThin(uint(_e45));
+        bool inside_4 = pick(pick(pick(_e19, !(_e47), false), (_e39.z < 0.0), false), !(escaped_1), false);
+        vec3 _e57 = p_10.throughput;
+        vec3 _e59 = surface.absorption;
+        p_10.throughput = (_e57 * exp((-(_e59) * pick(inside_4, hit_2.t, 0.0))));
     }
-    Basis _e45 = basis;
-    vec3 _e48 = toLocal(_e45, -(rays_2.direction));
-    const bool _e50 = hasGlass;
-    const bool _e52 = hasLayers;
-    if (pick(_e50, true, _e52)) {
-        float _e55 = surface.code;
-        bool _e57 = isThin(uint(_e55));
-        bool inside_5 = pick(pick(pick(_e20, !(_e57), false), (_e48.z < 0.0), false), !(escaped_1), false);
-        vec3 _e67 = p_10.throughput;
-        vec3 _e69 = surface.absorption;
-        p_10.throughput = (_e67 * exp((-(_e69) * pick(inside_5, hit_2.t, 0.0))));
-    }
-    const bool _e78 = hasLayers;
-    if (_e78) {
-        vec3 _e80 = surface.emission;
-        float _e84 = coatReflectance(_e14.coat, abs(_e48.z));
-        surface.emission = (_e80 * (1.0 - _e84));
-    }
-    Emitter _e89 = fetchEmitter(0u);
-    vec3 _e91 = p_10.radiance;
-    vec3 _e93 = p_10.throughput;
-    Path _e94 = p_10;
-    Surface _e95 = surface;
-    vec3 _e97 = foundLight(_e94, hit_2, _e95, _e26.geometric, _e89);
-    p_10.radiance = (_e91 + (_e93 * _e97));
-    vec3 litSide = pick(_e20, vec3(0.0), normal_12);
-    vec3 _e104 = next3d(p_10.sampler_);
-    vec3 _e106 = next3d(p_10.sampler_);
-    EmitterChoice _e108 = chooseEmitter(point_16, litSide, _e104.z);
-    Emitter _e110 = emitterAt(_e108.index, _e89);
-    LightSample _e112 = sampleEmitter(_e110, point_16, _e104.xy);
-    float lightPdf = (_e112.pdf * _e108.probability);
-    const bool _e120 = hasLayers;
-    if (_e120) {
-        if (pick(_e20, (_e14.dispersion > 0.0), false)) {
-            vec3 _e126 = p_10.throughput;
-            float _e128 = nextHash(p_10.sampler_);
-            vec3 _e129 = heroColor(_e126, _e128);
-            hero_3 = _e129;
-        }
-    }
-    Surface _e130 = surface;
-    vec3 _e131 = hero_3;
-    Outgoing _e132 = outgoing(_e130, _e14, _e48, _e131);
-    Surface _e133 = surface;
-    BsdfSample _e134 = sampleLobe(_e133, _e132, _e106);
-    Surface _e135 = surface;
-    Basis _e136 = basis;
-    vec3 _e138 = toLocal(_e136, _e112.direction);
-    Pair _e140 = evaluatePair(_e135, _e132, _e138, _e134.direction);
-    vec4 toLight_7 = _e140.toLight;
-    bool alone_1 = pick(_e112.delta, true, pick((_e110.shape < 0.0), (_e112.distance_ < 1e30), false));
-    float _e152 = misWeight(lightPdf, toLight_7.w);
-    float lightWeight = (pick(alone_1, 1.0, _e152) / lightPdf);
-    BsdfSample _e157 = completed(_e134, _e140.toSample);
-    Basis _e158 = basis;
-    vec3 _e160 = toWorld(_e158, _e157.direction);
-    uint _e163 = p_10.depth;
-    uint _e166 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e163 != _e166), false);
-    vec3 _e170 = p_10.throughput;
-    vec3 contribution = (((_e170 * toLight_7.xyz) * _e112.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e112.radiance), vec3(0.0))), false);
+    Emitter _e68 = fetchEmitter(0u);
+    vec3 _e70 = p_10.radiance;
+    vec3 _e72 = p_10.throughput;
+    Path _e73 = p_10;
+    Surface _e74 = surface;
+    vec3 _e76 = foundLight(_e73, hit_2, _e74, _e10.geometric, _e68);
+    p_10.radiance = (_e70 + (_e72 * _e76));
+    vec3 litSide = pick(_e19, vec3(0.0), normal_9);
+    vec3 _e83 = next3d(p_10.sampler_);
+    vec3 _e85 = next3d(p_10.sampler_);
+    EmitterChoice _e87 = chooseEmitter(point_16, litSide, _e83.z);
+    Emitter _e89 = emitterAt(_e87.index, _e68);
+    LightSample _e91 = sampleEmitter(_e89, point_16, _e83.xy);
+    float lightPdf = (_e91.pdf * _e87.probability);
+    Surface _e98 = surface;
+    vec3 _e100 = hero_1;
+    Outgoing _e101 = outgoing(_e98, _e10.layers, _e39, _e100);
+    Surface _e102 = surface;
+    BsdfSample _e103 = sampleLobe(_e102, _e101, _e85);
+    Surface _e104 = surface;
+    Basis _e105 = basis;
+    vec3 _e107 = toLocal(_e105, _e91.direction);
+    Pair _e109 = evaluatePair(_e104, _e101, _e107, _e103.direction);
+    bool opaque = pick(hasMeshes, !(_e19), false);
+    bool _e117 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
+    bool lightLeaks = pick(opaque, _e117, false);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e109.toLight);
+    bool alone = pick(_e91.delta, true, pick((_e89.shape < 0.0), (_e91.distance_ < 1e30), false));
+    float _e133 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone, 1.0, _e133) / lightPdf);
+    BsdfSample _e138 = completed(_e103, _e109.toSample);
+    Basis _e139 = basis;
+    vec3 _e141 = toWorld(_e139, _e138.direction);
+    bool _e145 = crosses(_e10.geometric, _e141, -(rays_1.direction));
+    bool leaks = pick(opaque, _e145, false);
+    uint _e149 = p_10.depth;
+    uint _e152 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e149 != _e152), false);
+    vec3 _e156 = p_10.throughput;
+    vec3 contribution = (((_e156 * toLight_6.xyz) * _e91.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
     p_10.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e192 = p_10.throughput;
-    vec3 throughput_1 = (_e192 * _e157.weight);
-    float _e195 = max3_(throughput_1);
-    uint _e201 = p_10.depth;
-    float survival = pick((_e201 < rouletteDepth), 1.0, min((_e195 / 0.33333334), 0.95));
-    float _e211 = max3_(throughput_1);
-    float _e216 = nextHash(p_10.sampler_);
-    p_10.alive = pick(pick(pick(goesOn, (_e157.pdf > 0.0), false), (_e211 > 0.0), false), (_e216 < survival), false);
-    p_10.throughput = (throughput_1 / vec3(survival));
-    uint _e224 = p_10.depth;
-    p_10.depth = (_e224 + 1u);
-    p_10.pdf = pick(_e157.delta, 0.0, _e157.pdf);
+    vec3 _e178 = p_10.throughput;
+    vec3 throughput = (_e178 * _e138.weight);
+    float _e181 = max3_(throughput);
+    uint _e187 = p_10.depth;
+    float survival = pick((_e187 < rouletteDepth), 1.0, min((_e181 / 0.33333334), 0.95));
+    float _e199 = max3_(throughput);
+    float _e204 = nextHash(p_10.sampler_);
+    p_10.alive = pick(pick(pick(pick(goesOn, (_e138.pdf > 0.0), false), !(leaks), false), (_e199 > 0.0), false), (_e204 < survival), false);
+    p_10.throughput = (throughput / vec3(survival));
+    uint _e212 = p_10.depth;
+    p_10.depth = (_e212 + 1u);
+    p_10.pdf = pick(_e138.delta, 0.0, _e138.pdf);
     p_10.litSide = litSide;
-    p_10.total = _e108.total;
-    bool _e234 = isFlat(shape_1);
-    bool solid = !(_e234);
-    uint lightShape = pick((_e110.shape >= 0.0), uint(max(_e110.shape, 0.0)), noShape);
-    bool _e251 = p_10.alive;
-    p_10.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e251, _e160, pick(solid, (dot(_e160, outward_2) < 0.0), false), _e112.direction, pick(solid, (dot(_e112.direction, outward_2) < 0.0), false), pick(lit_1, _e112.distance_, -1.0), lightShape);
+    p_10.total = _e87.total;
+    bool _e222 = isFlat(shape_1);
+    bool solid = !(_e222);
+    uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
+    bool _e239 = p_10.alive;
+    Sampler _e254 = p_10.sampler_;
+    uint _e255 = numberOfNext(_e254);
+    p_10.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e239, _e141, pick(solid, (dot(_e141, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e255);
     return;
 }
 
@@ -3011,7 +2130,7 @@ bool isOver(Path p_12) {
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 pixel_3 = uvec2(fragment.xy);
     uint _e5 = frame.sampleIndex;

@@ -26,11 +26,11 @@ struct Film {
 // pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
 // fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
 // First column and row, columns and rows of the part of the film that is traced.
-@group(0) @binding(6) var<uniform> region: vec4u;
+@group(0) @binding(7) var<uniform> region: vec4u;
 
-@group(0) @binding(7) var film: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(8) var film: texture_storage_2d<rgba32float, write>;
 
-@group(0) @binding(8) var filmSquares: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(9) var filmSquares: texture_storage_2d<rgba32float, write>;
 
 // A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
 // are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
@@ -108,7 +108,7 @@ fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   var s = startSampler(pixel, sampleIndex, frame.seed);
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction);
+  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
   return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
 }
 
@@ -170,9 +170,7 @@ fn tracePair(p: RayPair) -> PairHit {
       }
     }
   }
-  if (hasMeshes) {
-    found = meetMeshes(found, p);
-  }
+  
   return found;
 }
 
@@ -214,6 +212,8 @@ struct RayPair {
   lightDistance: f32,
   // The shape that is the light, or noShape.
   lightShape: u32,
+  // For what is there by chance: sampler.wesl, numberOfNext.
+  number: u32,
 }
 
 
@@ -239,30 +239,23 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let rays = (*p).rays;
   let escaped = hit.shape == noShape;
   let shape = select(hit.shape, 0u, escaped);
-  var surface = fetchSurface(shape);
-  let layers = layersOf(surface.layers);
-  let isClear = letsThrough(u32(surface.code), surface.layers);
+  let met = surfaceAt(rays, hit, shape);
+  var surface = met.surface;
+  let isClear = letsThrough(u32(surface.code), surface.eta.x);
   let point = rays.point + hit.t * rays.direction;
-  let normals = normalsAt(rays, hit, shape, isClear);
-  let outward = normals.shading;
+  let outward = met.shading;
   // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
   let normal = select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isClear);
   var basis = basisAbout(normal);
-  if (hasLayers) {
-    if (layers.anisotropy > 0.0) {
-      basis = basisAlong(normal, outward, layers.grain);
-    }
-  }
+  
   let wo = toLocal(basis, -rays.direction);
   if (hasGlass | hasLayers) {
     let inside = isClear & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
-  if (hasLayers) {
-    surface.emission *= 1.0 - coatReflectance(layers.coat, abs(wo.z));
-  }
+  
   let only = fetchEmitter(0u);
-  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, normals.geometric, only);
+  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(normal, vec3f(0.0), isClear);
@@ -273,27 +266,27 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let light = sampleEmitter(emitter, point, uLight.xy);
   let lightPdf = light.pdf * choice.probability;
   var hero = vec3f(1.0);
-  if (hasLayers) {
-    if (isClear & (layers.dispersion > 0.0)) {
-      hero = heroColor((*p).throughput, nextHash(&(*p).sampler));
-    }
-  }
-  let o = outgoing(surface, layers, wo, hero);
+  
+  let o = outgoing(surface, met.layers, wo, hero);
   let drawn = sampleLobe(surface, o, uBsdf);
   let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn.direction);
-  let toLight = values.toLight;
+  // What is opaque lets no light through, even where a shading normal says that it comes from the front.
+  let opaque = hasMeshes & !isClear;
+  let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
+  let toLight = select(values.toLight, vec4f(0.0), lightLeaks);
   // A light that rays cannot meet is found by light sampling only.
   let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
   let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
   let bsdf = completed(drawn, values.toSample);
   let direction = toWorld(basis, bsdf.direction);
+  let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
   let goesOn = !escaped & ((*p).depth != frame.maxDepth);
   let contribution = (*p).throughput * toLight.rgb * light.radiance * lightWeight;
   let lit = goesOn & (lightPdf > 0.0) & any(toLight.rgb * light.radiance > vec3f(0.0));
   (*p).light = select(vec3f(0.0), contribution, lit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).throughput = throughput / survival;
   (*p).depth++;
   (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
@@ -301,49 +294,27 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).total = choice.total;
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape);
+  (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
-  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
-}
-
-// All zero where there are none.
-fn layersOf(layers: f32) -> Layers {
-  var l: Layers;
-  if (hasLayers) {
-    if (isLayered(layers)) {
-      l = fetchLayers(u32(abs(layers)));
-    }
-  }
-  return l;
+fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
+  let outward = normalAt(rays, hit.t, shape);
+  let surface = fetchSurface(shape);
+  var p = SurfacePoint(surface, layersOf(u32(surface.code), surface.eta.x), outward, outward, vec3f(0.0));
+  var tangent = vec3f(0.0);
+  var bitangent = vec3f(0.0);
+  
+  
+  return p;
 }
 
 // Whether light may go through the surface.
-fn letsThrough(code: u32, layers: f32) -> bool {
-  return isDielectric(code) | (hasLayers & (layers < 0.0));
-}
-
-// Out of solids, or to the front of triangles. Only meshes have two; and where the two of a glass body do not agree on which side a ray
-// comes from, the geometric one is right.
-fn normalsAt(rays: RayPair, hit: PairHit, shape: u32, isGlass: bool) -> Normals {
-  let outward = normalAt(rays, hit.t, shape);
-  var normals = Normals(outward, outward);
-  if (hasMeshes & (hit.triangle.instance != noInstance)) {
-    let n = meshNormals(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    let agree = (dot(n.geometric, rays.direction) > 0.0) == (dot(n.shading, rays.direction) > 0.0);
-    normals = Normals(n.geometric, select(n.shading, n.geometric, isGlass & !agree));
-  }
-  return normals;
+fn letsThrough(code: u32, eta: f32) -> bool {
+  return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -354,7 +325,7 @@ fn basisAbout(n: vec3f) -> Basis {
 }
 
 // What glTF's extensions add to metallicRoughness, and the one of them that is long.
-override hasLayers = false;
+const hasLayers = false;
 
 fn toLocal(b: Basis, v: vec3f) -> vec3f {
   return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
@@ -481,11 +452,7 @@ fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
   o.ratio = 1.0;
   o.bound = 1.0;
   o.stretched = 1.0;
-  if (hasLayers) {
-    if (isLayered(s.layers)) {
-      o.stack = stackOf(s, l, wo, hero);
-    }
-  }
+  
   if (hasMetallicRoughness) {
     o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
   }
@@ -533,12 +500,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
     drawn.weight = select(drawn.weight, weight, specular);
     drawn.delta = specular & delta;
   }
-  if (hasLayers) {
-    if (isLayered(s.layers)) {
-      let layered = sampleLayered(s, o.stack, vec3f(u.xy, choice));
-      drawn = BsdfSample(layered.direction, base * layered.pdf, layered.weight, layered.delta);
-    }
-  }
+  
   if (hasMirrorLayers) {
     let reflected = u.z < mirror;
     drawn.direction = select(drawn.direction, mirrored(wo), reflected);
@@ -553,24 +515,16 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
 // the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
   var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
-  if (hasLayers) {
-    if (isLayered(s.layers)) {
-      var isLight = frame.emitterCount > 0u;
-      loop {
-        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, o.stack, select(toSample, toLight, isLight));
-        if (isLight) {
-          pair.toLight = value;
-        } else {
-          pair.toSample = value;
-        }
-        if (!isLight) {
-          break;
-        }
-        isLight = false;
-      }
-    }
-  }
+  
   return pair;
+}
+
+// Triangle meshes, and such with shading normals of their own.
+const hasMeshes = false;
+
+// Whether one of two directions away from a surface points into it and the other out of it.
+fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
+  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
 }
 
 const miss = 1e30;
@@ -609,6 +563,11 @@ fn isFlat(i: u32) -> bool {
 // Float rounding of a point grows with its distance from the eye, where all positions are relative to.
 const relativeTMin = 1e-5;
 
+// What is drawn next has a number, by which many others may be made that belong to it: hashed with whatever tells them apart.
+fn numberOfNext(s: Sampler) -> u32 {
+  return mixBits(mixBits((s.key + 1u) ^ s.salt ^ 0x85ebca6bu) + ((s.sample << 8u) | s.place));
+}
+
 struct PairHit {
   // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
   t: f32,
@@ -618,24 +577,6 @@ struct PairHit {
   // Of a mesh: which triangle, and how much its second and third vertex count.
   triangle: LeftTriangle,
   weights: vec2f,
-}
-
-
-// `normal` may point outwards or inwards, the grain is that of the outward side. `grain`: cosine and sine of its angle.
-fn basisAlong(normal: vec3f, outward: vec3f, grain: vec2f) -> Basis {
-  let tangent = tangentAt(outward);
-  let turned = grain.x * tangent + grain.y * cross(outward, tangent);
-  // At right angles to the normal but for rounding, and for the poles.
-  let along = normalize(turned - dot(turned, normal) * normal);
-  return Basis(along, cross(normal, along), normal);
-}
-
-// The direction from which the grain is turned, at a surface with this outward normal: that of growing longitude about the Y axis, as the
-// tangent of a globe's texture coordinates; +X at its poles. Tangents of meshes belong here.
-fn tangentAt(normal: vec3f) -> vec3f {
-  let east = vec3f(normal.z, 0.0, -normal.x);
-  let length2 = dot(east, east);
-  return select(vec3f(1.0, 0.0, 0.0), east * inverseSqrt(max(length2, 1e-20)), length2 > 1e-12);
 }
 
 // An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
@@ -650,28 +591,11 @@ fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
 }
 
-// Share of the light that a coat of this weight sends back.
-fn coatReflectance(coat: f32, cosine: f32) -> f32 {
-  return coat * schlick(vec3f(coatF0), cosine).x;
-}
-
 // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
 fn schlick(f0: vec3f, cosine: f32) -> vec3f {
   let m = max(1.0 - cosine, 0.0);
   let m2 = m * m;
   return f0 + (1.0 - f0) * (m2 * m2 * m);
-}
-
-const coatF0 = 0.04;
-
-// One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
-// so the mean is right, and a path of one colour keeps it.
-fn heroColor(throughput: vec3f, u: f32) -> vec3f {
-  let share = throughput / max(dot(throughput, vec3f(1.0)), 1e-30);
-  let isRed = u < share.x;
-  let isBlue = !isRed & (u >= share.x + share.y) & (share.z > 0.0);
-  let chosen = select(select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), isBlue), vec3f(1.0, 0.0, 0.0), isRed);
-  return chosen / max(dot(chosen, share), 1e-6);
 }
 
 // One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
@@ -693,7 +617,56 @@ fn mixBits(x: u32) -> u32 {
   return y ^ (y >> 15u);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+// The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
+fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
+  let b = fetchBounds(i);
+  let origin = p.point - b.center;
+  var normal = b.center;
+  if (hasQuads) {
+    let e = fetchExtent(i);
+    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
+  }
+  if (hasBoxes) {
+    let e = fetchExtent(i);
+    let inside = (i == p.shape) & p.inwards;
+    let face = boxNormal(turned(e.a, origin), turned(e.a, p.direction), e.b.xyz, p.tMin, inside);
+    normal = select(normal, turnedBack(e.a, face), isBox(i));
+  }
+  if (hasSpheres) {
+    normal = select(normal, origin + t * p.direction, isSphere(i));
+  }
+  return normalize(normal);
+}
+
+fn fetchSurface(i: u32) -> Surface {
+  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+struct SurfacePoint {
+  surface: Surface,
+  // All zero where it has none.
+  layers: Layers,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+  // Along the surface, where facets have a grain; else zero.
+  grain: vec3f,
+}
+
+
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers {
+  var l: Layers;
+  
+  return l;
+}
+
+const noInstance = 0xffffffffu;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -704,7 +677,7 @@ struct Surface {
   emission: vec3f,
   // share of the perfect mirror layer over the base
   reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
+  // conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none
   eta: vec3f,
   // GGX width, roughness^2; 0: smooth
   alpha: f32,
@@ -714,8 +687,8 @@ struct Surface {
   metallic: f32,
   // dielectric: Beer-Lambert coefficient, 1 / metre
   absorption: vec3f,
-  // metallicRoughness: the row of the table that holds its Layers, with a minus sign when light may go through; 0: there are none
-  layers: f32,
+  // row of its MaterialTextures among the texels
+  textures: f32,
 }
 
 
@@ -750,10 +723,10 @@ struct Layers {
   film: f32,
   // its index
   filmIor: f32,
-  // its thickness where a texture is 0, nanometres
-  thinnest: f32,
-  // and where it is 1, or there is none
-  thickest: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
   // 20 / Abbe number
   dispersion: f32,
   // unused
@@ -764,156 +737,24 @@ struct Layers {
   spare2: f32,
 }
 
+// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
+// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
+// Written so that nothing is divided by a cosine: grazing directions need no special case.
+// Narrower highlights are a mirror's: packed-scene/surface-values.ts.
+const leastAlpha = 1e-3;
 
-// These take Surface.layers.
-fn isLayered(layers: f32) -> bool {
-  return hasLayers & (layers != 0.0);
-}
-
-fn fetchLayers(i: u32) -> Layers {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
-}
-
-fn isDielectric(code: u32) -> bool {
-  return hasGlass & (kindOf(code) == dielectric);
-}
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const dielectric = 3u;
-
-// The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
-fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
-  let b = fetchBounds(i);
-  let origin = p.point - b.center;
-  var normal = b.center;
-  if (hasQuads) {
-    let e = fetchExtent(i);
-    normal = select(cross(e.a.xyz, e.b.xyz), normal, isPlane(i));
-  }
-  if (hasBoxes) {
-    let e = fetchExtent(i);
-    let inside = (i == p.shape) & p.inwards;
-    let face = boxNormal(turned0(e.a, origin), turned0(e.a, p.direction), e.b.xyz, p.tMin, inside);
-    normal = select(normal, turnedBack(e.a, face), isBox(i));
-  }
-  if (hasSpheres) {
-    normal = select(normal, origin + t * p.direction, isSphere(i));
-  }
-  return normalize(normal);
-}
-
-struct Normals {
-  geometric: vec3f,
-  shading: vec3f,
+// Whether what reflects or refracts does so like a mirror.
+fn isSmooth(code: u32) -> bool {
+  return (code & 32u) != 0u;
 }
 
 
-// Triangle meshes, and such with shading normals of their own.
-override hasMeshes = false;
-
-const noInstance = 0xffffffffu;
-
-// Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
-fn meshNormals(instance: u32, place: u32, weights: vec2f) -> MeshNormals {
-  let i = fetchInstance(frame.instances + instance * instanceRows);
-  let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  let normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  let geometric = normalize(mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * normal);
-  let blended = (1.0 - weights.x - weights.y) * fromOctahedral(triangle.normalA) + weights.x * fromOctahedral(triangle.normalB) + weights.y * fromOctahedral(triangle.normalC);
-  let smoothed = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz) * blended;
-  let size = dot(smoothed, smoothed);
-  let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
-  // Normals that cancel out, between two that look opposite ways, are none.
-  let useful = (i.interpolated != 0u) & (size > 0.0);
-  return MeshNormals(geometric, select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful));
-}
-
-fn fetchInstance(row: u32) -> Instance {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  let r3 = geometryRow(row + 3u);
-  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w);
-}
-
-const instanceRows = 4u;
-
-fn fetchTriangle(row: u32) -> Triangle {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
-}
-
-const triangleRows = 3u;
-
-// Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
-// EGSR 2010). packed-scene/octahedral.ts writes them.
-fn fromOctahedral(code: u32) -> vec3f {
-  let p = vec2f(f32(code & 0xffffu), f32(code >> 16u)) * (2.0 / 65534.0) - 1.0;
-  let z = 1.0 - abs(p.x) - abs(p.y);
-  let folded = (1.0 - abs(p.yx)) * select(vec2f(1.0), vec2f(-1.0), p < vec2f(0.0));
-  return normalize(vec3f(select(p, folded, z < 0.0), z));
-}
-
-// Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
-struct MeshNormals {
-  geometric: vec3f,
-  shading: vec3f,
-}
-
-
-fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
-}
-
-struct Instance {
-  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
-  toMeshX: vec4f,
-  // y
-  toMeshY: vec4f,
-  // z
-  toMeshZ: vec4f,
-  // row of the root of its tree
-  nodes: u32,
-  // row of its first triangle
-  triangles: u32,
-  // 1: shading normals are interpolated; 0: triangles are flat
-  interpolated: u32,
-  // of the scene table: what it is made of
-  row: u32,
-}
+// Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
+@group(0) @binding(6) var<storage, read> texels: array<vec4u>;
 
 
 // Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
 @group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
-
-struct Triangle {
-  // first vertex, in the space of its mesh
-  a: vec3f,
-  // its shading normal, octahedral, 16 bits each
-  normalA: u32,
-  // second vertex
-  b: vec3f,
-  // its shading normal
-  normalB: u32,
-  // third vertex
-  c: vec3f,
-  // its shading normal
-  normalC: u32,
-}
-
 
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
@@ -941,6 +782,8 @@ fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
 
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
@@ -963,7 +806,7 @@ fn boxNormal(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, starts
 }
 
 // The same where a pipeline may know that no box is turned.
-fn turned0(q: vec4f, v: vec3f) -> vec3f {
+fn turned(q: vec4f, v: vec3f) -> vec3f {
   var w = v;
   if (hasTurnedBoxes) {
     w = rotate(q, v);
@@ -972,7 +815,7 @@ fn turned0(q: vec4f, v: vec3f) -> vec3f {
 }
 
 fn turnedBack(q: vec4f, v: vec3f) -> vec3f {
-  return turned0(vec4f(-q.xyz, q.w), v);
+  return turned(vec4f(-q.xyz, q.w), v);
 }
 
 fn isBox(i: u32) -> bool {
@@ -1023,6 +866,30 @@ struct Bounds {
   radius: f32,
 }
 
+
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+}
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
+
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
+}
+
+const dielectric = 3u;
 
 struct Emitter {
   // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
@@ -1726,8 +1593,6 @@ fn isConductor(code: u32) -> bool {
   return hasConductors & (kindOf(code) == conductor);
 }
 
-override hasMetallicRoughness = false;
-
 override hasConductors = false;
 
 // What follows from the direction that light leaves in, whichever it comes from.
@@ -1775,128 +1640,7 @@ struct Stack {
   ofDiffuse: f32,
 }
 
-
-fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
-  let side = select(1.0, -1.0, given.z < 0.0);
-  let wo = vec3f(given.xy, given.z * side);
-  let isSolid = l.solid > 0.0;
-  let inside = isSolid & (side < 0.0);
-  let index = dispersedIndex(l.ior, l.dispersion, hero);
-  let ratio = select(1.0, select(index, 1.0 / index, inside), isSolid);
-  let flat = isSolid & (l.transmission > 0.0) & (index - 1.0 < leastContrast);
-  let alpha = select(ellipticAlpha(s.alpha, l.anisotropy), vec2f(0.0), flat);
-  let coatAlpha = l.coatRoughness * l.coatRoughness;
-  let coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
-  let sheenColor = greatest(l.sheenColor);
-  var sheen = 0.0;
-  if (sheenColor > 0.0) {
-    sheen = select(sheenAlbedo(wo.z, l.sheenRoughness), 0.0, inside);
-  }
-  let f0 = l.specularWeight * dielectricF0(l);
-  var more = vec3f(1.0);
-  if (hasCompensation) {
-    let albedo = singleScatteringAlbedo(wo.z, sqrt(alpha.x * alpha.y));
-    let asked = ((u32(s.code) & 8u) != 0u) & (l.transmission <= 0.0);
-    more = select(more, 1.0 + mix(f0, s.baseColor, s.metallic) * ((1.0 - albedo) / albedo), asked);
-  }
-  var o = Stack(l, wo, side, hero, ratio, inside, more, alpha, coatAlpha, coat, sheen, sheenColor, 0.0, 0.0, 0.0, 0.0);
-
-  // Lobes are chosen by about the light that they send to wo. The diffuse ones keep nearly all of theirs even when wo is grazing:
-  // metallic_roughness.wesl. A film's colours vanish at some angles only.
-  let met = baseReflectance(s, o, wo.z);
-  let below = (1.0 - coat) * (1.0 - sheenColor * min(sheen, 1.0));
-  let film = select(0.0, 0.25 * l.film, l.film > 0.0);
-  let facets = below * (mean3(met.rgb) + film + met.a * l.transmission * mean3(s.baseColor));
-  let fibres = (1.0 - coat) * sheen * mean3(l.sheenColor);
-  let body = below * (1.0 - s.metallic) * (1.0 - greatest(f0)) * (1.0 - l.transmission);
-  let diffuse = body * (1.0 - l.beyond) * mean3(s.baseColor);
-  let beyond = body * l.beyond * mean3(l.beyondColor);
-  let all = max(coat + facets + fibres + diffuse + beyond, 1e-20);
-  o.ofCoat = coat / all;
-  o.ofFacets = facets / all;
-  o.ofSheen = fibres / all;
-  o.ofDiffuse = diffuse / all;
-  return o;
-}
-
-// KHR_materials_transmission and KHR_materials_volume: light that goes through facets.
-// KHR_materials_dispersion: the index that red, green or blue light meets; `hero` is the colour that the path goes on with, or white.
-// Below the index of air no dispersion goes.
-fn dispersedIndex(ior: f32, dispersion: f32, hero: vec3f) -> f32 {
-  let side = select(0.0, 1.0, hero.z > 0.0) - select(0.0, 1.0, hero.x > 0.0);
-  return max(ior + side * (ior - 1.0) * 0.025 * dispersion, 1.0);
-}
-
-// An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
-const leastContrast = 1e-3;
-
-// KHR_materials_anisotropy: strength makes facets rougher along x. Across, a highlight is no narrower than 32-bit floats can hold.
-fn ellipticAlpha(alpha: f32, strength: f32) -> vec2f {
-  return select(vec2f(alpha), vec2f(mix(alpha, 1.0, strength * strength), max(alpha, leastAlpha)), strength > 0.0);
-}
-
-fn greatest(v: vec3f) -> f32 {
-  return max(max(v.x, v.y), v.z);
-}
-
-// KHR_materials_ior and KHR_materials_specular: what facets of the dielectric would reflect at normal incidence at full weight.
-fn dielectricF0(l: Layers) -> vec3f {
-  let contrast = (l.ior - 1.0) / (l.ior + 1.0);
-  return min(contrast * contrast * l.specularColor, vec3f(1.0));
-}
-
 override hasCompensation = false;
-
-// rgb: what facets of the base reflect that are met at this cosine; a: what of the rest reaches the dielectric's body.
-fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
-  let l = o.layers;
-  let outer = cosineInAir(cosine, o.ratio);
-  let f0 = dielectricF0(l);
-  var dielectric = l.specularWeight * schlick(f0, outer);
-  var metal = schlick(s.baseColor, outer);
-  if (hasIridescence & (l.film > 0.0)) {
-    // Mostly one of the two.
-    var isMetal = s.metallic >= 1.0;
-    loop {
-      let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.thickest, outer);
-      if (isMetal) {
-        metal = mix(metal, film, l.film);
-      } else {
-        dielectric = mix(dielectric, film, l.film);
-      }
-      if (isMetal | (s.metallic <= 0.0)) {
-        break;
-      }
-      isMetal = true;
-    }
-  }
-  dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));
-  return vec4f(mix(dielectric, metal, s.metallic), (1.0 - s.metallic) * (1.0 - greatest(dielectric)));
-}
-
-fn mean3(v: vec3f) -> f32 {
-  return dot(v, vec3f(1.0 / 3.0));
-}
-
-// E: share of light that white fibres send back to a direction of this cosine; of fine ones along the surface it is more than 1, a gap
-// of the model. A fit, 0.005 off at most, or 0.5 % where E is above 1 (scripts/fits/sheen-albedo.ts), and that much is added: what lies
-// below loses rather too much than too little.
-fn sheenAlbedo(cosine: f32, roughness: f32) -> f32 {
-  // -1 at a cosine of 1e-4 and at the least roughness, 1 at 1.
-  let u = (sqrt(sqrt(clamp(cosine, 1e-4, 1.0))) - 0.1) / 0.45 - 1.0;
-  let v = (sqrt(max(roughness, leastSheenRoughness)) - 0.264575) / 0.367712 - 1.0;
-  let low = vec3f(0.746962, 0.0397496, 0.224802) + u * (vec3f(-0.448339, 0.3406, -0.509736) + u * (vec3f(-0.196284, 0.0161825, -0.50469) + u * (vec3f(0.0587112, 0.187983, 0.191769) + u * (vec3f(-0.182064, 0.425384, 0.971703) + u * (vec3f(0.0763965, -0.331055, 0.616069) + u * (vec3f(0.0893496, -0.409073, -0.445006) + u * vec3f(-0.0525425, 0.0277158, -0.421496)))))));
-  let high = vec3f(-0.0321953, -0.190573, 0.0715297) + u * (vec3f(0.492365, -0.201291, -0.00570256) + u * (vec3f(0.833264, 0.765625, -1.06831) + u * (vec3f(-1.29238, 0.71056, 0.237437) + u * (vec3f(-2.81818, -0.673857, 2.17806) + u * (vec3f(0.500911, -0.777981, 0.0143213) + u * (vec3f(1.97956, 0.108218, -1.28939) + u * vec3f(0.324871, 0.21472, -0.194708)))))));
-  let v2 = v * v;
-  let root = dot(low + v2 * v * high, vec3f(1.0, v, v2));
-  let albedo = root * root;
-  return albedo + 0.005 * max(albedo, 1.0);
-}
-
-// KHR_materials_sheen: fibres that stand on the surface. Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017
-// course notes: the distribution "Charlie", and a fit of the shadowing that was measured on it.
-// Finer fibres shine in so thin a rim that 32-bit floats do not hold it; roughness, not alpha.
-const leastSheenRoughness = 0.07;
 
 // Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
 // fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
@@ -1908,89 +1652,12 @@ fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
   return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
 }
 
-// The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
-// Written so that nothing is divided by a cosine: grazing directions need no special case.
-// Narrower highlights are a mirror's: packed-scene/surface-values.ts.
-const leastAlpha = 1e-3;
-
-// The cosine on the side of air at a facet that is met at `cosine`; 0 at total reflection. `ratio`: the index beyond over
-// the one on this side. Schlick's formula wants this cosine (KHR_materials_volume, Refraction).
-fn cosineInAir(cosine: f32, ratio: f32) -> f32 {
-  let sine2 = (1.0 - cosine * cosine) / (ratio * ratio);
-  return select(cosine, sqrt(max(1.0 - sine2, 0.0)), ratio < 1.0);
-}
-
-override hasIridescence = false;
-
-// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
-fn reflectsAll(cosine: f32, ratio: f32) -> bool {
-  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
-}
-
-// The film's reflectance over a body that would reflect f0 without it. Kept within 0 … 1: the integral over three colours overshoots.
-fn filmReflectance(f0: vec3f, filmIor: f32, thickness: f32, cosine: f32) -> vec3f {
-  // The cosine within the film; above 0, as its index is at least 1.
-  let sine2 = (1.0 - cosine * cosine) / (filmIor * filmIor);
-  let within = sqrt(max(1.0 - sine2, 0.0));
-  let first = (filmIor - 1.0) / (filmIor + 1.0);
-  let r12 = schlick(vec3f(first * first), cosine).x;
-  let t121 = 1.0 - r12;
-  let body = indexOf(f0 + 1e-4);
-  let second = (body - filmIor) / (body + filmIor);
-  let r23 = schlick(second * second, within);
-  let r123 = clamp(r12 * r23, vec3f(1e-5), vec3f(0.9999));
-  let once = sqrt(r123);
-  let rs = t121 * t121 * r23 / (1.0 - r123);
-  // Half a turn at the lower side of the film's upper boundary, and another where the body's index is less than the film's.
-  let shift = 0.5 + select(vec3f(0.0), vec3f(0.5), body < vec3f(filmIor));
-  let difference = 2.0 * filmIor * thickness * within;
-  var sum = r12 + rs;
-  var amplitude = rs - t121;
-  var order = 1.0;
-  loop {
-    amplitude *= once;
-    sum += 2.0 * amplitude * sensitivity(order * difference, order * shift);
-    order += 1.0;
-    if (order > 2.5) {
-      break;
-    }
-  }
-  return clamp(sum, vec3f(0.0), vec3f(1.0));
-}
-
-// Index of a body that reflects f0 against air.
-fn indexOf(f0: vec3f) -> vec3f {
-  let root = sqrt(min(f0, vec3f(0.9999)));
-  return (1.0 + root) / (1.0 - root);
-}
-
-// What is left of the interference of a path difference (nanometres) in linear red, green, blue: section 4, Gaussians in the frequency
-// domain for x, y, z and the second lobe of x. `shift`: what the boundaries add to the phase, in turns.
-fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
-  let phase = 6.28318530718e-9 * difference;
-  let mean = vec4f(1.6810e6, 1.7953e6, 2.2084e6, 2.2399e6);
-  let variance = vec4f(4.3278e9, 9.3046e9, 6.6121e9, 4.5282e9);
-  // val sqrt(2 pi var) / 1.0685e-7 of the sample.
-  let height = vec4f(0.846590, 1.000222, 1.001122, 0.153868);
-  // Whole turns are left out: the cosine of a large angle has no digits.
-  let turns = mean * (phase * 0.15915494309) + vec4f(shift, shift.x);
-  let lobes = height * cos(6.28318530718 * (turns - round(turns))) * exp(-variance * (phase * phase));
-  let x = lobes.x + lobes.w;
-  // XYZ to linear sRGB
-  return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
-}
-
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
 // its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
 fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
   let specular = dot(schlick(metallicRoughnessF0(baseColor, metallic), cosine), vec3f(1.0));
   let diffuse = dot(metallicRoughnessDiffuse(baseColor, metallic, 1.0), vec3f(1.0));
   return specular / max(specular + diffuse, 1e-20);
-}
-
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
 }
 
 fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
@@ -2003,8 +1670,6 @@ fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec
 }
 
 const dielectricF00 = 0.04;
-
-const metallicRoughness = 1u;
 
 // Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
 fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {
@@ -2052,11 +1717,6 @@ fn sampleCosine(u: vec2f) -> vec3f {
 
 // Kinds of material beside diffuse, and what may be laid over or set on top.
 override hasMirrorLayers = true;
-
-// Whether what reflects or refracts does so like a mirror.
-fn isSmooth(code: u32) -> bool {
-  return (code & 32u) != 0u;
-}
 
 // A facet that wo sees, turned to wo's side.
 fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
@@ -2148,106 +1808,6 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
   return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
 }
 
-// A direction by one of the lobes. u in [0, 1)^3: two for the direction, the third chooses the lobe.
-fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
-  let wo = o.wo;
-  let isSolid = o.layers.solid > 0.0;
-  let isCoat = u.z < o.ofCoat;
-  let isFacet = u.z < o.ofCoat + o.ofFacets;
-  let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
-  let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
-  let wide = max(alpha, vec2f(leastAlpha));
-  let bound = select(ellipticBound(wo, wide), 1.0, isSolid & !isCoat);
-  let rough = sampleEllipticNormal(wo, wide, bound, u.xy);
-  let h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
-  let oh = max(dot(wo, h), 0.0);
-  let p = partingOf(s, o, baseReflectance(s, o, oh));
-  // What is left of u.z is uniform again.
-  let left = (u.z - o.ofCoat) / max(o.ofFacets, 1e-20);
-  let crossing = !isCoat & (left >= p.share);
-  let reflected = 2.0 * oh * h - wo;
-  let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
-  let met = select(reflected, beyond, crossing);
-  let lost = !isSmooth & (crossing != (met.z < 0.0));
-  let weight = throughCover(o, abs(met.z), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
-  var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
-  drawn.pdf = select(drawn.pdf, 0.0, lost);
-  if (!isFacet) {
-    let next = u.z - o.ofCoat - o.ofFacets;
-    let sine = sqrt(max(u.x * (2.0 - u.x), 0.0));
-    let phi = 6.28318530718 * u.y - 3.14159265359;
-    let even = vec3f(sine * cos(phi), sine * sin(phi), 1.0 - u.x);
-    let matte = sampleCosine(u.xy);
-    let below = vec3f(matte.xy, select(matte.z, -matte.z, next >= o.ofSheen + o.ofDiffuse));
-    drawn = LayeredSample(select(below, even, next < o.ofSheen), 1.0, vec3f(1.0), false);
-  }
-  drawn.direction.z *= o.side;
-  return drawn;
-}
-
-// Eto and Tokuyoshi 2023, equation 6: the smaller width bounds both.
-fn ellipticBound(wo: vec3f, alpha: vec2f) -> f32 {
-  let s = 1.0 + length(wo.xy);
-  let s2 = s * s;
-  let least = min(alpha.x, alpha.y);
-  let a2 = least * least;
-  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
-}
-
-// As sampleVisibleNormal.
-fn sampleEllipticNormal(wo: vec3f, alpha: vec2f, bound: f32, u: vec2f) -> vec3f {
-  let w = vec3f(alpha * wo.xy, wo.z) / ellipticStretched(wo, alpha);
-  let phi = 6.28318530718 * u.x - 3.14159265359;
-  let drop = u.y * (1.0 + bound * w.z);
-  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
-  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
-  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
-}
-
-fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
-  let toward = reflectance.rgb * select(vec3f(1.0), o.hero, o.inside);
-  let beyond = reflectance.a * o.layers.transmission * s.baseColor * o.hero;
-  let a = mean3(toward);
-  let b = mean3(beyond);
-  return Parting(toward, beyond, select(1.0, a / max(a + b, 1e-20), b > 0.0));
-}
-
-// What of the light between wo and a direction of cosine zi is left by coat and sheen. Light that crosses a solid's boundary meets them
-// once, outside.
-fn throughCover(o: Stack, zi: f32, crossing: bool) -> f32 {
-  let l = o.layers;
-  let isSolid = l.solid > 0.0;
-  let entersHere = o.inside & crossing;
-  let coat = select(o.coat, coatReflectance(l.coat, zi), entersHere);
-  var sheen = o.sheen;
-  if (o.sheenColor > 0.0) {
-    let isOutside = !isSolid | (o.inside == crossing);
-    sheen = max(sheen, select(0.0, sheenAlbedo(zi, l.sheenRoughness), isOutside));
-  }
-  return (1.0 - coat) * (1.0 - o.sheenColor * min(sheen, 1.0));
-}
-
-struct LayeredSample {
-  direction: vec3f,
-  // Of a delta lobe: the probability with which it is chosen, and f |cos| over that. 0: the light is lost.
-  pdf: f32,
-  weight: vec3f,
-  delta: bool,
-}
-
-
-fn ellipticStretched(w: vec3f, alpha: vec2f) -> f32 {
-  let scaled = alpha * w.xy;
-  return sqrt(w.z * w.z + dot(scaled, scaled));
-}
-
-// What a facet of the base makes of light: towards wo's side, and beyond; and how often a sample takes the first.
-struct Parting {
-  toward: vec3f,
-  beyond: vec3f,
-  share: f32,
-}
-
 
 // The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
 fn mirrored(wo: vec3f) -> vec3f {
@@ -2279,114 +1839,8 @@ fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
 }
 
-// rgb: f |cos wi|; a: the density with which sampleLayered gives wi. Delta lobes give 0.
-fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
-  let l = o.layers;
-  let wo = o.wo;
-  let wi = vec3f(given.xy, given.z * o.side);
-  let crossing = wi.z < 0.0;
-  // Through a thin wall light goes as if it were reflected and then mirrored.
-  let facing = vec3f(wi.xy, abs(wi.z));
-  let zi = facing.z;
-  let under = throughCover(o, zi, crossing);
-  var sum = vec4f(0.0);
-  var intoBody = 0.0;
-  // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
-  // whose length is known is written out by Windows' compiler.
-  var isCoat = (o.coat > 0.0) | (s.metallic < 1.0);
-  loop {
-    let bends = crossing & !isCoat & (l.solid > 0.0);
-    let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
-    let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
-    let wide = max(alpha, vec2f(leastAlpha));
-    let met = select(facing, wi, bends);
-    let m = wo + met * select(1.0, o.ratio, bends);
-    let m2 = max(dot(m, m), 1e-20);
-    let h = m * inverseSqrt(m2);
-    let oh = dot(wo, h);
-    let ih = dot(met, h);
-    let faces = (oh * h.z >= 0.0) & (ih * h.z * met.z >= 0.0);
-    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(h, wide), faces & !isSmooth);
-    let ownStretched = ellipticStretched(wo, wide);
-    let masked = zi / max(zi * ownStretched + wo.z * ellipticStretched(facing, wide), 1e-20);
-    let bound = select(ellipticBound(wo, wide), 1.0, (l.solid > 0.0) & !isCoat);
-    let density = spread / (bound * wo.z + ownStretched);
-    // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
-    let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, isCoat & o.inside));
-    let p = partingOf(s, o, reflectance);
-    var lobe = under * select(p.toward * o.more, p.beyond, crossing);
-    var chosen = o.ofFacets * select(p.share, 1.0 - p.share, crossing) * select(1.0, o.ratio * o.ratio, bends);
-    if (isCoat) {
-      intoBody = reflectance.a;
-      lobe = vec3f(select(o.coat, 0.0, crossing));
-      chosen = select(o.ofCoat, 0.0, crossing);
-    }
-    sum += vec4f(lobe * (spread * masked), chosen * density);
-    if (!isCoat) {
-      break;
-    }
-    isCoat = false;
-  }
-  if ((o.sheenColor > 0.0) & !crossing & !o.inside) {
-    let most = max(max(o.sheen, sheenAlbedo(zi, l.sheenRoughness)), 1.0);
-    let fibres = (1.0 - o.coat) * whiteSheen(wo, wi, sheenAlpha(l.sheenRoughness)) / most;
-    sum += vec4f(fibres * l.sheenColor, o.ofSheen * invTwoPi);
-  }
-  let body = select((1.0 - l.beyond) * s.baseColor, l.beyond * l.beyondColor, crossing);
-  let matte = under * intoBody * (1.0 - l.transmission) * body;
-  return sum + vec4f(matte, select(o.ofDiffuse, ofBeyond(o), crossing)) * (invPi * zi);
-}
-
-fn ofBeyond(o: Stack) -> f32 {
-  return max(1.0 - o.ofCoat - o.ofFacets - o.ofSheen - o.ofDiffuse, 0.0);
-}
-
 // Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
 const invPi = 0.31830988618;
-
-fn ellipticDensity(h: vec3f, alpha: vec2f) -> f32 {
-  let scaled = h.xy / alpha;
-  let slope = max(dot(scaled, scaled) + h.z * h.z, 1.0);
-  return 0.31830988618 / (alpha.x * alpha.y * slope * slope);
-}
-
-// What the fibres send back, times the cosine of wi, for white ones. Both cosines are above 0.
-fn whiteSheen(wo: vec3f, wi: vec3f, alpha: f32) -> f32 {
-  let m = wo + wi;
-  let m2 = max(dot(m, m), 1e-20);
-  let sine2 = clamp(dot(m.xy, m.xy) / m2, 0.0, 1.0);
-  let power = 0.5 / alpha;
-  // (2 + 1/alpha) sin^(1/alpha) / 2 pi, and 1 / (4 zo zi (1 + Lambda + Lambda)), times zi
-  let density = (2.0 + 2.0 * power) * 0.15915494309 * select(exp(power * log(max(sine2, 1e-20))), 0.0, sine2 < 1e-20);
-  let zo = max(wo.z, 1e-6);
-  return density / (4.0 * zo * (1.0 + sheenShadowing(wo.z, alpha) + sheenShadowing(wi.z, alpha)));
-}
-
-fn sheenAlpha(roughness: f32) -> f32 {
-  let r = max(roughness, leastSheenRoughness);
-  return r * r;
-}
-
-const invTwoPi = 0.15915494309;
-
-// Lambda at this cosine; along the surface it is large and finite.
-fn sheenShadowing(cosine: f32, alpha: f32) -> f32 {
-  let x = clamp(cosine, 1e-6, 1.0);
-  let isLow = x < 0.5;
-  let l = shadowingExponent(select(max(1.0 - x, 1e-6), x, isLow), alpha);
-  return exp(select(2.0 * shadowingExponent(0.5, alpha) - l, l, isLow));
-}
-
-// l(x) of equation 3, table 1.
-fn shadowingExponent(x: f32, alpha: f32) -> f32 {
-  let m = (1.0 - alpha) * (1.0 - alpha);
-  let a = mix(21.5473, 25.3245, m);
-  let b = mix(3.82987, 3.32435, m);
-  let c = mix(0.19823, 0.16801, m);
-  let d = mix(-1.97760, -1.27393, m);
-  let e = mix(-4.32054, -4.85967, m);
-  return a / (1.0 + b * pow(x, c)) + d * x + e;
-}
 
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;
@@ -2479,9 +1933,9 @@ fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
   let b = fetchBounds(i);
   let e = fetchExtent(i);
   let own = i == p.shape;
-  let origin = turned0(e.a, p.point - b.center);
-  let t = intersectBox(origin, turned0(e.a, p.direction), e.b.xyz, p.tMin, own & p.inwards);
-  let lightT = intersectBox(origin, turned0(e.a, p.lightDirection), e.b.xyz, p.tMin, own & p.lightInwards);
+  let origin = turned(e.a, p.point - b.center);
+  let t = intersectBox(origin, turned(e.a, p.direction), e.b.xyz, p.tMin, own & p.inwards);
+  let lightT = intersectBox(origin, turned(e.a, p.lightDirection), e.b.xyz, p.tMin, own & p.lightInwards);
   return meet(found, p, i, vec2f(t, lightT));
 }
 
@@ -2532,267 +1986,16 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
-fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
-  let most = select(-1.0, found.t, p.goesOn);
-  let lightMost = select(p.lightDistance, -1.0, found.blocked);
-  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost), p.left);
-  var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
-  if (hit.instance != noInstance) {
-    result.t = hit.t;
-    result.shape = rowOfInstance(hit.instance);
-    result.triangle = LeftTriangle(hit.instance, hit.triangle);
-  }
-  return result;
-}
-
-fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
-  var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
-  var toLight = !(rays.most > 0.0);
-  // Of the present ray.
-  var most = select(rays.most, rays.lightMost, toLight);
-  var instance = noInstance;
-  var nodes = 0u;
-  var triangles = 0u;
-  var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
-  var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
-  var top = 0u;
-  // The only instance needs no tree above it, and no way back.
-  let alone = frame.instanceCount == 1u;
-  let first = select(beginning, leafBit, alone);
-  var current = first;
-  if ((frame.instanceCount == 0u) | !(most > 0.0)) {
-    return found;
-  }
-  loop {
-    var pops = false;
-    if ((current & leafBit) == 0u) {
-      let node = nodes + current * nodeRows;
-      let r = geometryRow(node + childrenRow);
-      let t = enterChildren(node, slabs, r, most);
-      // Farthest first onto the stack: a sorting network of five exchanges.
-      let a = t.x < t.z;
-      let b = t.y < t.w;
-      let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
-      let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
-      let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
-      let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
-      let c = t0.x < t1.x;
-      let d = t0.y < t1.y;
-      let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
-      let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
-      let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
-      let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
-      let e = ta.y < tb.x;
-      let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
-      let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
-      if (ta.x < 1e30) {
-        stack[top] = ra.x;
-        top++;
-      }
-      if (tm.x < 1e30) {
-        stack[top] = rm.x;
-        top++;
-      }
-      if (tm.y < 1e30) {
-        stack[top] = rm.y;
-        top++;
-      }
-      pops = tb.y >= 1e30;
-      current = rb.y;
-    } else if ((instance == noInstance) | (current >= beginning)) {
-      // Into an instance, or back into the world.
-      let toWorld = current >= beginning;
-      pops = current == leaving;
-      instance = select(current & placeMask, noInstance, toWorld);
-      var o = rays.origin;
-      var d = select(rays.direction, rays.lightDirection, toLight);
-      nodes = 0u;
-      if (!toWorld) {
-        let i = fetchInstance(frame.instances + instance * instanceRows);
-        let p = vec4f(o, 1.0);
-        o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
-        d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
-        nodes = i.nodes;
-        triangles = i.triangles;
-        if (!alone) {
-          stack[top] = leaving;
-          top++;
-        }
-      }
-      current = 0u;
-      slabs = slabRay(o, d);
-      ray = meshRay(o, d);
-    } else {
-      // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
-      let place = current & placeMask;
-      let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
-      let own = (instance == left.instance) & (place == left.triangle);
-      let nearer = (hit.t > rays.least) & (hit.t < most) & !own;
-      current = current + 1u - (1u << countShift);
-      pops = ((current >> countShift) & 7u) == 0u;
-      if (nearer) {
-        if (toLight) {
-          found.blocked = true;
-          break;
-        }
-        most = hit.t;
-        found = MeshHit(hit.t, instance, place, hit.weights, false);
-      }
-    }
-    if (pops) {
-      if (top > 0u) {
-        top--;
-        current = stack[top];
-      } else {
-        if (toLight | !(rays.lightMost > 0.0)) {
-          break;
-        }
-        toLight = true;
-        most = rays.lightMost;
-        instance = noInstance;
-        current = first;
-      }
-    }
-  }
-  return found;
-}
-
-struct MeshRays {
-  origin: vec3f,
-  direction: vec3f,
-  lightDirection: vec3f,
-  // What is nearer does not count.
-  least: f32,
-  // Nor what is farther; 0 or less: there is no such ray.
-  most: f32,
-  lightMost: f32,
-}
-
-
-// Of the scene table.
-fn rowOfInstance(instance: u32) -> u32 {
-  return fetchInstance(frame.instances + instance * instanceRows).row;
-}
-
-struct MeshHit {
-  t: f32,
-  // noInstance: nothing met.
-  instance: u32,
-  triangle: u32,
-  // Of the triangle's second and third vertex.
-  weights: vec2f,
-  // Whether something is in the light's way.
-  blocked: bool,
-}
-
-
-// What the slabs of boxes are worked out with.
-struct SlabRay {
-  inverse: vec3f,
-  // -origin * inverse
-  offset: vec3f,
-  // From a node to the rows that hold the near planes.
-  near: vec3u,
-}
-
-
-// A ray in the space of a mesh.
-struct MeshRay {
-  origin: vec3f,
-  // The axis along which the direction is longest: 0, 1 or 2.
-  axis: u32,
-  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
-  shear: vec3f,
-}
-
-
-// A ray begins, in the world.
-const beginning = 0xfffffffeu;
-
-// References: encode-wide-bvh.ts.
-const leafBit = 0x80000000u;
-
-// Rows of a node; from the rows of least to those of greatest places; and where the references are.
-const nodeRows = 7u;
-
-const childrenRow = 6u;
-
-// Where the ray enters each child, 1e30 where it does not.
-fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
-  // The row of the far planes is the other one of the two.
-  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  let entered = select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
-  return select(vec4f(1e30), entered, children != vec4u(0u));
-}
-
 // pack-geometry.ts refuses trees that need more.
 var<private> stack: array<u32, 64>;
 
-const leastToGreatest = 3u;
-
-fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
-  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
 }
-
-// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
-const slabRounding = 1.0 + 1e-6;
-
-// On the stack: here the ray leaves the instance.
-const leaving = 0xffffffffu;
-
-const placeMask = 0x0fffffffu;
-
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
-}
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
-fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
-  let a = turnedTo(ray.axis, triangle.a - ray.origin);
-  let b = turnedTo(ray.axis, triangle.b - ray.origin);
-  let c = turnedTo(ray.axis, triangle.c - ray.origin);
-  let pa = a.xy + a.z * ray.shear.xy;
-  let pb = b.xy + b.z * ray.shear.xy;
-  let pc = c.xy + c.z * ray.shear.xy;
-  let u = edge(pc, pb);
-  let v = edge(pa, pc);
-  let w = edge(pb, pa);
-  let sum = u + v + w;
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
-  let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
-  let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
-  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse);
-}
-
-const countShift = 28u;
-
-fn edge(a: vec2f, b: vec2f) -> f32 {
-  let p = a.x * b.y;
-  let q = a.y * b.x;
-  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
-}
-
-struct TriangleHit {
-  // Below 0: missed.
-  t: f32,
-  // How much the second and third vertex count.
-  weights: vec2f,
-}
-
 
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
 
@@ -2842,8 +2045,8 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
 }
 
 // A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape);
+fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
+  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
 }
 
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
@@ -2854,14 +2057,6 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 fn spread0(x: u32) -> u32 {
   let y = (x | (x << 2u)) & 0x33u;
   return (y | (y << 1u)) & 0x55u;
-}
-
-// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
-// GPU Rendering", JCGT 9(3), 2020.
-fn pcg(x: u32) -> u32 {
-  let s = x * 747796405u + 2891336453u;
-  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
-  return (w >> 22u) ^ w;
 }
 
 override hasFilter = false;

@@ -1,0 +1,194 @@
+import { describe, expect, test } from 'vitest';
+import { cubeMesh } from '../../../../../tests/fixtures/meshes/solids.ts';
+import { seededRandom } from '../../../../../tests/fixtures/random.ts';
+import { referenceNames, referenceScene } from '../../../../../tests/reference/references.ts';
+import { builtInScenes } from '../../scene/built-in/index.ts';
+import type { EnvironmentMap } from '../../scene/environment.ts';
+import type { Scene } from '../../scene/scene.ts';
+import { requireScene } from '../../scene-file/require-scene.ts';
+import { onMitsubasGrid } from './environment.ts';
+import { writeMitsuba } from './write-mitsuba.ts';
+import { plugin, string, textOf } from './xml.ts';
+
+const textIn = (scene: Scene, options = {}) =>
+  new TextDecoder().decode(writeMitsuba(scene, options).files['scene.xml']);
+const scene = (more: object = {}): Scene =>
+  requireScene({
+    version: 1,
+    name: 'Test -- scene',
+    camera: { eye: [0, 1, 5], target: [0, 1, 0], verticalFov: 40 },
+    materials: { m: {} },
+    shapes: { ball: { type: 'sphere', center: [0, 1, 0], radius: 1, material: 'm' } },
+    render: { integrator: 'path', maxDepth: 7 },
+    ...more,
+  });
+const material = (m: object) => scene({ materials: { m } });
+/** Opening and closing tags match, and nothing stands between them. */
+function expectWellFormed(xml: string): void {
+  const open: string[] = [];
+  for (const [, close, tag, self] of xml.matchAll(/<(\/?)([a-z]+)(?: [a-z_]+="[^"<&]*(?:&[a-z]+;[^"<&]*)*")*(\/?)>/g)) {
+    if (close) expect(open.pop()).toBe(tag);
+    else if (!self) open.push(tag!);
+  }
+  expect(open).toEqual([]);
+  expect(
+    xml
+      .replace(/<!--.*?-->/s, '')
+      .replace(/<[^>]*>/g, '')
+      .trim(),
+  ).toBe('');
+}
+
+test.each(
+  [...builtInScenes.map(({ scene: one }) => one), ...referenceNames.map(referenceScene)].map(
+    (one) => [one.name, one] as const,
+  ),
+)('%s is well-formed, and every file that it names is there', (_, one) => {
+  const { files } = writeMitsuba(one);
+  const xml = new TextDecoder().decode(files['scene.xml']);
+  expectWellFormed(xml);
+  for (const [, name] of xml.matchAll(/name="filename" value="([^"]*)"/g)) expect(Object.keys(files)).toContain(name);
+  const ids = [...xml.matchAll(/<bsdf [^>]*id="([^"]*)"/g)].map(([, id]) => id);
+  for (const [, id] of xml.matchAll(/<ref id="([^"]*)"/g))
+    expect([...ids, ...[...xml.matchAll(/shapegroup" id="([^"]*)"/g)].map(([, g]) => g)]).toContain(id);
+  const python = new TextDecoder().decode(files['scene.py']);
+  for (const [, type] of xml.matchAll(/type="(mirrorball_\w+)"/g))
+    expect(python).toContain(`mi.register_bsdf('${type}'`);
+});
+
+test('camera, film, depth', () => {
+  const xml = textIn(scene(), { width: 64, height: 32, samples: 9 });
+  for (const part of [
+    '<integrator type="path">\n    <integer name="max_depth" value="7"/>',
+    '<float name="fov" value="40"/>',
+    'name="fov_axis" value="y"',
+    'origin="0, 1, 5" target="0, 1, 0" up="0, 1, 0"',
+    'name="width" value="64"',
+    'name="sample_count" value="9"',
+    '<rfilter type="box"/>',
+  ])
+    expect(xml).toContain(part);
+  const lens = { eye: [0, 1, 5], target: [0, 1, 0], aperture: 0.1 };
+  expect(textIn(scene({ camera: lens }))).toMatch(
+    /type="thinlens"[\s\S]*"aperture_radius" value="0.1"[\s\S]*"focus_distance" value="5"/,
+  );
+  const flat = { eye: [0, 1, 5], target: [0, 1, 0], projection: 'orthographic', viewHeight: 4 };
+  expect(textIn(scene({ camera: flat }), { width: 30, height: 10 })).toContain('<scale x="6" y="6"/>');
+  const round = { eye: [0, 1, 5], target: [0, 1, 0], projection: 'equirectangular' };
+  expect(() => textIn(scene({ camera: round }))).toThrow('equirectangular');
+});
+
+describe('materials', () => {
+  test.each([
+    ['diffuse', {}, /twosided[\s\S]*<bsdf type="diffuse">[\s\S]*0.8, 0.8, 0.8/, false],
+    [
+      'a mirror',
+      { type: 'conductor' },
+      /<bsdf type="conductor">[\s\S]*"material" value="none"[\s\S]*"specular_reflectance"/,
+      false,
+    ],
+    ['gold', { type: 'conductor', conductor: 'gold' }, /<bsdf type="conductor">\s*<rgb name="eta"/, false],
+    [
+      'rough gold',
+      { type: 'conductor', conductor: 'gold', roughness: 0.5 },
+      /mirrorball_opaque[\s\S]*"kind" value="conductor"[\s\S]*"alpha" value="0.25"/,
+      true,
+    ],
+    ['plastic', { type: 'metallicRoughness', metallic: 0.5 }, /"kind" value="gltf"[\s\S]*"metallic" value="0.5"/, true],
+    ['half a mirror', { reflectivity: 0.5 }, /"kind" value="diffuse"[\s\S]*"reflectivity" value="0.5"/, true],
+    ['glass', { type: 'dielectric', ior: 1.8 }, /<bsdf type="dielectric"[\s\S]*"int_ior" value="1.8"/, false],
+    ['a pane', { type: 'dielectric', thin: true }, /<bsdf type="thindielectric"/, false],
+    ['frosted glass', { type: 'dielectric', roughness: 0.4 }, /mirrorball_glass[\s\S]*"alpha" value="0.16"/, true],
+  ])('%s', (_, m, form, python) => {
+    const { files, report } = writeMitsuba(material(m));
+    expect(new TextDecoder().decode(files['scene.xml'])).toMatch(form);
+    expect(report.some(({ message }) => message.includes('scene.py adds it'))).toBe(python);
+  });
+  test('glass that absorbs has a medium, and an integrator that knows media', () => {
+    const xml = textIn(material({ type: 'dielectric', attenuationColor: [0.5, 1, 0.25], attenuationDistance: 2 }));
+    expect(xml).toContain('<integrator type="volpathmis">');
+    const sigma = /"sigma_t" value="([^"]*)"/.exec(xml)![1]!.split(', ').map(Number);
+    sigma.forEach((s, c) => {
+      expect(Math.exp(-2 * s)).toBeCloseTo([0.5, 1, 0.25][c]!, 9);
+    });
+  });
+  test('what is lost is named', () => {
+    const { report } = writeMitsuba(
+      material({ type: 'metallicRoughness', clearcoat: {}, sheen: {}, energyCompensation: true }),
+    );
+    const told = report.filter(({ kind }) => kind === 'lost').map(({ message, things }) => `${message} ${things}`);
+    expect(told).toEqual(
+      expect.arrayContaining([
+        'Mitsuba\'s file has no clearcoat. material "m"',
+        'Mitsuba\'s file has no sheen. material "m"',
+        expect.stringContaining('energyCompensation'),
+      ]),
+    );
+  });
+});
+
+test('lights and the sky', () => {
+  const lights = {
+    ball: { type: 'sphere', center: [0, 3, 0], radius: 0.5, radiance: 4, diffuse: [1, 0.5, 0] },
+    panel: { type: 'quad', corner: [0, 3, 0], u: [2, 0, 0], v: [0, 0, 2], radiance: 3 },
+    bulb: { type: 'point', position: [1, 2, 3], intensity: 5 },
+    torch: { type: 'spot', position: [1, 2, 3], direction: [0, -1, 0], intensity: 5, outerAngle: 30 },
+    sun: { type: 'directional', direction: [0, -1, 0], irradiance: 2 },
+  };
+  const xml = textIn(scene({ lights, sky: [0.1, 0.2, 0.3] }));
+  for (const part of [
+    'value="4, 2, 0"',
+    'value="3, 3, 3"',
+    '<point name="position" value="1, 2, 3"/>',
+    '"cutoff_angle" value="30"',
+    '"irradiance" value="2, 2, 2"',
+    '<emitter type="constant">\n    <rgb name="radiance" value="0.1, 0.2, 0.3"/>',
+  ])
+    expect(xml).toContain(part);
+  expectWellFormed(xml);
+});
+
+test('meshes are PLY files; many places are instances of one', () => {
+  const mesh = { type: 'mesh', mesh: 'cube', material: 'm' };
+  const meshes = { cube: { data: cubeMesh() } };
+  const two = { a: mesh, b: { ...mesh, translation: [3, 0, 0] } };
+  const { files } = writeMitsuba(scene({ meshes, shapes: two }));
+  expect(Object.keys(files).filter((name) => name.endsWith('.ply'))).toHaveLength(1);
+  expect(new TextDecoder().decode(files['scene.xml']).match(/<shape type="ply">/g)).toHaveLength(2);
+  const places = { a: { ...mesh, instances: [{ translation: [1, 0, 0] }, { translation: [2, 0, 0] }, {}] } };
+  const xml = textIn(scene({ meshes, shapes: places }));
+  expect(xml.match(/<shape type="instance">/g)).toHaveLength(3);
+  expect(xml.match(/<shape type="ply">/g)).toHaveLength(1);
+});
+
+test("the sky on Mitsuba's grid is the same function (seed 96)", () => {
+  const random = seededRandom(96);
+  const [width, height] = [5, 4];
+  const map: EnvironmentMap = {
+    width,
+    height,
+    data: Float32Array.from({ length: width * height * 3 }, () => random()),
+  };
+  const theirs = onMitsubasGrid(map);
+  const ours = (u: number, v: number) =>
+    bilinear(map, u * width - 0.5, Math.min(Math.max(v * height - 0.5, 0), height - 1));
+  for (let k = 0; k < 200; k++) {
+    const [u, v] = [random(), random()];
+    const other = bilinear(theirs, u * theirs.width - 0.5, v * (theirs.height - 1));
+    other.forEach((x, c) => {
+      expect(x).toBeCloseTo(ours(u, v)[c]!, 5);
+    });
+  }
+});
+function bilinear({ width, height, data }: EnvironmentMap, x: number, y: number): number[] {
+  const [left, top] = [Math.floor(x), Math.min(Math.floor(y), height - 2)];
+  const at = (i: number, j: number, c: number) => data[(j * width + ((i + width) % width)) * 3 + c]!;
+  return [0, 1, 2].map((c) => {
+    const line = (j: number) => at(left, j, c) * (1 - (x - left)) + at(left + 1, j, c) * (x - left);
+    return line(top) * (1 - (y - top)) + line(top + 1) * (y - top);
+  });
+}
+
+test('names are escaped', () => {
+  expect(textOf(plugin('bsdf', 'a', [string('n', '<&">')]))).toContain('value="&lt;&amp;&quot;&gt;"');
+});

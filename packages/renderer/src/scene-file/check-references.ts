@@ -1,0 +1,96 @@
+/** Whether what things of a scene name is there. */
+import type { Sections } from './check-scene.ts';
+import { usesIn } from './complete-names.ts';
+import type { FaultyPlaces } from './faulty-places.ts';
+import { nearest, type Path, type ProblemList, quote } from './problem.ts';
+
+/** Sections whose things are named, and what one of them is called. */
+const KINDS = {
+  materials: 'material',
+  meshes: 'mesh',
+  nodes: 'node',
+  skins: 'skin',
+  images: 'image',
+  textures: 'texture',
+  shapes: 'shape',
+  clips: 'clip',
+} as const;
+type Section = keyof typeof KINDS;
+
+/** Tells of names that lead nowhere; passes over sections that could not be read. */
+export class References {
+  readonly #scene: Sections;
+  readonly #faulty: FaultyPlaces;
+  readonly #problems: ProblemList;
+
+  constructor(scene: Sections, faulty: FaultyPlaces, problems: ProblemList) {
+    this.#scene = scene;
+    this.#faulty = faulty;
+    this.#problems = problems;
+  }
+
+  /** `path`: where the name stands; `who`: what has it, such as `The shape "ball"`. */
+  check(path: Path, who: string, section: Section, wanted: string | undefined): void {
+    const things = this.#scene[section] ?? {};
+    if (wanted === undefined || this.#faulty.has(section) || Object.hasOwn(things, wanted)) return;
+    const kind = KINDS[section];
+    const names = Object.keys(things);
+    const listed = listOfNames(names, `a${kind === 'image' ? 'n' : ''} ${kind}`);
+    const meant = nearest(wanted, names);
+    const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
+    const message = `${who} uses the ${kind} ${quote(wanted)}, which this scene does not have; it needs ${listed}.${hint}`;
+    this.#problems.add(path, `the name ${quote(wanted)}`, listed, message);
+  }
+
+  /** Each thing of a section that could be read. */
+  each<Key extends keyof Sections>(section: Key, check: (name: string, thing: ThingOf<Key>) => void): void {
+    for (const [name, thing] of Object.entries(this.#scene[section] ?? {}))
+      if (!this.#faulty.has(section, name)) check(name, thing as ThingOf<Key>);
+  }
+}
+type ThingOf<Key extends keyof Sections> =
+  NonNullable<Sections[Key]> extends Readonly<Record<string, infer T>> ? T : never;
+
+/** In words what may stand where one of these names is wanted. */
+export function listOfNames(names: readonly string[], one: string): string {
+  if (names.length === 0) return `${one}; this scene has none yet`;
+  const more = names.length > 8 ? ` and ${names.length - 8} more` : '';
+  return `one of ${names.slice(0, 8).map((name) => quote(name)).join(', ')}${more}`; // biome-ignore format: one phrase
+}
+
+export function checkReferences(scene: Sections, faulty: FaultyPlaces, problems: ProblemList): void {
+  const references = new References(scene, faulty, problems);
+  const carried = (path: Path, who: string, thing: { readonly node?: string }) =>
+    references.check([...path, 'node'], who, 'nodes', thing.node);
+  references.each('shapes', (name, shape) => {
+    const [path, who] = [['shapes', name], `The shape ${quote(name)}`];
+    references.check([...path, 'material'], who, 'materials', shape.material);
+    carried(path, who, shape);
+    if (shape.type !== 'mesh') return;
+    references.check([...path, 'mesh'], who, 'meshes', shape.mesh);
+    references.check([...path, 'skin'], who, 'skins', shape.skin);
+  });
+  references.each('lights', (name, light) => carried(['lights', name], `The light ${quote(name)}`, light));
+  references.each('cameras', (name, camera) => carried(['cameras', name], `The camera ${quote(name)}`, camera));
+  references.each('models', (name, model) => carried(['models', name], `The model ${quote(name)}`, model));
+  if (!faulty.touches('camera')) carried(['camera'], 'The camera', scene.camera);
+  references.each('skins', (name, { joints }) =>
+    joints.forEach((joint, i) => {
+      references.check(['skins', name, 'joints', i], `The skin ${quote(name)}`, 'nodes', joint);
+    }),
+  );
+  references.each('textures', (name, texture) =>
+    references.check(['textures', name, 'image'], `The texture ${quote(name)}`, 'images', texture.image),
+  );
+  if (!faulty.has('materials'))
+    for (const { texture, path } of usesIn(scene.materials))
+      if (!faulty.has('materials', path[0]!))
+        references.check(['materials', ...path], `The material ${quote(path[0]!)}`, 'textures', texture);
+  references.each('variants', (name, variant) => {
+    for (const [shape, material] of Object.entries(variant)) {
+      const [path, who] = [['variants', name, shape], `The variant ${quote(name)}`];
+      references.check(path, who, 'shapes', shape);
+      references.check(path, who, 'materials', material);
+    }
+  });
+}

@@ -1,0 +1,1721 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
+struct Layers {
+    vec4 first;
+    vec4 second;
+};
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
+struct RayPair {
+    vec3 point;
+    uint shape;
+    LeftTriangle left;
+    float tMin;
+    bool goesOn;
+    vec3 direction;
+    bool inwards;
+    vec3 lightDirection;
+    bool lightInwards;
+    float lightDistance;
+    uint lightShape;
+    uint number;
+};
+struct PairHit {
+    float t;
+    uint shape;
+    bool blocked;
+    LeftTriangle triangle;
+    vec2 weights;
+};
+struct Sight {
+    RayPair rays;
+    PairHit hit;
+    float closeness;
+};
+struct Sampler {
+    uint key;
+    uint salt;
+    uint sample_;
+    uint place;
+};
+struct Frame {
+    vec3 right;
+    float width;
+    vec3 up;
+    float height;
+    vec3 forward;
+    uint lightCount;
+    vec3 horizon;
+    uint sampleIndex;
+    vec3 zenith;
+    uint seed;
+    vec2 jitter;
+    vec2 dividers;
+    uvec4 shapeEnds;
+    uint occluderEnd;
+    uint seenLightEnd;
+    uint emitterCount;
+    uint maxDepth;
+    uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
+    float environmentTurn;
+    vec2 environmentSize;
+    uint sampleCount;
+    uint instances;
+    uint shares;
+    uvec2 tile;
+    uint instanceCount;
+};
+struct Group {
+    uint index;
+    uint shift;
+    uint seedA;
+    uint seedB;
+};
+struct CameraRay {
+    vec3 origin;
+    vec3 direction;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct Extent {
+    vec4 a;
+    vec4 b;
+};
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
+};
+struct MeshRays {
+    vec3 origin;
+    vec3 direction;
+    vec3 lightDirection;
+    float least;
+    float most;
+    float lightMost;
+    uint number;
+};
+struct MeshHit {
+    float t;
+    uint instance;
+    uint triangle;
+    vec2 weights;
+    bool blocked;
+};
+struct SlabRay {
+    vec3 inverse_;
+    vec3 offset;
+    uvec3 near;
+};
+struct MeshRay {
+    vec3 origin;
+    uint axis;
+    vec3 shear;
+};
+struct Instance {
+    vec4 toMeshX;
+    vec4 toMeshY;
+    vec4 toMeshZ;
+    uint nodes;
+    uint triangles;
+    uint row;
+    uint cover;
+    uint vertices;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+};
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
+};
+struct TriangleHit {
+    float t;
+    vec2 weights;
+    bool front;
+};
+struct MaterialTextures {
+    uint count;
+    uint flags;
+    float opacity;
+    float cutoff;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
+struct VertexMore {
+    uint redGreen;
+    uint blueAlpha;
+    vec2 uv;
+};
+struct TextureUse {
+    vec3 toU;
+    uint slot;
+    vec3 toV;
+    uint flags;
+    uint first;
+    uint width;
+    uint height;
+    float scale;
+};
+struct Neighbours {
+    uint first;
+    uint second;
+    float share;
+};
+struct Surface {
+    vec3 baseColor;
+    float code;
+    vec3 emission;
+    float reflectivity;
+    vec3 eta;
+    float alpha;
+    vec3 k;
+    float metallic;
+    vec3 absorption;
+    float textures;
+};
+struct Layers0_ {
+    vec3 specularColor;
+    float specularWeight;
+    vec3 sheenColor;
+    float sheenRoughness;
+    vec3 beyondColor;
+    float beyond;
+    vec2 grain;
+    float anisotropy;
+    float transmission;
+    float coat;
+    float coatRoughness;
+    float ior;
+    float solid;
+    float film;
+    float filmIor;
+    float filmThickness;
+    float filmLeast;
+    float dispersion;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct SurfacePoint {
+    Surface surface;
+    Layers0_ layers;
+    vec3 geometric;
+    vec3 shading;
+    vec3 grain;
+};
+struct MeshPoint {
+    vec3 geometric;
+    vec3 shading;
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+    vec4 uv;
+    vec4 color;
+};
+struct Material {
+    vec3 baseColor;
+    float reflectivity;
+    float specular;
+    float exponent;
+    float id;
+    float spare;
+};
+const uint noShape = 4294967295u;
+const uint noInstance = 4294967295u;
+const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint noLeaf = 0u;
+const uint beginning = 4294967294u;
+const uint leafBit = 2147483648u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint leastToGreatest = 3u;
+const uint leaving = 4294967295u;
+const uint placeMask = 268435455u;
+const uint instanceRows = 5u;
+const uint triangleRows = 3u;
+const uint isOneSided = 2147483648u;
+const uint coverRow = 2147483647u;
+const uint countShift = 28u;
+const uint vertexRows = 1u;
+const uint hasOpacityTexture = 2u;
+const uint materialTexturesRows = 1u;
+const uint isNearest = 4u;
+const uint clampsU = 8u;
+const uint mirrorsU = 16u;
+const uint clampsV = 32u;
+const uint mirrorsV = 64u;
+const uint isColor = 2u;
+const uint usesSecondSet = 1u;
+const uint metallicRoughness = 1u;
+const uint hasNormals = 1u;
+const uint hasTangents = 2u;
+const uint isUnlit = 1u;
+const uint textureUseRows = 3u;
+const uint baseColorSlot = 0u;
+const uint emissionSlot = 1u;
+const uint metallicRoughnessSlot = 2u;
+const uint normalSlot = 3u;
+const uint specularWeightSlot = 4u;
+const uint specularColorSlot = 5u;
+const uint transmissionSlot = 6u;
+const uint beyondSlot = 7u;
+const uint beyondColorSlot = 8u;
+const uint coatSlot = 9u;
+const uint coatRoughnessSlot = 10u;
+const uint sheenColorSlot = 11u;
+const uint sheenRoughnessSlot = 12u;
+const uint filmSlot = 14u;
+const uint filmThicknessSlot = 15u;
+const uint anisotropySlot = 13u;
+const uint dielectric = 3u;
+const uint conductor = 2u;
+
+uniform highp sampler2D previousFirst;
+
+uniform highp sampler2D previousSecond;
+
+layout(std140) uniform FrameBlock { Frame frame; };
+
+const bool hasFilter = false;
+
+const bool hasLens = false;
+
+const bool hasOtherProjections = false;
+
+const bool hasSpheres = true;
+
+uniform highp sampler2D sceneTable;
+
+const bool hasBoxes = true;
+
+const bool hasTurnedBoxes = true;
+
+const bool hasQuads = false;
+
+const bool hasPlanes = true;
+
+const bool hasMeshes = false;
+
+uniform highp usampler2D geometry;
+
+uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+const bool hasOneSided = false;
+
+const bool hasCutouts = false;
+
+uniform highp usampler2D texels;
+
+const bool hasLayers = false;
+
+const bool hasMetallicRoughness = false;
+
+const bool hasTextures = false;
+
+const bool hasGlass = false;
+
+layout(location = 0) out vec4 _fs2p_location0;
+layout(location = 1) out vec4 _fs2p_location1;
+
+uint pcg(uint x) {
+    uint s_6 = ((x * 747796405u) + 2891336453u);
+    uint w_1 = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
+    return ((w_1 >> 22u) ^ w_1);
+}
+
+uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
+    uint _e5 = pcg(seed);
+    uint _e7 = pcg((sampleIndex + _e5));
+    uint _e9 = pcg((pixel.y + _e7));
+    uint _e11 = pcg((pixel.x + _e9));
+    return _e11;
+}
+
+uint spread(uint x_1) {
+    uint y_5 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_5 | (y_5 << 1u)) & 85u);
+}
+
+uint reverseHalves(uint x_2) {
+    uint y = 0u;
+    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
+    uint _e11 = y;
+    uint _e16 = y;
+    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y;
+    uint _e27 = y;
+    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y;
+    uint _e38 = y;
+    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+}
+
+uint mixBits(uint x_3) {
+    uint y_1 = 0u;
+    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    uint _e7 = y_1;
+    uint _e8 = y_1;
+    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
+    uint _e14 = y_1;
+    uint _e15 = y_1;
+    return (_e14 ^ (_e15 >> 15u));
+}
+
+Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
+    uint _e5 = frame.independent;
+    bool independent = (_e5 != 0u);
+    uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
+    uint _e19 = spread((pixel_1.x & 15u));
+    uint _e23 = spread((pixel_1.y & 15u));
+    uint place_2 = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_2 << 24u)));
+    uint used = pick(independent, 0u, _e32);
+    uint _e37 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+}
+
+float filterAxis(float u) {
+    float across = ((2.0 * u) - 1.0);
+    float x_10 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_10), 15.0);
+    float t_4 = (x_10 - piece);
+    vec4 c_1 = frame.filterPieces[uint(piece)];
+    float offset_3 = (c_1.x + (t_4 * (c_1.y + (t_4 * (c_1.z + (t_4 * c_1.w))))));
+    return pick((across < 0.0), -(offset_3), offset_3);
+}
+
+vec2 filterOffset(vec2 u_1) {
+    vec2 offset = vec2(0.0);
+    offset = (u_1 - vec2(0.5));
+    const bool _e6 = hasFilter;
+    if (_e6) {
+        float _e8 = filterAxis(u_1.x);
+        float _e10 = filterAxis(u_1.y);
+        offset = vec2(_e8, _e10);
+    }
+    vec2 _e12 = offset;
+    return _e12;
+}
+
+uint scramble(uint x_4, uint seed_2) {
+    uint y_2 = 0u;
+    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    uint _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
+    uint _e13 = y_2;
+    uint _e14 = y_2;
+    y_2 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_2;
+    uint _e19 = y_2;
+    return (_e18 ^ (_e19 * 1403136100u));
+}
+
+uint pascal(uint x_5) {
+    uint y_3 = 0u;
+    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    uint _e7 = y_3;
+    uint _e8 = y_3;
+    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_3;
+    uint _e15 = y_3;
+    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_3;
+    uint _e22 = y_3;
+    return (_e21 ^ ((_e22 >> 8u) & 255u));
+}
+
+uint timesW(uint x_6) {
+    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
+}
+
+float toUnit(uint reversed, uint scrambled) {
+    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+}
+
+vec2 points2d(Group g) {
+    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
+    uint _e8 = timesW(g.shift);
+    uint _e10 = pascal((g.index ^ _e8));
+    uint _e12 = scramble(_e10, g.seedB);
+    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
+    float _e21 = toUnit((_e18 & 65535u), _e5);
+    float _e24 = toUnit((_e18 >> 16u), _e12);
+    return vec2(_e21, _e24);
+}
+
+uint timesW2_(uint x_7) {
+    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+}
+
+uint shiftOfPlace(uint x_8) {
+    uint y_4 = 0u;
+    uint _e5 = timesW(((x_8 >> 2u) & 51u));
+    y_4 = (x_8 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
+    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
+    uint _e17 = timesW(_e16);
+    uint _e18 = y_4;
+    return (_e17 | (_e18 << 8u));
+}
+
+Group nextGroup(inout Sampler s) {
+    uint _e3 = s.key;
+    s.key = (_e3 + 1u);
+    uint _e7 = s.key;
+    uint _e8 = mixBits(_e7);
+    uint _e10 = s.salt;
+    uint half_ = ((_e8 ^ _e10) * 2654435761u);
+    uint b_1 = (half_ ^ (half_ >> 16u));
+    uint _e18 = s.place;
+    uint _e19 = scramble(_e18, b_1);
+    uint _e21 = s.sample_;
+    uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint _e28 = s.sample_;
+    uint _e30 = scramble((_e28 ^ own), _e8);
+    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e36 = shiftOfPlace((_e19 & 255u));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_1 >> 16u) | (b_1 << 16u)));
+}
+
+vec2 next2d(inout Sampler s_1) {
+    Group _e1 = nextGroup(s_1);
+    vec2 _e2 = points2d(_e1);
+    return _e2;
+}
+
+vec2 concentricDisc(vec2 u_2) {
+    vec2 p_10 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_10.x) > abs(p_10.y));
+    float radius_1 = pick(wide, p_10.x, p_10.y);
+    float ratio = (pick(wide, p_10.y, p_10.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio), (1.5707964 - (0.7853982 * ratio)));
+    return (radius_1 * vec2(cos(angle), sin(angle)));
+}
+
+CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
+    CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
+    float _e7 = frame.width;
+    float x_11 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float _e16 = frame.height;
+    float y_6 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    vec3 _e22 = frame.right;
+    vec3 _e26 = frame.up;
+    vec3 across_1 = ((x_11 * _e22) + (y_6 * _e26));
+    const bool _e30 = hasOtherProjections;
+    uint _e33 = frame.projection;
+    bool orthographic = pick(_e30, (_e33 == 1u), false);
+    vec3 _e39 = frame.forward;
+    vec3 _e43 = frame.forward;
+    vec3 ahead = pick(orthographic, _e43, (_e39 + across_1));
+    float _e47 = frame.aperture;
+    vec3 _e51 = frame.right;
+    vec3 _e57 = frame.up;
+    vec3 lens_1 = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
+    float _e66 = frame.focusDistance;
+    ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
+    const bool _e74 = hasOtherProjections;
+    uint _e77 = frame.projection;
+    if (pick(_e74, (_e77 == 2u), false)) {
+        float longitude = (3.1415927 * x_11);
+        float latitude = (1.5707964 * y_6);
+        vec3 _e88 = frame.right;
+        vec3 _e93 = frame.forward;
+        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
+        vec3 _e103 = frame.up;
+        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    }
+    CameraRay _e108 = ray;
+    return _e108;
+}
+
+CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
+    vec2 lensPoint_1 = vec2(0.0);
+    const bool _e6 = hasLens;
+    if (_e6) {
+        vec2 _e7 = concentricDisc(lens);
+        lensPoint_1 = _e7;
+    }
+    vec2 _e8 = lensPoint_1;
+    CameraRay _e9 = rayThroughLens(filmPosition_1, _e8);
+    return _e9;
+}
+
+RayPair oneRay(vec3 origin, vec3 direction, uint number) {
+    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
+}
+
+uint numberOfNext(Sampler s_2) {
+    uint _e8 = mixBits((((s_2.key + 1u) ^ s_2.salt) ^ 2246822507u));
+    uint _e15 = mixBits((_e8 + ((s_2.sample_ << 8u) | s_2.place)));
+    return _e15;
+}
+
+Bounds fetchBounds(uint i) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
+    return Bounds(t0_.xyz, t0_.w);
+}
+
+float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin_1);
+    float along = dot(toCenter, direction_1);
+    vec3 across_2 = (toCenter - (along * direction_1));
+    float discriminant = ((radius * radius) - dot(across_2, across_2));
+    float half_1 = sqrt(max(discriminant, 0.0));
+    float near = (along - half_1);
+    float far = (along + half_1);
+    float t_5 = pick((near > tMin), near, far);
+    return pick(startsInside, max(far, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
+}
+
+PairHit meet(PairHit found, RayPair p, uint i_1, vec2 t) {
+    bool own_1 = (i_1 == p.shape);
+    float pathT = pick(pick(own_1, !(p.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_1, !(p.lightInwards), false), true, (i_1 == p.lightShape)), 1e30, t.y);
+    bool nearer_1 = (pathT < found.t);
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p.lightDistance)), noTriangle, vec2(0.0));
+}
+
+PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
+    Bounds _e3 = fetchBounds(i_2);
+    bool own_2 = (i_2 == p_1.shape);
+    float _e13 = intersectSphere(p_1.point, p_1.direction, _e3.center, _e3.radius, p_1.tMin, pick(own_2, p_1.inwards, false));
+    float _e21 = intersectSphere(p_1.point, p_1.lightDirection, _e3.center, _e3.radius, p_1.tMin, pick(own_2, p_1.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_1, i_2, vec2(_e13, _e21));
+    return _e23;
+}
+
+Extent fetchExtent(uint i_3) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_1.xyzw, t1_.xyzw);
+}
+
+vec3 rotate(vec4 q, vec3 v) {
+    vec3 t_6 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
+}
+
+vec3 turned(vec4 q_1, vec3 v_1) {
+    vec3 w = vec3(0.0);
+    w = v_1;
+    const bool _e4 = hasTurnedBoxes;
+    if (_e4) {
+        vec3 _e5 = rotate(q_1, v_1);
+        w = _e5;
+    }
+    vec3 _e6 = w;
+    return _e6;
+}
+
+vec3 safeReciprocal(vec3 d, vec3 origin_2) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_2, origin_3);
+    vec3 middle = (-(origin_3) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
+}
+
+PairHit meetBox(PairHit found_2, RayPair p_2, uint i_4) {
+    Bounds _e3 = fetchBounds(i_4);
+    Extent _e4 = fetchExtent(i_4);
+    bool own_3 = (i_4 == p_2.shape);
+    vec3 _e11 = turned(_e4.a, (p_2.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_2.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_2.tMin, pick(own_3, p_2.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_2.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_2, i_4, vec2(_e20, _e29));
+    return _e31;
+}
+
+float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_4 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_4);
+    vec3 toCenter_1 = (center_1 - origin_5);
+    float t_8 = (dot(toCenter_1, normal_4) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_11 = ((t_8 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_11, reciprocalU)), abs(dot(p_11, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
+}
+
+PairHit meetQuad(PairHit found_3, RayPair p_3, uint i_5) {
+    Bounds _e3 = fetchBounds(i_5);
+    Extent _e4 = fetchExtent(i_5);
+    float _e13 = intersectQuad(p_3.point, p_3.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_3.tMin);
+    float _e22 = intersectQuad(p_3.point, p_3.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_3.tMin);
+    PairHit _e24 = meet(found_3, p_3, i_5, vec2(_e13, _e22));
+    return _e24;
+}
+
+float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_5, normal);
+    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
+    uint _e30 = frame.planesCutView;
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
+}
+
+PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
+    Bounds _e3 = fetchBounds(i_6);
+    float _e9 = intersectPlane(p_4.point, p_4.direction, _e3.center, _e3.radius, p_4.tMin);
+    float _e15 = intersectPlane(p_4.point, p_4.lightDirection, _e3.center, _e3.radius, p_4.tMin);
+    PairHit _e17 = meet(found_4, p_4, i_6, vec2(_e9, _e15));
+    return _e17;
+}
+
+uvec4 geometryRow(uint i_7) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
+    return _e8;
+}
+
+vec4 planes(uint row, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
+    vec4 _e45 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
+    vec4 _e52 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e60 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e45, _e52), _e60);
+    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
+    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
+}
+
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+float edge(vec2 a, vec2 b) {
+    float p_12 = (a.x * b.y);
+    float q_3 = (a.y * b.x);
+    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_12)));
+}
+
+TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
+    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2), ((sum * ray_1.shear.z) > 0.0));
+}
+
+Triangle fetchTriangle(uint row_2) {
+    uvec4 _e3 = geometryRow((row_2 + 0u));
+    uvec4 _e6 = geometryRow((row_2 + 1u));
+    uvec4 _e9 = geometryRow((row_2 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+uvec4 texelRow(uint i_8) {
+    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
+    return _e8;
+}
+
+MaterialTextures fetchMaterialTextures(uint row_3) {
+    uvec4 _e3 = texelRow((row_3 + 0u));
+    return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
+}
+
+Vertex fetchVertex(uint row_4) {
+    uvec4 _e3 = geometryRow((row_4 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+VertexMore fetchVertexMore(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
+    return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec2 pairOf(uint word) {
+    return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
+}
+
+TextureUse fetchTextureUse(uint row_6) {
+    uvec4 _e3 = texelRow((row_6 + 0u));
+    uvec4 _e6 = texelRow((row_6 + 1u));
+    uvec4 _e9 = texelRow((row_6 + 2u));
+    return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
+}
+
+Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
+    float at = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
+    float low = floor(at);
+    int last = (int(size) - 1);
+    int first = int(low);
+    int second = (first + 1);
+    bool repeats = !(pick(clamps, true, mirrors));
+    int before = pick(repeats, last, 0);
+    int after = pick(repeats, 0, last);
+    return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at - low)));
+}
+
+vec3 linearFromSrgb(vec3 c) {
+    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+}
+
+vec4 decoded(uint texel, bool colored) {
+    vec4 c_2 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_2.xyz);
+    return vec4(pick(colored, _e18, c_2.xyz), c_2.w);
+}
+
+uint texelAt(uint i_9) {
+    uvec4 _e3 = texelRow((i_9 >> 2u));
+    uvec2 pair = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_9 & 1u) != 0u), pair.y, pair.x);
+}
+
+vec4 lookUp(TextureUse t_2, vec2 uv) {
+    vec3 place_3 = vec3(uv, 1.0);
+    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_2.toU, place_3), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_3), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_2.first + (_e36.first * t_2.width));
+    uint lower = (t_2.first + (_e36.second * t_2.width));
+    bool colored_1 = ((t_2.flags & isColor) != 0u);
+    uint _e54 = texelAt((upper + _e22.first));
+    vec4 _e55 = decoded(_e54, colored_1);
+    uint _e58 = texelAt((upper + _e22.second));
+    vec4 _e59 = decoded(_e58, colored_1);
+    vec4 above = mix(_e55, _e59, _e22.share);
+    uint _e64 = texelAt((lower + _e22.first));
+    vec4 _e65 = decoded(_e64, colored_1);
+    uint _e68 = texelAt((lower + _e22.second));
+    vec4 _e69 = decoded(_e68, colored_1);
+    vec4 below = mix(_e65, _e69, _e22.share);
+    return mix(above, below, _e36.share);
+}
+
+float unitFloat(uint h) {
+    return (float((h >> 8u)) * 5.9604645e-8);
+}
+
+bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
+    vec4 uv_1 = vec4(0.0);
+    float opacity = 0.0;
+    uint _e6 = frame.instances;
+    Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
+    Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
+    uint row_7 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_7);
+    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
+    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
+    opacity = _e19.opacity;
+    if ((_e10.vertexRows != 0u)) {
+        Vertex _e45 = fetchVertex(rows.x);
+        Vertex _e50 = fetchVertex(rows.y);
+        Vertex _e56 = fetchVertex(rows.z);
+        uv_1 = vec4((((share.x * _e45.uv) + (share.y * _e50.uv)) + (share.z * _e56.uv)), 0.0, 0.0);
+    }
+    if ((_e10.vertexRows > vertexRows)) {
+        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
+        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
+        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
+        vec4 _e78 = uv_1;
+        uv_1 = vec4(_e78.xy, (((share.x * _e69.uv) + (share.y * _e73.uv)) + (share.z * _e77.uv)));
+        float _e92 = opacity;
+        vec2 _e94 = pairOf(_e69.blueAlpha);
+        vec2 _e97 = pairOf(_e73.blueAlpha);
+        vec2 _e100 = pairOf(_e77.blueAlpha);
+        opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
+    }
+    if (((_e19.flags & hasOpacityTexture) != 0u)) {
+        TextureUse _e112 = fetchTextureUse((row_7 + materialTexturesRows));
+        float _e113 = opacity;
+        vec4 _e114 = uv_1;
+        vec4 _e116 = uv_1;
+        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
+        opacity = (_e113 * _e124.w);
+    }
+    uint _e127 = pcg(number_1);
+    uint _e129 = pcg((instance + _e127));
+    uint _e131 = pcg((place + _e129));
+    float _e132 = unitFloat(_e131);
+    float _e133 = opacity;
+    float _e136 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+}
+
+MeshHit traverse(MeshRays rays, LeftTriangle left) {
+    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    bool toLight = false;
+    float most = 0.0;
+    uint instance_1 = noInstance;
+    uint nodes = 0u;
+    uint triangles = 0u;
+    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
+    MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
+    uint top = 0u;
+    uint cover = 0u;
+    uint doubted = noLeaf;
+    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
+    uint missing = noLeaf;
+    uint current = 0u;
+    bool pops = false;
+    vec3 o = vec3(0.0);
+    vec3 d_1 = vec3(0.0);
+    bool nearer = false;
+    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
+    toLight = !((rays.most > 0.0));
+    bool _e17 = toLight;
+    most = pick(_e17, rays.lightMost, rays.most);
+    uint _e59 = frame.instanceCount;
+    bool alone = (_e59 == 1u);
+    uint first_1 = pick(alone, leafBit, beginning);
+    current = first_1;
+    uint _e68 = frame.instanceCount;
+    float _e71 = most;
+    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
+        MeshHit _e76 = found_5;
+        return _e76;
+    }
+    while(true) {
+        while(true) {
+            pops = false;
+            uint _e79 = current;
+            if (((_e79 & leafBit) == 0u)) {
+                uint _e84 = nodes;
+                uint _e85 = current;
+                uint node_1 = (_e84 + (_e85 * nodeRows));
+                uvec4 _e91 = geometryRow((node_1 + childrenRow));
+                SlabRay _e92 = slabs;
+                float _e93 = most;
+                vec4 _e94 = enterChildren(node_1, _e92, _e91, _e93);
+                bool a_1 = (_e94.x < _e94.z);
+                bool b_2 = (_e94.y < _e94.w);
+                vec2 t0_2 = pick(a_1, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
+                uvec2 r0_ = pick(a_1, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
+                vec2 t1_1 = pick(b_2, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
+                uvec2 r1_ = pick(b_2, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+                bool c_3 = (t0_2.x < t1_1.x);
+                bool d_2 = (t0_2.y < t1_1.y);
+                vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
+                uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
+                uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                bool e = (ta.y < tb.x);
+                vec2 tm = pick(e, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                if ((ta.x < 1e30)) {
+                    uint _e184 = top;
+                    stack[_e184] = ra.x;
+                    uint _e188 = top;
+                    top = (_e188 + 1u);
+                }
+                if ((tm.x < 1e30)) {
+                    uint _e194 = top;
+                    stack[_e194] = rm.x;
+                    uint _e198 = top;
+                    top = (_e198 + 1u);
+                }
+                if ((tm.y < 1e30)) {
+                    uint _e204 = top;
+                    stack[_e204] = rm.y;
+                    uint _e208 = top;
+                    top = (_e208 + 1u);
+                }
+                pops = (tb.y >= 1e30);
+                current = rb.y;
+            } else {
+                uint _e214 = instance_1;
+                uint _e217 = current;
+                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
+                    uint _e221 = current;
+                    bool toWorld = (_e221 >= beginning);
+                    uint _e224 = current;
+                    pops = (_e224 == leaving);
+                    uint _e227 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e227 & placeMask));
+                    o = rays.origin;
+                    bool _e236 = toLight;
+                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld)) {
+                        uint _e243 = frame.instances;
+                        uint _e244 = instance_1;
+                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
+                        vec3 _e249 = o;
+                        vec4 p_13 = vec4(_e249, 1.0);
+                        o = vec3(dot(_e248.toMeshX, p_13), dot(_e248.toMeshY, p_13), dot(_e248.toMeshZ, p_13));
+                        vec3 _e261 = d_1;
+                        vec3 _e265 = d_1;
+                        vec3 _e269 = d_1;
+                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
+                        nodes = _e248.nodes;
+                        triangles = _e248.triangles;
+                        cover = _e248.cover;
+                        if (!(alone)) {
+                            uint _e277 = top;
+                            stack[_e277] = leaving;
+                            uint _e281 = top;
+                            top = (_e281 + 1u);
+                        }
+                    }
+                    current = 0u;
+                    vec3 _e284 = o;
+                    vec3 _e285 = d_1;
+                    SlabRay _e286 = slabRay(_e284, _e285);
+                    slabs = _e286;
+                    vec3 _e287 = o;
+                    vec3 _e288 = d_1;
+                    MeshRay _e289 = meshRay(_e287, _e288);
+                    ray_2 = _e289;
+                } else {
+                    uint _e290 = current;
+                    uint place_4 = (_e290 & placeMask);
+                    MeshRay _e293 = ray_2;
+                    uint _e294 = triangles;
+                    Triangle _e298 = fetchTriangle((_e294 + (place_4 * triangleRows)));
+                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
+                    uint _e300 = instance_1;
+                    bool own_4 = pick((_e300 == left.instance), (place_4 == left.triangle), false);
+                    float _e310 = most;
+                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_4), false);
+                    const bool _e317 = hasOneSided;
+                    if (_e317) {
+                        bool _e318 = nearer;
+                        uint _e320 = cover;
+                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
+                    }
+                    const bool _e328 = hasCutouts;
+                    if (_e328) {
+                        bool _e329 = nearer;
+                        uint _e330 = current;
+                        uint _e331 = missing;
+                        nearer = pick(_e329, (_e330 != _e331), false);
+                        missing = noLeaf;
+                        bool _e335 = nearer;
+                        uint _e336 = cover;
+                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
+                            uint _e342 = current;
+                            doubted = _e342;
+                            uint _e344 = instance_1;
+                            doubtedHit = MeshHit(_e299.t, _e344, place_4, _e299.weights, false);
+                            break;
+                        }
+                    }
+                    uint _e348 = current;
+                    current = ((_e348 + 1u) - 268435456u);
+                    uint _e353 = current;
+                    pops = (((_e353 >> countShift) & 7u) == 0u);
+                    bool _e360 = nearer;
+                    if (_e360) {
+                        bool _e361 = toLight;
+                        if (_e361) {
+                            found_5.blocked = true;
+                            break;
+                        }
+                        most = _e299.t;
+                        uint _e366 = instance_1;
+                        found_5 = MeshHit(_e299.t, _e366, place_4, _e299.weights, false);
+                    }
+                }
+            }
+            bool _e370 = pops;
+            if (_e370) {
+                uint _e371 = top;
+                if ((_e371 > 0u)) {
+                    uint _e375 = top;
+                    top = (_e375 - 1u);
+                    uint _e378 = top;
+                    uint _e380 = stack[_e378];
+                    current = _e380;
+                } else {
+                    bool _e381 = toLight;
+                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+                        break;
+                    }
+                    toLight = true;
+                    most = rays.lightMost;
+                    instance_1 = noInstance;
+                    current = first_1;
+                }
+            }
+        }
+        const bool _e391 = hasCutouts;
+        if (!(_e391)) {
+            break;
+        }
+        uint _e393 = doubted;
+        if ((_e393 == noLeaf)) {
+            break;
+        }
+        uint _e397 = doubtedHit.instance;
+        uint _e399 = doubtedHit.triangle;
+        vec2 _e401 = doubtedHit.weights;
+        bool _e403 = toLight;
+        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
+        uint _e407 = doubted;
+        missing = pick(_e406, noLeaf, _e407);
+        doubted = noLeaf;
+        bool _e411 = toLight;
+        if (pick(_e406, _e411, false)) {
+            found_5.blocked = true;
+            break;
+        }
+        if (_e406) {
+            float _e416 = doubtedHit.t;
+            most = _e416;
+            MeshHit _e417 = doubtedHit;
+            found_5 = _e417;
+        }
+    }
+    MeshHit _e418 = found_5;
+    return _e418;
+}
+
+uint rowOfInstance(uint instance_2) {
+    uint _e3 = frame.instances;
+    Instance _e7 = fetchInstance((_e3 + (instance_2 * instanceRows)));
+    return _e7.row;
+}
+
+PairHit meetMeshes(PairHit found_6, RayPair p_5) {
+    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
+    float most_1 = pick(p_5.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_5.lightDistance);
+    MeshHit _e17 = traverse(MeshRays(p_5.point, p_5.direction, p_5.lightDirection, p_5.tMin, most_1, lightMost, p_5.number), p_5.left);
+    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e17.blocked), noTriangle, _e17.weights);
+    if ((_e17.instance != noInstance)) {
+        result.t = _e17.t;
+        uint _e34 = rowOfInstance(_e17.instance);
+        result.shape = _e34;
+        result.triangle = LeftTriangle(_e17.instance, _e17.triangle);
+    }
+    PairHit _e39 = result;
+    return _e39;
+}
+
+PairHit tracePair(RayPair p_6) {
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_10 = 0u;
+    uvec4 ends = frame.shapeEnds;
+    const bool _e17 = hasSpheres;
+    uint _e18 = i_10;
+    if (pick(_e17, (_e18 < ends.x), false)) {
+        while(true) {
+            PairHit _e22 = found_7;
+            uint _e23 = i_10;
+            PairHit _e24 = meetSphere(_e22, p_6, _e23);
+            found_7 = _e24;
+            uint _e26 = i_10;
+            i_10 = (_e26 + 1u);
+            uint _e28 = i_10;
+            if ((_e28 >= ends.x)) {
+                break;
+            }
+        }
+    }
+    const bool _e32 = hasBoxes;
+    uint _e33 = i_10;
+    if (pick(_e32, (_e33 < ends.y), false)) {
+        while(true) {
+            PairHit _e37 = found_7;
+            uint _e38 = i_10;
+            PairHit _e39 = meetBox(_e37, p_6, _e38);
+            found_7 = _e39;
+            uint _e41 = i_10;
+            i_10 = (_e41 + 1u);
+            uint _e43 = i_10;
+            if ((_e43 >= ends.y)) {
+                break;
+            }
+        }
+    }
+    const bool _e47 = hasQuads;
+    uint _e48 = i_10;
+    if (pick(_e47, (_e48 < ends.z), false)) {
+        while(true) {
+            PairHit _e52 = found_7;
+            uint _e53 = i_10;
+            PairHit _e54 = meetQuad(_e52, p_6, _e53);
+            found_7 = _e54;
+            uint _e56 = i_10;
+            i_10 = (_e56 + 1u);
+            uint _e58 = i_10;
+            if ((_e58 >= ends.z)) {
+                break;
+            }
+        }
+    }
+    const bool _e62 = hasPlanes;
+    uint _e63 = i_10;
+    if (pick(_e62, (_e63 < ends.w), false)) {
+        while(true) {
+            PairHit _e67 = found_7;
+            uint _e68 = i_10;
+            PairHit _e69 = meetPlane(_e67, p_6, _e68);
+            found_7 = _e69;
+            uint _e71 = i_10;
+            i_10 = (_e71 + 1u);
+            uint _e73 = i_10;
+            if ((_e73 >= ends.w)) {
+                break;
+            }
+        }
+    }
+    const bool _e77 = hasMeshes;
+    if (_e77) {
+        PairHit _e78 = found_7;
+        PairHit _e79 = meetMeshes(_e78, p_6);
+        found_7 = _e79;
+    }
+    PairHit _e80 = found_7;
+    return _e80;
+}
+
+Sight look(vec2 fragment_2) {
+    Sampler s_3 = Sampler(0u, 0u, 0u, 0u);
+    uint _e4 = frame.sampleIndex;
+    uint _e7 = frame.seed;
+    Sampler _e8 = startSampler(uvec2(fragment_2), _e4, _e7);
+    s_3 = _e8;
+    vec2 _e13 = frame.jitter;
+    vec2 _e15 = next2d(s_3);
+    vec2 _e16 = filterOffset(_e15);
+    vec2 filmPosition_2 = ((floor(fragment_2) + _e13) + _e16);
+    vec2 _e18 = next2d(s_3);
+    CameraRay _e19 = cameraRay(filmPosition_2, _e18);
+    Sampler _e22 = s_3;
+    uint _e23 = numberOfNext(_e22);
+    RayPair _e24 = oneRay(_e19.origin, _e19.direction, _e23);
+    vec2 offCentre = ((filmPosition_2 - floor(fragment_2)) - vec2(0.5));
+    PairHit _e30 = tracePair(_e24);
+    return Sight(_e24, _e30, (1.0 / (1.0 + dot(offCentre, offCentre))));
+}
+
+bool isPlane(uint i_11) {
+    uint _e4 = frame.shapeEnds.z;
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
+}
+
+vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_11 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    bool onX = (crossed.x == t_11);
+    bool onY = pick(!(onX), (crossed.y == t_11), false);
+    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+}
+
+vec3 turnedBack(vec4 q_2, vec3 v_3) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
+    return _e6;
+}
+
+bool isBox(uint i_12) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
+}
+
+bool isSphere(uint i_13) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_13 < _e4);
+}
+
+vec3 normalAt(RayPair p_7, float t_3, uint i_14) {
+    vec3 normal_1 = vec3(0.0);
+    Bounds _e3 = fetchBounds(i_14);
+    vec3 origin_10 = (p_7.point - _e3.center);
+    normal_1 = _e3.center;
+    const bool _e10 = hasQuads;
+    if (_e10) {
+        Extent _e11 = fetchExtent(i_14);
+        vec3 _e17 = normal_1;
+        bool _e18 = isPlane(i_14);
+        normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
+    }
+    const bool _e21 = hasBoxes;
+    if (_e21) {
+        Extent _e22 = fetchExtent(i_14);
+        bool inside_1 = pick((i_14 == p_7.shape), p_7.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_10);
+        vec3 _e31 = turned(_e22.a, p_7.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_7.tMin, inside_1);
+        vec3 _e36 = normal_1;
+        vec3 _e38 = turnedBack(_e22.a, _e35);
+        bool _e39 = isBox(i_14);
+        normal_1 = pick(_e39, _e38, _e36);
+    }
+    const bool _e42 = hasSpheres;
+    if (_e42) {
+        vec3 _e43 = normal_1;
+        bool _e47 = isSphere(i_14);
+        normal_1 = pick(_e47, (origin_10 + (t_3 * p_7.direction)), _e43);
+    }
+    vec3 _e49 = normal_1;
+    return normalize(_e49);
+}
+
+Surface fetchSurface(uint i_15) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_15)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_15)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_15)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_15)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_15)), 0);
+    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+}
+
+uint kindOf(uint code) {
+    return (code & 3u);
+}
+
+bool isMetallicRoughness(uint code_1) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_1);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_2, float eta) {
+    const bool _e3 = hasLayers;
+    bool _e4 = isMetallicRoughness(code_2);
+    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+}
+
+Layers0_ fetchLayers(uint i_16) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
+    return Layers0_(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+}
+
+Layers0_ layersOf(uint code_3, float eta_1) {
+    Layers0_ l = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bool _e4 = hasLayers;
+    if (_e4) {
+        bool _e5 = isLayered(code_3, eta_1);
+        if (_e5) {
+            Layers0_ _e8 = fetchLayers(uint(abs(eta_1)));
+            l = _e8;
+        }
+    }
+    Layers0_ _e9 = l;
+    return _e9;
+}
+
+vec3 fromOctahedral(uint code_4) {
+    vec2 p_14 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z = ((1.0 - abs(p_14.x)) - abs(p_14.y));
+    vec2 folded = ((vec2(1.0) - abs(p_14.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_14, vec2(0.0))));
+    return normalize(vec3(pick((z < 0.0), folded, p_14), z));
+}
+
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+    MeshPoint p_8 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
+    uint _e5 = frame.instances;
+    Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
+    Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
+    mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
+    vec3 geometric_1 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_8 = MeshPoint(geometric_1, geometric_1, vec3(0.0), vec3(0.0), geometric_1, vec4(0.0), vec4(1.0));
+    if ((_e9.vertexRows != 0u)) {
+        uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
+        Vertex _e54 = fetchVertex(rows_1.x);
+        Vertex _e56 = fetchVertex(rows_1.y);
+        Vertex _e58 = fetchVertex(rows_1.z);
+        vec3 share_1 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 _e67 = fromOctahedral(_e54.normal);
+        vec3 _e71 = fromOctahedral(_e56.normal);
+        vec3 _e76 = fromOctahedral(_e58.normal);
+        vec3 normal_5 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 smoothed = (turn * normal_5);
+        float size_2 = dot(smoothed, smoothed);
+        float side_1 = pick((dot(smoothed, geometric_1) < 0.0), -1.0, 1.0);
+        bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
+        p_8.shading = pick(useful, (smoothed * (side_1 * inversesqrt(max(size_2, 1e-37)))), geometric_1);
+        const bool _e103 = hasTextures;
+        if (_e103) {
+            p_8.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
+            if ((_e9.vertexRows > vertexRows)) {
+                VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
+                VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
+                VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
+                vec4 _e136 = p_8.uv;
+                p_8.uv = vec4(_e136.xy, (((share_1.x * _e125.uv) + (share_1.y * _e129.uv)) + (share_1.z * _e133.uv)));
+                vec2 _e152 = pairOf(_e125.redGreen);
+                vec2 _e156 = pairOf(_e129.redGreen);
+                vec2 _e161 = pairOf(_e133.redGreen);
+                vec2 redGreen = (((share_1.x * _e152) + (share_1.y * _e156)) + (share_1.z * _e161));
+                vec2 _e166 = pairOf(_e125.blueAlpha);
+                vec2 _e170 = pairOf(_e129.blueAlpha);
+                vec2 _e175 = pairOf(_e133.blueAlpha);
+                vec2 blueAlpha = (((share_1.x * _e166) + (share_1.y * _e170)) + (share_1.z * _e175));
+                p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            }
+            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                vec3 _e193 = fromOctahedral(_e54.tangent);
+                vec3 _e197 = fromOctahedral(_e56.tangent);
+                vec3 _e202 = fromOctahedral(_e58.tangent);
+                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
+                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                p_8.normal = (smoothed * side_1);
+                p_8.tangent = ((turn * tangent_2) * side_1);
+                p_8.bitangent = ((turn * cross(normal_5, tangent_2)) * (hand * side_1));
+            }
+        }
+    }
+    MeshPoint _e223 = p_8;
+    return _e223;
+}
+
+bool isSmooth(uint code_5) {
+    return ((code_5 & 32u) != 0u);
+}
+
+void takeUpLayer(inout Layers0_ l_1, uint slot, vec4 texel_1) {
+    float _e4 = l_1.specularWeight;
+    l_1.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
+    vec3 _e12 = l_1.specularColor;
+    l_1.specularColor = (_e12 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e21 = l_1.transmission;
+    l_1.transmission = (_e21 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+    float _e29 = l_1.beyond;
+    l_1.beyond = (_e29 * pick((slot == beyondSlot), texel_1.w, 1.0));
+    vec3 _e37 = l_1.beyondColor;
+    l_1.beyondColor = (_e37 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e46 = l_1.coat;
+    l_1.coat = (_e46 * pick((slot == coatSlot), texel_1.x, 1.0));
+    float _e54 = l_1.coatRoughness;
+    l_1.coatRoughness = (_e54 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    vec3 _e62 = l_1.sheenColor;
+    l_1.sheenColor = (_e62 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e71 = l_1.sheenRoughness;
+    l_1.sheenRoughness = (_e71 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    float _e79 = l_1.film;
+    l_1.film = (_e79 * pick((slot == filmSlot), texel_1.x, 1.0));
+    float _e88 = l_1.filmThickness;
+    float _e90 = l_1.filmLeast;
+    float _e92 = l_1.filmThickness;
+    l_1.filmThickness = pick((slot == filmThicknessSlot), mix(_e90, _e92, texel_1.y), _e88);
+    bool isGrain = (slot == anisotropySlot);
+    float _e101 = l_1.anisotropy;
+    l_1.anisotropy = (_e101 * pick(isGrain, texel_1.z, 1.0));
+    vec2 given = ((2.0 * texel_1.xy) - vec2(1.0));
+    float size_3 = dot(given, given);
+    vec2 d_3 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+    vec2 own_5 = l_1.grain;
+    l_1.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
+    return;
+}
+
+vec3 takeUpTextures(inout Surface s_4, inout Layers0_ l_2, vec4 uv_2, vec3 color) {
+    vec3 bump = vec3(0.0, 0.0, 1.0);
+    uint i_17 = 0u;
+    float _e5 = s_4.textures;
+    uint row_8 = uint(_e5);
+    MaterialTextures _e7 = fetchMaterialTextures(row_8);
+    bool unlit = ((_e7.flags & isUnlit) != 0u);
+    vec3 _e14 = s_4.baseColor;
+    s_4.baseColor = (_e14 * color);
+    vec3 _e17 = s_4.emission;
+    s_4.emission = (_e17 * pick(unlit, color, vec3(1.0)));
+    if ((_e7.count > 0u)) {
+        while(true) {
+            uint _e34 = i_17;
+            TextureUse _e38 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e34 * textureUseRows)));
+            vec4 _e47 = lookUp(_e38, pick(((_e38.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec3 _e49 = s_4.baseColor;
+            s_4.baseColor = (_e49 * pick((_e38.slot == baseColorSlot), _e47.xyz, vec3(1.0)));
+            vec3 _e59 = s_4.emission;
+            s_4.emission = (_e59 * pick((_e38.slot == emissionSlot), _e47.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e38.slot == metallicRoughnessSlot), _e47.yz, vec2(1.0));
+            float _e76 = s_4.alpha;
+            float rough = max(((_e76 * share_2.x) * share_2.x), 0.001);
+            float _e85 = s_4.alpha;
+            float _e87 = s_4.code;
+            bool _e89 = isSmooth(uint(_e87));
+            s_4.alpha = pick(_e89, _e85, rough);
+            float _e92 = s_4.metallic;
+            s_4.metallic = (_e92 * share_2.y);
+            vec3 _e95 = bump;
+            bump = pick((_e38.slot == normalSlot), (((2.0 * _e47.xyz) - vec3(1.0)) * vec3(_e38.scale, _e38.scale, 1.0)), _e95);
+            const bool _e112 = hasLayers;
+            if (_e112) {
+                takeUpLayer(l_2, _e38.slot, _e47);
+            }
+            uint _e115 = i_17;
+            i_17 = (_e115 + 1u);
+            uint _e117 = i_17;
+            if ((_e117 >= _e7.count)) {
+                break;
+            }
+        }
+    }
+    vec3 _e120 = bump;
+    return _e120;
+}
+
+vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
+    float oz = max(dot(o_1, g_1), 0.0);
+    float least = min((0.9 * oz), 0.01);
+    vec3 across_3 = (n - (dot(n, g_1) * g_1));
+    vec3 x_12 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_12);
+    float a_2 = max(((ox * ox) + (oz * oz)), 1e-20);
+    float b_3 = (2.0 * (a_2 + (oz * least)));
+    float c_4 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_4)), 0.0));
+    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_3 + root), (b_3 - root))) / a_2), 0.0, 1.0);
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_12) + (sqrt(z2_) * g_1));
+    vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
+    return pick((dot(g_1, reflected) >= least), n, raised);
+}
+
+vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
+    float size_4 = dot(mapped, mapped);
+    vec3 n_1 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
+    float side_2 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_2 * geometric), -(direction_9), (side_2 * n_1));
+    return (side_2 * _e21);
+}
+
+bool isDielectric(uint code_6) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_6);
+    return pick(_e2, (_e3 == dielectric), false);
+}
+
+bool letsThrough(uint code_7, float eta_2) {
+    bool _e2 = isDielectric(code_7);
+    bool _e3 = isLayered(code_7, eta_2);
+    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+}
+
+vec3 tangentAbout(vec3 normal_2) {
+    vec3 east = vec3(normal_2.z, 0.0, -(normal_2.x));
+    float length2_ = dot(east, east);
+    return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
+}
+
+vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_1 = (tangent - (dot(tangent, normal_3) * normal_3));
+    float size_5 = dot(along_1, along_1);
+    bool own_6 = (size_5 > (1e-12 * dot(tangent, tangent)));
+    vec3 _e12 = tangentAbout(normal_3);
+    vec3 t_12 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_12);
+    float hand_1 = pick(pick(own_6, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
+    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+}
+
+SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
+    SurfacePoint p_9 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 tangent_1 = vec3(0.0);
+    vec3 bitangent_1 = vec3(0.0);
+    vec3 _e4 = normalAt(rays_1, hit.t, shape);
+    Surface _e5 = fetchSurface(shape);
+    Layers0_ _e10 = layersOf(uint(_e5.code), _e5.eta.x);
+    p_9 = SurfacePoint(_e5, _e10, _e4, _e4, vec3(0.0));
+    const bool _e22 = hasMeshes;
+    if (pick(_e22, (hit.triangle.instance != noInstance), false)) {
+        MeshPoint _e33 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+        p_9.geometric = _e33.geometric;
+        p_9.shading = _e33.shading;
+        const bool _e39 = hasTextures;
+        if (_e39) {
+            vec3 _e45 = takeUpTextures(p_9.surface, p_9.layers, _e33.uv, _e33.color.xyz);
+            tangent_1 = _e33.tangent;
+            bitangent_1 = _e33.bitangent;
+            if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
+                vec3 _e69 = validNormal(_e33.geometric, rays_1.direction, (((_e45.x * _e33.tangent) + (_e45.y * _e33.bitangent)) + (_e45.z * _e33.normal)), _e33.shading);
+                p_9.shading = _e69;
+            }
+        }
+        vec3 _e71 = p_9.geometric;
+        vec3 _e77 = p_9.shading;
+        bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
+        vec3 _e85 = p_9.shading;
+        vec3 _e87 = p_9.geometric;
+        float _e90 = p_9.surface.code;
+        float _e95 = p_9.surface.eta.x;
+        bool _e96 = letsThrough(uint(_e90), _e95);
+        p_9.shading = pick(pick(_e96, !(agree), false), _e87, _e85);
+    }
+    const bool _e101 = hasLayers;
+    if (_e101) {
+        float _e104 = p_9.layers.anisotropy;
+        if ((_e104 > 0.0)) {
+            vec3 _e109 = p_9.shading;
+            vec3 _e110 = tangent_1;
+            vec3 _e111 = bitangent_1;
+            vec2 _e114 = p_9.layers.grain;
+            vec3 _e115 = grainAt(_e109, _e110, _e111, _e114);
+            p_9.grain = _e115;
+        }
+    }
+    SurfacePoint _e116 = p_9;
+    return _e116;
+}
+
+vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
+    float cosine2_ = (cosine * cosine);
+    float sine2_ = (1.0 - cosine2_);
+    vec3 difference = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k) * k)));
+    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 smaller = ((eta_3 * k) / larger);
+    vec3 a_3 = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
+    vec3 b_4 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_4 * b_4) + vec3(1e-20));
+    vec3 acrossFar = (a_3 + vec3(cosine));
+    vec3 acrossNear = (a_3 - vec3(cosine));
+    vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_3 * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a_3 * cosine) - vec3(sine2_));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+}
+
+vec3 conductorReflectance(vec3 baseColor, vec3 eta_4, vec3 k_1, float cosine_1) {
+    float constants = dot((eta_4 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_1, eta_4, k_1);
+    return pick((constants > 0.0), _e8, baseColor);
+}
+
+vec3 albedoOf(Surface s_5, bool fromBack) {
+    vec3 albedo = vec3(0.0);
+    uint _e4 = kindOf(uint(s_5.code));
+    albedo = s_5.baseColor;
+    if ((_e4 == conductor)) {
+        vec3 _e13 = conductorReflectance(s_5.baseColor, s_5.eta, s_5.k, 1.0);
+        albedo = _e13;
+    }
+    if ((_e4 == dielectric)) {
+        albedo = vec3(1.0);
+    }
+    vec3 _e18 = albedo;
+    albedo = mix(_e18, vec3(1.0), s_5.reflectivity);
+    bool dark = pick(((uint(s_5.code) & 16u) != 0u), fromBack, false);
+    vec3 emission = pick(dark, vec3(0.0), s_5.emission);
+    float brightest = max(max(emission.x, emission.y), max(emission.z, 1.0));
+    vec3 _e41 = albedo;
+    return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));
+}
+
+Material fetchMaterial(uint i_18) {
+    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(3u, i_18)), 0);
+    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(4u, i_18)), 0);
+    return Material(t0_5.xyz, t0_5.w, t1_4.x, t1_4.y, t1_4.z, t1_4.w);
+}
+
+void main() {
+    vec4 fragment = gl_FragCoord;
+    Layers sums = Layers(vec4(0.0), vec4(0.0));
+    Sight _e2 = look(fragment.xy);
+    uint _e11 = frame.sampleIndex;
+    if ((_e11 > 0u)) {
+        uvec2 pixel_2 = uvec2(fragment.xy);
+        vec4 _e18 = texelFetch(previousFirst, ivec2(pixel_2), 0);
+        vec4 _e21 = texelFetch(previousSecond, ivec2(pixel_2), 0);
+        sums = Layers(_e18, _e21);
+    }
+    float _e25 = sums.first.w;
+    sums.first.w = (_e25 + 1.0);
+    uint shape_1 = _e2.hit.shape;
+    if ((shape_1 != noShape)) {
+        SurfacePoint _e34 = surfaceAt(_e2.rays, _e2.hit, shape_1);
+        vec3 direction_10 = _e2.rays.direction;
+        vec4 _e38 = sums.first;
+        vec3 _e44 = albedoOf(_e34.surface, (dot(_e34.geometric, direction_10) > 0.0));
+        sums.first = (_e38 + vec4(_e44, 0.0));
+        vec4 _e49 = sums.second;
+        sums.second = (_e49 + vec4(pick((dot(_e34.shading, direction_10) > 0.0), -(_e34.shading), _e34.shading), 1.0));
+    }
+    Layers _e61 = sums;
+    _fs2p_location0 = _e61.first;
+    _fs2p_location1 = _e61.second;
+    return;
+}
+

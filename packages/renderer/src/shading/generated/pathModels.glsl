@@ -1,0 +1,3528 @@
+#version 300 es
+
+precision highp float;
+precision highp int;
+
+bool pick(bool which, bool yes, bool no) { return which ? yes : no; }
+int pick(bool which, int yes, int no) { return which ? yes : no; }
+uint pick(bool which, uint yes, uint no) { return which ? yes : no; }
+float pick(bool which, float yes, float no) { return which ? yes : no; }
+vec2 pick(bool which, vec2 yes, vec2 no) { return which ? yes : no; }
+vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
+vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
+uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
+
+struct Film {
+    vec4 sums;
+    vec4 squares;
+};
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
+struct RayPair {
+    vec3 point;
+    uint shape;
+    LeftTriangle left;
+    float tMin;
+    bool goesOn;
+    vec3 direction;
+    bool inwards;
+    vec3 lightDirection;
+    bool lightInwards;
+    float lightDistance;
+    uint lightShape;
+    uint number;
+};
+struct Sampler {
+    uint key;
+    uint salt;
+    uint sample_;
+    uint place;
+};
+struct Path {
+    RayPair rays;
+    vec3 light;
+    bool alive;
+    vec3 throughput;
+    uint depth;
+    vec3 radiance;
+    float pdf;
+    vec3 litSide;
+    float total;
+    Sampler sampler_;
+};
+struct Frame {
+    vec3 right;
+    float width;
+    vec3 up;
+    float height;
+    vec3 forward;
+    uint lightCount;
+    vec3 horizon;
+    uint sampleIndex;
+    vec3 zenith;
+    uint seed;
+    vec2 jitter;
+    vec2 dividers;
+    uvec4 shapeEnds;
+    uint occluderEnd;
+    uint seenLightEnd;
+    uint emitterCount;
+    uint maxDepth;
+    uvec4 panels[3];
+    vec4 filterPieces[16];
+    uint independent;
+    uint projection;
+    float aperture;
+    float focusDistance;
+    uint planesCutView;
+    float environmentTurn;
+    vec2 environmentSize;
+    uint sampleCount;
+    uint instances;
+    uint shares;
+    uvec2 tile;
+    uint instanceCount;
+};
+struct Group {
+    uint index;
+    uint shift;
+    uint seedA;
+    uint seedB;
+};
+struct CameraRay {
+    vec3 origin;
+    vec3 direction;
+};
+struct PairHit {
+    float t;
+    uint shape;
+    bool blocked;
+    LeftTriangle triangle;
+    vec2 weights;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct Extent {
+    vec4 a;
+    vec4 b;
+};
+struct Slabs {
+    vec3 enter;
+    vec3 leave;
+    float near;
+    float far;
+};
+struct MeshRays {
+    vec3 origin;
+    vec3 direction;
+    vec3 lightDirection;
+    float least;
+    float most;
+    float lightMost;
+    uint number;
+};
+struct MeshHit {
+    float t;
+    uint instance;
+    uint triangle;
+    vec2 weights;
+    bool blocked;
+};
+struct SlabRay {
+    vec3 inverse_;
+    vec3 offset;
+    uvec3 near;
+};
+struct MeshRay {
+    vec3 origin;
+    uint axis;
+    vec3 shear;
+};
+struct Instance {
+    vec4 toMeshX;
+    vec4 toMeshY;
+    vec4 toMeshZ;
+    uint nodes;
+    uint triangles;
+    uint row;
+    uint cover;
+    uint vertices;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+};
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
+};
+struct TriangleHit {
+    float t;
+    vec2 weights;
+    bool front;
+};
+struct MaterialTextures {
+    uint count;
+    uint flags;
+    float opacity;
+    float cutoff;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
+struct VertexMore {
+    uint redGreen;
+    uint blueAlpha;
+    vec2 uv;
+};
+struct TextureUse {
+    vec3 toU;
+    uint slot;
+    vec3 toV;
+    uint flags;
+    uint first;
+    uint width;
+    uint height;
+    float scale;
+};
+struct Neighbours {
+    uint first;
+    uint second;
+    float share;
+};
+struct Surface {
+    vec3 baseColor;
+    float code;
+    vec3 emission;
+    float reflectivity;
+    vec3 eta;
+    float alpha;
+    vec3 k;
+    float metallic;
+    vec3 absorption;
+    float textures;
+};
+struct Layers {
+    vec3 specularColor;
+    float specularWeight;
+    vec3 sheenColor;
+    float sheenRoughness;
+    vec3 beyondColor;
+    float beyond;
+    vec2 grain;
+    float anisotropy;
+    float transmission;
+    float coat;
+    float coatRoughness;
+    float ior;
+    float solid;
+    float film;
+    float filmIor;
+    float filmThickness;
+    float filmLeast;
+    float dispersion;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct SurfacePoint {
+    Surface surface;
+    Layers layers;
+    vec3 geometric;
+    vec3 shading;
+    vec3 grain;
+};
+struct MeshPoint {
+    vec3 geometric;
+    vec3 shading;
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+    vec4 uv;
+    vec4 color;
+};
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+};
+struct Emitter {
+    vec3 position;
+    float kind;
+    vec3 u;
+    float radius;
+    vec3 v;
+    float cosInner;
+    vec3 radiance;
+    float area;
+    float shape;
+    float oneSided;
+    float power;
+    float reach;
+};
+struct FarLight {
+    vec3 radiance;
+    float pdf;
+};
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf;
+};
+struct Corners {
+    vec4 a;
+    vec4 b;
+    vec4 c;
+    vec4 d;
+};
+struct SphereView {
+    vec3 toCenter;
+    float distance_;
+    float power;
+    bool inside;
+    float width;
+};
+struct QuadView {
+    vec3 corner;
+    vec3 axisX;
+    vec3 axisY;
+    vec3 axisZ;
+    vec2 low;
+    vec2 high;
+    float height;
+    float start;
+    float solidAngle;
+    bool lit;
+    bool bySolidAngle;
+};
+struct BoxView {
+    vec4 rotation;
+    vec3 point;
+    vec3 faces;
+    float area;
+    bool inside;
+};
+struct EmitterChoice {
+    uint index;
+    float probability;
+    float total;
+};
+struct LightSample {
+    vec3 direction;
+    float distance_;
+    vec3 radiance;
+    float pdf;
+    bool delta;
+};
+struct ConeDirection {
+    vec3 direction;
+    float cosine;
+    float sine2_;
+};
+struct EnvironmentSample {
+    vec3 direction;
+    EnvironmentLight light;
+};
+struct ChosenCell {
+    uvec2 cell;
+    vec2 rest;
+};
+struct Parts {
+    uvec2 whole;
+    vec2 rest;
+};
+struct Stack {
+    Layers layers;
+    vec3 wo;
+    float side;
+    vec3 hero;
+    float ratio;
+    bool inside;
+    vec3 more;
+    vec2 alpha;
+    float coatAlpha;
+    float coat;
+    float sheen;
+    float sheenColor;
+    float ofCoat;
+    float ofFacets;
+    float ofSheen;
+    float ofDiffuse;
+};
+struct Outgoing {
+    vec3 wo;
+    float share;
+    float ratio;
+    float bound;
+    float stretched;
+    Stack stack;
+};
+struct BsdfSample {
+    vec3 direction;
+    float pdf;
+    vec3 weight;
+    bool delta;
+};
+struct LayeredSample {
+    vec3 direction;
+    float pdf;
+    vec3 weight;
+    bool delta;
+};
+struct Parting {
+    vec3 toward;
+    vec3 beyond;
+    float share;
+};
+struct Pair {
+    vec4 toLight;
+    vec4 toSample;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
+};
+const uint noShape = 4294967295u;
+const uint noInstance = 4294967295u;
+const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint noLeaf = 0u;
+const uint beginning = 4294967294u;
+const uint leafBit = 2147483648u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint leastToGreatest = 3u;
+const uint leaving = 4294967295u;
+const uint placeMask = 268435455u;
+const uint instanceRows = 5u;
+const uint triangleRows = 3u;
+const uint isOneSided = 2147483648u;
+const uint coverRow = 2147483647u;
+const uint countShift = 28u;
+const uint vertexRows = 1u;
+const uint hasOpacityTexture = 2u;
+const uint materialTexturesRows = 1u;
+const uint isNearest = 4u;
+const uint clampsU = 8u;
+const uint mirrorsU = 16u;
+const uint clampsV = 32u;
+const uint mirrorsV = 64u;
+const uint isColor = 2u;
+const uint usesSecondSet = 1u;
+const uint metallicRoughness = 1u;
+const uint hasNormals = 1u;
+const uint hasTangents = 2u;
+const uint isUnlit = 1u;
+const uint textureUseRows = 3u;
+const uint baseColorSlot = 0u;
+const uint emissionSlot = 1u;
+const uint metallicRoughnessSlot = 2u;
+const uint normalSlot = 3u;
+const uint specularWeightSlot = 4u;
+const uint specularColorSlot = 5u;
+const uint transmissionSlot = 6u;
+const uint beyondSlot = 7u;
+const uint beyondColorSlot = 8u;
+const uint coatSlot = 9u;
+const uint coatRoughnessSlot = 10u;
+const uint sheenColorSlot = 11u;
+const uint sheenRoughnessSlot = 12u;
+const uint filmSlot = 14u;
+const uint filmThicknessSlot = 15u;
+const uint anisotropySlot = 13u;
+const uint dielectric_1 = 3u;
+const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
+const uint conductor = 2u;
+const uint diffuse0_ = 0u;
+const uint rouletteDepth = 5u;
+
+layout(std140) uniform FrameBlock { Frame frame; };
+
+const bool hasFilter = false;
+
+const bool hasLens = false;
+
+const bool hasOtherProjections = false;
+
+const bool hasSpheres = true;
+
+uniform highp sampler2D sceneTable;
+
+const bool hasBoxes = true;
+
+const bool hasTurnedBoxes = true;
+
+const bool hasQuads = false;
+
+const bool hasPlanes = true;
+
+const bool hasMeshes = false;
+
+uniform highp usampler2D geometry;
+
+uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+const bool hasOneSided = false;
+
+const bool hasCutouts = false;
+
+uniform highp usampler2D texels;
+
+const bool hasLayers = false;
+
+const bool hasMetallicRoughness = false;
+
+const bool hasTextures = false;
+
+const bool hasGlass = false;
+
+const bool hasManyLights = true;
+
+const bool hasSuns = false;
+
+const bool hasSky = true;
+
+const bool hasEnvironment = false;
+
+uniform highp sampler2D environment;
+
+const bool hasSphereLights = true;
+
+const bool hasQuadLights = false;
+
+const bool hasBoxLights = false;
+
+const bool hasPointLights = false;
+
+const bool hasConductors = false;
+
+const bool hasCompensation = false;
+
+const bool hasIridescence = false;
+
+const bool hasMirrorLayers = true;
+
+uniform highp sampler2D previousFilm;
+
+uniform highp sampler2D previousSquares;
+
+layout(location = 0) out vec4 _fs2p_location0;
+layout(location = 1) out vec4 _fs2p_location1;
+
+uint pcg(uint x) {
+    uint s_25 = ((x * 747796405u) + 2891336453u);
+    uint w_3 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    return ((w_3 >> 22u) ^ w_3);
+}
+
+uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
+    uint _e5 = pcg(seed);
+    uint _e7 = pcg((sampleIndex + _e5));
+    uint _e9 = pcg((pixel.y + _e7));
+    uint _e11 = pcg((pixel.x + _e9));
+    return _e11;
+}
+
+uint spread0_(uint x_1) {
+    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
+    return ((y_8 | (y_8 << 1u)) & 85u);
+}
+
+uint reverseHalves(uint x_2) {
+    uint y = 0u;
+    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
+    uint _e11 = y;
+    uint _e16 = y;
+    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    uint _e22 = y;
+    uint _e27 = y;
+    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
+    uint _e33 = y;
+    uint _e38 = y;
+    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+}
+
+uint mixBits(uint x_3) {
+    uint y_1 = 0u;
+    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    uint _e7 = y_1;
+    uint _e8 = y_1;
+    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
+    uint _e14 = y_1;
+    uint _e15 = y_1;
+    return (_e14 ^ (_e15 >> 15u));
+}
+
+Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
+    uint _e5 = frame.independent;
+    bool independent = (_e5 != 0u);
+    uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
+    uint _e19 = spread0_((pixel_1.x & 15u));
+    uint _e23 = spread0_((pixel_1.y & 15u));
+    uint place_2 = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_2 << 24u)));
+    uint used = pick(independent, 0u, _e32);
+    uint _e37 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+}
+
+float filterAxis(float u) {
+    float across = ((2.0 * u) - 1.0);
+    float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_17), 15.0);
+    float t_4 = (x_17 - piece);
+    vec4 c_1 = frame.filterPieces[uint(piece)];
+    float offset_3 = (c_1.x + (t_4 * (c_1.y + (t_4 * (c_1.z + (t_4 * c_1.w))))));
+    return pick((across < 0.0), -(offset_3), offset_3);
+}
+
+vec2 filterOffset(vec2 u_1) {
+    vec2 offset = vec2(0.0);
+    offset = (u_1 - vec2(0.5));
+    const bool _e6 = hasFilter;
+    if (_e6) {
+        float _e8 = filterAxis(u_1.x);
+        float _e10 = filterAxis(u_1.y);
+        offset = vec2(_e8, _e10);
+    }
+    vec2 _e12 = offset;
+    return _e12;
+}
+
+uint scramble(uint x_4, uint seed_2) {
+    uint y_2 = 0u;
+    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    uint _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
+    uint _e13 = y_2;
+    uint _e14 = y_2;
+    y_2 = (_e13 ^ (_e14 * 89287766u));
+    uint _e18 = y_2;
+    uint _e19 = y_2;
+    return (_e18 ^ (_e19 * 1403136100u));
+}
+
+uint pascal(uint x_5) {
+    uint y_3 = 0u;
+    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    uint _e7 = y_3;
+    uint _e8 = y_3;
+    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
+    uint _e14 = y_3;
+    uint _e15 = y_3;
+    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
+    uint _e21 = y_3;
+    uint _e22 = y_3;
+    return (_e21 ^ ((_e22 >> 8u) & 255u));
+}
+
+uint timesW(uint x_6) {
+    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
+}
+
+float toUnit(uint reversed, uint scrambled) {
+    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+}
+
+vec2 points2d(Group g) {
+    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
+    uint _e8 = timesW(g.shift);
+    uint _e10 = pascal((g.index ^ _e8));
+    uint _e12 = scramble(_e10, g.seedB);
+    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
+    float _e21 = toUnit((_e18 & 65535u), _e5);
+    float _e24 = toUnit((_e18 >> 16u), _e12);
+    return vec2(_e21, _e24);
+}
+
+uint timesW2_(uint x_7) {
+    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+}
+
+uint shiftOfPlace(uint x_8) {
+    uint y_4 = 0u;
+    uint _e5 = timesW(((x_8 >> 2u) & 51u));
+    y_4 = (x_8 ^ _e5);
+    uint _e8 = y_4;
+    uint _e9 = y_4;
+    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
+    y_4 = (_e8 ^ _e14);
+    uint _e16 = y_4;
+    uint _e17 = timesW(_e16);
+    uint _e18 = y_4;
+    return (_e17 | (_e18 << 8u));
+}
+
+Group nextGroup(inout Sampler s) {
+    uint _e3 = s.key;
+    s.key = (_e3 + 1u);
+    uint _e7 = s.key;
+    uint _e8 = mixBits(_e7);
+    uint _e10 = s.salt;
+    uint half_ = ((_e8 ^ _e10) * 2654435761u);
+    uint b_6 = (half_ ^ (half_ >> 16u));
+    uint _e18 = s.place;
+    uint _e19 = scramble(_e18, b_6);
+    uint _e21 = s.sample_;
+    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint _e28 = s.sample_;
+    uint _e30 = scramble((_e28 ^ own_1), _e8);
+    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e36 = shiftOfPlace((_e19 & 255u));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_6 >> 16u) | (b_6 << 16u)));
+}
+
+vec2 next2d(inout Sampler s_1) {
+    Group _e1 = nextGroup(s_1);
+    vec2 _e2 = points2d(_e1);
+    return _e2;
+}
+
+vec2 concentricDisc(vec2 u_2) {
+    vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_15.x) > abs(p_15.y));
+    float radius_1 = pick(wide, p_15.x, p_15.y);
+    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
+    return (radius_1 * vec2(cos(angle), sin(angle)));
+}
+
+CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
+    CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
+    float _e7 = frame.width;
+    float x_18 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float _e16 = frame.height;
+    float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
+    vec3 _e22 = frame.right;
+    vec3 _e26 = frame.up;
+    vec3 across_1 = ((x_18 * _e22) + (y_9 * _e26));
+    const bool _e30 = hasOtherProjections;
+    uint _e33 = frame.projection;
+    bool orthographic = pick(_e30, (_e33 == 1u), false);
+    vec3 _e39 = frame.forward;
+    vec3 _e43 = frame.forward;
+    vec3 ahead = pick(orthographic, _e43, (_e39 + across_1));
+    float _e47 = frame.aperture;
+    vec3 _e51 = frame.right;
+    vec3 _e57 = frame.up;
+    vec3 lens_1 = (_e47 * ((lensPoint.x * normalize(_e51)) + (lensPoint.y * normalize(_e57))));
+    float _e66 = frame.focusDistance;
+    ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
+    const bool _e74 = hasOtherProjections;
+    uint _e77 = frame.projection;
+    if (pick(_e74, (_e77 == 2u), false)) {
+        float longitude = (3.1415927 * x_18);
+        float latitude = (1.5707964 * y_9);
+        vec3 _e88 = frame.right;
+        vec3 _e93 = frame.forward;
+        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
+        vec3 _e103 = frame.up;
+        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    }
+    CameraRay _e108 = ray;
+    return _e108;
+}
+
+CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
+    vec2 lensPoint_1 = vec2(0.0);
+    const bool _e6 = hasLens;
+    if (_e6) {
+        vec2 _e7 = concentricDisc(lens);
+        lensPoint_1 = _e7;
+    }
+    vec2 _e8 = lensPoint_1;
+    CameraRay _e9 = rayThroughLens(filmPosition_1, _e8);
+    return _e9;
+}
+
+void skipGroup(inout Sampler s_2) {
+    uint _e3 = s_2.key;
+    s_2.key = (_e3 + 1u);
+    return;
+}
+
+vec2 lensPoint_2(inout Sampler s_3) {
+    vec2 u_3 = vec2(0.5);
+    const bool _e5 = hasLens;
+    if (_e5) {
+        vec2 _e6 = next2d(s_3);
+        u_3 = _e6;
+    } else {
+        skipGroup(s_3);
+    }
+    vec2 _e7 = u_3;
+    return _e7;
+}
+
+RayPair oneRay(vec3 origin, vec3 direction, uint number) {
+    return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
+}
+
+uint numberOfNext(Sampler s_4) {
+    uint _e8 = mixBits((((s_4.key + 1u) ^ s_4.salt) ^ 2246822507u));
+    uint _e15 = mixBits((_e8 + ((s_4.sample_ << 8u) | s_4.place)));
+    return _e15;
+}
+
+Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
+    Sampler s_5 = Sampler(0u, 0u, 0u, 0u);
+    uint _e4 = frame.seed;
+    Sampler _e5 = startSampler(pixel_2, sampleIndex_2, _e4);
+    s_5 = _e5;
+    vec2 _e11 = next2d(s_5);
+    vec2 _e12 = filterOffset(_e11);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + vec2(0.5)) + _e12);
+    vec2 _e14 = lensPoint_2(s_5);
+    CameraRay _e15 = cameraRay(filmPosition_2, _e14);
+    Sampler _e18 = s_5;
+    uint _e19 = numberOfNext(_e18);
+    RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
+    Sampler _e31 = s_5;
+    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e31);
+}
+
+Bounds fetchBounds(uint i) {
+    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
+    return Bounds(t0_.xyz, t0_.w);
+}
+
+float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
+    vec3 toCenter = (center - origin_1);
+    float along = dot(toCenter, direction_1);
+    vec3 across_2 = (toCenter - (along * direction_1));
+    float discriminant = ((radius * radius) - dot(across_2, across_2));
+    float half_1 = sqrt(max(discriminant, 0.0));
+    float near = (along - half_1);
+    float far_1 = (along + half_1);
+    float t_5 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
+}
+
+PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
+    bool own_2 = (i_1 == p_1.shape);
+    float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+    bool nearer_1 = (pathT < found.t);
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
+}
+
+PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
+    Bounds _e3 = fetchBounds(i_2);
+    bool own_3 = (i_2 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
+    return _e23;
+}
+
+Extent fetchExtent(uint i_3) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_1.xyzw, t1_.xyzw);
+}
+
+vec3 rotate(vec4 q, vec3 v) {
+    vec3 t_6 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
+}
+
+vec3 turned(vec4 q_1, vec3 v_1) {
+    vec3 w = vec3(0.0);
+    w = v_1;
+    const bool _e4 = hasTurnedBoxes;
+    if (_e4) {
+        vec3 _e5 = rotate(q_1, v_1);
+        w = _e5;
+    }
+    vec3 _e6 = w;
+    return _e6;
+}
+
+vec3 safeReciprocal(vec3 d, vec3 origin_2) {
+    vec3 tiny = mix(vec3(1e-18), vec3(-1e-18), greaterThan(origin_2, vec3(0.0)));
+    return (vec3(1.0) / mix(d, tiny, lessThan(abs(d), vec3(1e-18))));
+}
+
+Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
+    vec3 _e3 = safeReciprocal(direction_2, origin_3);
+    vec3 middle = (-(origin_3) * _e3);
+    vec3 reach = (halfSize * abs(_e3));
+    vec3 enter = (middle - reach);
+    vec3 leave = (middle + reach);
+    return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
+    Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
+    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
+}
+
+PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
+    Bounds _e3 = fetchBounds(i_4);
+    Extent _e4 = fetchExtent(i_4);
+    bool own_4 = (i_4 == p_3.shape);
+    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_3.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
+    return _e31;
+}
+
+float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_9 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_9);
+    vec3 toCenter_1 = (center_1 - origin_5);
+    float t_8 = (dot(toCenter_1, normal_9) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_16 = ((t_8 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
+}
+
+PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
+    Bounds _e3 = fetchBounds(i_5);
+    Extent _e4 = fetchExtent(i_5);
+    float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    PairHit _e24 = meet(found_3, p_4, i_5, vec2(_e13, _e22));
+    return _e24;
+}
+
+float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
+    float speed_1 = dot(direction_5, normal);
+    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
+    uint _e30 = frame.planesCutView;
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
+}
+
+PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
+    Bounds _e3 = fetchBounds(i_6);
+    float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
+    float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
+    PairHit _e17 = meet(found_4, p_5, i_6, vec2(_e9, _e15));
+    return _e17;
+}
+
+uvec4 geometryRow(uint i_7) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
+    return _e8;
+}
+
+vec4 planes(uint row, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+    uvec3 far_2 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
+    vec4 _e45 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
+    vec4 _e52 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
+    vec4 _e60 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e45, _e52), _e60);
+    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
+    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
+}
+
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+float edge(vec2 a, vec2 b) {
+    float p_17 = (a.x * b.y);
+    float q_6 = (a.y * b.x);
+    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
+}
+
+TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum_2 = ((_e35 + _e36) + _e37);
+    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float inverse_2 = (1.0 / pick((sum_2 == 0.0), 1.0, sum_2));
+    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
+    return TriangleHit(pick(pick(within_1, (sum_2 != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2), ((sum_2 * ray_1.shear.z) > 0.0));
+}
+
+Triangle fetchTriangle(uint row_2) {
+    uvec4 _e3 = geometryRow((row_2 + 0u));
+    uvec4 _e6 = geometryRow((row_2 + 1u));
+    uvec4 _e9 = geometryRow((row_2 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+uvec4 texelRow(uint i_8) {
+    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
+    return _e8;
+}
+
+MaterialTextures fetchMaterialTextures(uint row_3) {
+    uvec4 _e3 = texelRow((row_3 + 0u));
+    return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
+}
+
+Vertex fetchVertex(uint row_4) {
+    uvec4 _e3 = geometryRow((row_4 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+VertexMore fetchVertexMore(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
+    return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec2 pairOf(uint word) {
+    return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
+}
+
+TextureUse fetchTextureUse(uint row_6) {
+    uvec4 _e3 = texelRow((row_6 + 0u));
+    uvec4 _e6 = texelRow((row_6 + 1u));
+    uvec4 _e9 = texelRow((row_6 + 2u));
+    return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
+}
+
+Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
+    float at_1 = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
+    float low = floor(at_1);
+    int last = (int(size) - 1);
+    int first = int(low);
+    int second = (first + 1);
+    bool repeats = !(pick(clamps, true, mirrors));
+    int before = pick(repeats, last, 0);
+    int after = pick(repeats, 0, last);
+    return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_1 - low)));
+}
+
+vec3 linearFromSrgb(vec3 c) {
+    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+}
+
+vec4 decoded(uint texel, bool colored) {
+    vec4 c_2 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_2.xyz);
+    return vec4(pick(colored, _e18, c_2.xyz), c_2.w);
+}
+
+uint texelAt(uint i_9) {
+    uvec4 _e3 = texelRow((i_9 >> 2u));
+    uvec2 pair_1 = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_9 & 1u) != 0u), pair_1.y, pair_1.x);
+}
+
+vec4 lookUp(TextureUse t_2, vec2 uv) {
+    vec3 place_3 = vec3(uv, 1.0);
+    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_2.toU, place_3), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_3), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_2.first + (_e36.first * t_2.width));
+    uint lower = (t_2.first + (_e36.second * t_2.width));
+    bool colored_1 = ((t_2.flags & isColor) != 0u);
+    uint _e54 = texelAt((upper + _e22.first));
+    vec4 _e55 = decoded(_e54, colored_1);
+    uint _e58 = texelAt((upper + _e22.second));
+    vec4 _e59 = decoded(_e58, colored_1);
+    vec4 above = mix(_e55, _e59, _e22.share);
+    uint _e64 = texelAt((lower + _e22.first));
+    vec4 _e65 = decoded(_e64, colored_1);
+    uint _e68 = texelAt((lower + _e22.second));
+    vec4 _e69 = decoded(_e68, colored_1);
+    vec4 below = mix(_e65, _e69, _e22.share);
+    return mix(above, below, _e36.share);
+}
+
+float unitFloat(uint h) {
+    return (float((h >> 8u)) * 5.9604645e-8);
+}
+
+bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
+    vec4 uv_1 = vec4(0.0);
+    float opacity = 0.0;
+    uint _e6 = frame.instances;
+    Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
+    Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
+    uint row_7 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_7);
+    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
+    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
+    opacity = _e19.opacity;
+    if ((_e10.vertexRows != 0u)) {
+        Vertex _e45 = fetchVertex(rows.x);
+        Vertex _e50 = fetchVertex(rows.y);
+        Vertex _e56 = fetchVertex(rows.z);
+        uv_1 = vec4((((share.x * _e45.uv) + (share.y * _e50.uv)) + (share.z * _e56.uv)), 0.0, 0.0);
+    }
+    if ((_e10.vertexRows > vertexRows)) {
+        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
+        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
+        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
+        vec4 _e78 = uv_1;
+        uv_1 = vec4(_e78.xy, (((share.x * _e69.uv) + (share.y * _e73.uv)) + (share.z * _e77.uv)));
+        float _e92 = opacity;
+        vec2 _e94 = pairOf(_e69.blueAlpha);
+        vec2 _e97 = pairOf(_e73.blueAlpha);
+        vec2 _e100 = pairOf(_e77.blueAlpha);
+        opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
+    }
+    if (((_e19.flags & hasOpacityTexture) != 0u)) {
+        TextureUse _e112 = fetchTextureUse((row_7 + materialTexturesRows));
+        float _e113 = opacity;
+        vec4 _e114 = uv_1;
+        vec4 _e116 = uv_1;
+        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
+        opacity = (_e113 * _e124.w);
+    }
+    uint _e127 = pcg(number_1);
+    uint _e129 = pcg((instance + _e127));
+    uint _e131 = pcg((place + _e129));
+    float _e132 = unitFloat(_e131);
+    float _e133 = opacity;
+    float _e136 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+}
+
+MeshHit traverse(MeshRays rays, LeftTriangle left) {
+    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    bool toLight = false;
+    float most = 0.0;
+    uint instance_1 = noInstance;
+    uint nodes = 0u;
+    uint triangles = 0u;
+    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
+    MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
+    uint top = 0u;
+    uint cover = 0u;
+    uint doubted = noLeaf;
+    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
+    uint missing = noLeaf;
+    uint current = 0u;
+    bool pops = false;
+    vec3 o = vec3(0.0);
+    vec3 d_1 = vec3(0.0);
+    bool nearer = false;
+    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
+    toLight = !((rays.most > 0.0));
+    bool _e17 = toLight;
+    most = pick(_e17, rays.lightMost, rays.most);
+    uint _e59 = frame.instanceCount;
+    bool alone = (_e59 == 1u);
+    uint first_1 = pick(alone, leafBit, beginning);
+    current = first_1;
+    uint _e68 = frame.instanceCount;
+    float _e71 = most;
+    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
+        MeshHit _e76 = found_5;
+        return _e76;
+    }
+    while(true) {
+        while(true) {
+            pops = false;
+            uint _e79 = current;
+            if (((_e79 & leafBit) == 0u)) {
+                uint _e84 = nodes;
+                uint _e85 = current;
+                uint node_1 = (_e84 + (_e85 * nodeRows));
+                uvec4 _e91 = geometryRow((node_1 + childrenRow));
+                SlabRay _e92 = slabs;
+                float _e93 = most;
+                vec4 _e94 = enterChildren(node_1, _e92, _e91, _e93);
+                bool a_3 = (_e94.x < _e94.z);
+                bool b_7 = (_e94.y < _e94.w);
+                vec2 t0_2 = pick(a_3, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
+                uvec2 r0_ = pick(a_3, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
+                vec2 t1_1 = pick(b_7, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
+                uvec2 r1_ = pick(b_7, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+                bool c_3 = (t0_2.x < t1_1.x);
+                bool d_2 = (t0_2.y < t1_1.y);
+                vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
+                uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
+                uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                bool e_21 = (ta.y < tb.x);
+                vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                if ((ta.x < 1e30)) {
+                    uint _e184 = top;
+                    stack[_e184] = ra.x;
+                    uint _e188 = top;
+                    top = (_e188 + 1u);
+                }
+                if ((tm.x < 1e30)) {
+                    uint _e194 = top;
+                    stack[_e194] = rm.x;
+                    uint _e198 = top;
+                    top = (_e198 + 1u);
+                }
+                if ((tm.y < 1e30)) {
+                    uint _e204 = top;
+                    stack[_e204] = rm.y;
+                    uint _e208 = top;
+                    top = (_e208 + 1u);
+                }
+                pops = (tb.y >= 1e30);
+                current = rb.y;
+            } else {
+                uint _e214 = instance_1;
+                uint _e217 = current;
+                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
+                    uint _e221 = current;
+                    bool toWorld_1 = (_e221 >= beginning);
+                    uint _e224 = current;
+                    pops = (_e224 == leaving);
+                    uint _e227 = current;
+                    instance_1 = pick(toWorld_1, noInstance, (_e227 & placeMask));
+                    o = rays.origin;
+                    bool _e236 = toLight;
+                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld_1)) {
+                        uint _e243 = frame.instances;
+                        uint _e244 = instance_1;
+                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
+                        vec3 _e249 = o;
+                        vec4 p_18 = vec4(_e249, 1.0);
+                        o = vec3(dot(_e248.toMeshX, p_18), dot(_e248.toMeshY, p_18), dot(_e248.toMeshZ, p_18));
+                        vec3 _e261 = d_1;
+                        vec3 _e265 = d_1;
+                        vec3 _e269 = d_1;
+                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
+                        nodes = _e248.nodes;
+                        triangles = _e248.triangles;
+                        cover = _e248.cover;
+                        if (!(alone)) {
+                            uint _e277 = top;
+                            stack[_e277] = leaving;
+                            uint _e281 = top;
+                            top = (_e281 + 1u);
+                        }
+                    }
+                    current = 0u;
+                    vec3 _e284 = o;
+                    vec3 _e285 = d_1;
+                    SlabRay _e286 = slabRay(_e284, _e285);
+                    slabs = _e286;
+                    vec3 _e287 = o;
+                    vec3 _e288 = d_1;
+                    MeshRay _e289 = meshRay(_e287, _e288);
+                    ray_2 = _e289;
+                } else {
+                    uint _e290 = current;
+                    uint place_4 = (_e290 & placeMask);
+                    MeshRay _e293 = ray_2;
+                    uint _e294 = triangles;
+                    Triangle _e298 = fetchTriangle((_e294 + (place_4 * triangleRows)));
+                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
+                    uint _e300 = instance_1;
+                    bool own_5 = pick((_e300 == left.instance), (place_4 == left.triangle), false);
+                    float _e310 = most;
+                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_5), false);
+                    const bool _e317 = hasOneSided;
+                    if (_e317) {
+                        bool _e318 = nearer;
+                        uint _e320 = cover;
+                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
+                    }
+                    const bool _e328 = hasCutouts;
+                    if (_e328) {
+                        bool _e329 = nearer;
+                        uint _e330 = current;
+                        uint _e331 = missing;
+                        nearer = pick(_e329, (_e330 != _e331), false);
+                        missing = noLeaf;
+                        bool _e335 = nearer;
+                        uint _e336 = cover;
+                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
+                            uint _e342 = current;
+                            doubted = _e342;
+                            uint _e344 = instance_1;
+                            doubtedHit = MeshHit(_e299.t, _e344, place_4, _e299.weights, false);
+                            break;
+                        }
+                    }
+                    uint _e348 = current;
+                    current = ((_e348 + 1u) - 268435456u);
+                    uint _e353 = current;
+                    pops = (((_e353 >> countShift) & 7u) == 0u);
+                    bool _e360 = nearer;
+                    if (_e360) {
+                        bool _e361 = toLight;
+                        if (_e361) {
+                            found_5.blocked = true;
+                            break;
+                        }
+                        most = _e299.t;
+                        uint _e366 = instance_1;
+                        found_5 = MeshHit(_e299.t, _e366, place_4, _e299.weights, false);
+                    }
+                }
+            }
+            bool _e370 = pops;
+            if (_e370) {
+                uint _e371 = top;
+                if ((_e371 > 0u)) {
+                    uint _e375 = top;
+                    top = (_e375 - 1u);
+                    uint _e378 = top;
+                    uint _e380 = stack[_e378];
+                    current = _e380;
+                } else {
+                    bool _e381 = toLight;
+                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+                        break;
+                    }
+                    toLight = true;
+                    most = rays.lightMost;
+                    instance_1 = noInstance;
+                    current = first_1;
+                }
+            }
+        }
+        const bool _e391 = hasCutouts;
+        if (!(_e391)) {
+            break;
+        }
+        uint _e393 = doubted;
+        if ((_e393 == noLeaf)) {
+            break;
+        }
+        uint _e397 = doubtedHit.instance;
+        uint _e399 = doubtedHit.triangle;
+        vec2 _e401 = doubtedHit.weights;
+        bool _e403 = toLight;
+        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
+        uint _e407 = doubted;
+        missing = pick(_e406, noLeaf, _e407);
+        doubted = noLeaf;
+        bool _e411 = toLight;
+        if (pick(_e406, _e411, false)) {
+            found_5.blocked = true;
+            break;
+        }
+        if (_e406) {
+            float _e416 = doubtedHit.t;
+            most = _e416;
+            MeshHit _e417 = doubtedHit;
+            found_5 = _e417;
+        }
+    }
+    MeshHit _e418 = found_5;
+    return _e418;
+}
+
+uint rowOfInstance(uint instance_2) {
+    uint _e3 = frame.instances;
+    Instance _e7 = fetchInstance((_e3 + (instance_2 * instanceRows)));
+    return _e7.row;
+}
+
+PairHit meetMeshes(PairHit found_6, RayPair p_6) {
+    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
+    float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
+    MeshHit _e17 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost, p_6.number), p_6.left);
+    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e17.blocked), noTriangle, _e17.weights);
+    if ((_e17.instance != noInstance)) {
+        result.t = _e17.t;
+        uint _e34 = rowOfInstance(_e17.instance);
+        result.shape = _e34;
+        result.triangle = LeftTriangle(_e17.instance, _e17.triangle);
+    }
+    PairHit _e39 = result;
+    return _e39;
+}
+
+PairHit tracePair(RayPair p_7) {
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_10 = 0u;
+    uvec4 ends = frame.shapeEnds;
+    const bool _e17 = hasSpheres;
+    uint _e18 = i_10;
+    if (pick(_e17, (_e18 < ends.x), false)) {
+        while(true) {
+            PairHit _e22 = found_7;
+            uint _e23 = i_10;
+            PairHit _e24 = meetSphere(_e22, p_7, _e23);
+            found_7 = _e24;
+            uint _e26 = i_10;
+            i_10 = (_e26 + 1u);
+            uint _e28 = i_10;
+            if ((_e28 >= ends.x)) {
+                break;
+            }
+        }
+    }
+    const bool _e32 = hasBoxes;
+    uint _e33 = i_10;
+    if (pick(_e32, (_e33 < ends.y), false)) {
+        while(true) {
+            PairHit _e37 = found_7;
+            uint _e38 = i_10;
+            PairHit _e39 = meetBox(_e37, p_7, _e38);
+            found_7 = _e39;
+            uint _e41 = i_10;
+            i_10 = (_e41 + 1u);
+            uint _e43 = i_10;
+            if ((_e43 >= ends.y)) {
+                break;
+            }
+        }
+    }
+    const bool _e47 = hasQuads;
+    uint _e48 = i_10;
+    if (pick(_e47, (_e48 < ends.z), false)) {
+        while(true) {
+            PairHit _e52 = found_7;
+            uint _e53 = i_10;
+            PairHit _e54 = meetQuad(_e52, p_7, _e53);
+            found_7 = _e54;
+            uint _e56 = i_10;
+            i_10 = (_e56 + 1u);
+            uint _e58 = i_10;
+            if ((_e58 >= ends.z)) {
+                break;
+            }
+        }
+    }
+    const bool _e62 = hasPlanes;
+    uint _e63 = i_10;
+    if (pick(_e62, (_e63 < ends.w), false)) {
+        while(true) {
+            PairHit _e67 = found_7;
+            uint _e68 = i_10;
+            PairHit _e69 = meetPlane(_e67, p_7, _e68);
+            found_7 = _e69;
+            uint _e71 = i_10;
+            i_10 = (_e71 + 1u);
+            uint _e73 = i_10;
+            if ((_e73 >= ends.w)) {
+                break;
+            }
+        }
+    }
+    const bool _e77 = hasMeshes;
+    if (_e77) {
+        PairHit _e78 = found_7;
+        PairHit _e79 = meetMeshes(_e78, p_7);
+        found_7 = _e79;
+    }
+    PairHit _e80 = found_7;
+    return _e80;
+}
+
+bool isPlane(uint i_11) {
+    uint _e4 = frame.shapeEnds.z;
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_11 >= _e4), (i_11 < _e9), false);
+}
+
+vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_11 = pick(entering, _e5.near, _e5.far);
+    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    bool onX = (crossed.x == t_11);
+    bool onY = pick(!(onX), (crossed.y == t_11), false);
+    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+}
+
+vec3 turnedBack(vec4 q_2, vec3 v_3) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
+    return _e6;
+}
+
+bool isBox(uint i_12) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return pick((i_12 >= _e4), (i_12 < _e9), false);
+}
+
+bool isSphere(uint i_13) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_13 < _e4);
+}
+
+vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
+    vec3 normal_1 = vec3(0.0);
+    Bounds _e3 = fetchBounds(i_14);
+    vec3 origin_10 = (p_8.point - _e3.center);
+    normal_1 = _e3.center;
+    const bool _e10 = hasQuads;
+    if (_e10) {
+        Extent _e11 = fetchExtent(i_14);
+        vec3 _e17 = normal_1;
+        bool _e18 = isPlane(i_14);
+        normal_1 = pick(_e18, _e17, cross(_e11.a.xyz, _e11.b.xyz));
+    }
+    const bool _e21 = hasBoxes;
+    if (_e21) {
+        Extent _e22 = fetchExtent(i_14);
+        bool inside_1 = pick((i_14 == p_8.shape), p_8.inwards, false);
+        vec3 _e28 = turned(_e22.a, origin_10);
+        vec3 _e31 = turned(_e22.a, p_8.direction);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside_1);
+        vec3 _e36 = normal_1;
+        vec3 _e38 = turnedBack(_e22.a, _e35);
+        bool _e39 = isBox(i_14);
+        normal_1 = pick(_e39, _e38, _e36);
+    }
+    const bool _e42 = hasSpheres;
+    if (_e42) {
+        vec3 _e43 = normal_1;
+        bool _e47 = isSphere(i_14);
+        normal_1 = pick(_e47, (origin_10 + (t_3 * p_8.direction)), _e43);
+    }
+    vec3 _e49 = normal_1;
+    return normalize(_e49);
+}
+
+Surface fetchSurface(uint i_15) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_15)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_15)), 0);
+    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_15)), 0);
+    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_15)), 0);
+    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_15)), 0);
+    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+}
+
+uint kindOf(uint code) {
+    return (code & 3u);
+}
+
+bool isMetallicRoughness(uint code_1) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_1);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_2, float eta) {
+    const bool _e3 = hasLayers;
+    bool _e4 = isMetallicRoughness(code_2);
+    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+}
+
+Layers fetchLayers(uint i_16) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
+    return Layers(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+}
+
+Layers layersOf(uint code_3, float eta_1) {
+    Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bool _e4 = hasLayers;
+    if (_e4) {
+        bool _e5 = isLayered(code_3, eta_1);
+        if (_e5) {
+            Layers _e8 = fetchLayers(uint(abs(eta_1)));
+            l = _e8;
+        }
+    }
+    Layers _e9 = l;
+    return _e9;
+}
+
+vec3 fromOctahedral(uint code_4) {
+    vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_1 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
+    vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
+    return normalize(vec3(pick((z_1 < 0.0), folded, p_19), z_1));
+}
+
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+    MeshPoint p_9 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
+    uint _e5 = frame.instances;
+    Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
+    Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
+    mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
+    vec3 geometric_2 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_9 = MeshPoint(geometric_2, geometric_2, vec3(0.0), vec3(0.0), geometric_2, vec4(0.0), vec4(1.0));
+    if ((_e9.vertexRows != 0u)) {
+        uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
+        Vertex _e54 = fetchVertex(rows_1.x);
+        Vertex _e56 = fetchVertex(rows_1.y);
+        Vertex _e58 = fetchVertex(rows_1.z);
+        vec3 share_1 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 _e67 = fromOctahedral(_e54.normal);
+        vec3 _e71 = fromOctahedral(_e56.normal);
+        vec3 _e76 = fromOctahedral(_e58.normal);
+        vec3 normal_10 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 smoothed = (turn * normal_10);
+        float size_2 = dot(smoothed, smoothed);
+        float side_1 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
+        bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
+        p_9.shading = pick(useful, (smoothed * (side_1 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
+        const bool _e103 = hasTextures;
+        if (_e103) {
+            p_9.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
+            if ((_e9.vertexRows > vertexRows)) {
+                VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
+                VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
+                VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
+                vec4 _e136 = p_9.uv;
+                p_9.uv = vec4(_e136.xy, (((share_1.x * _e125.uv) + (share_1.y * _e129.uv)) + (share_1.z * _e133.uv)));
+                vec2 _e152 = pairOf(_e125.redGreen);
+                vec2 _e156 = pairOf(_e129.redGreen);
+                vec2 _e161 = pairOf(_e133.redGreen);
+                vec2 redGreen = (((share_1.x * _e152) + (share_1.y * _e156)) + (share_1.z * _e161));
+                vec2 _e166 = pairOf(_e125.blueAlpha);
+                vec2 _e170 = pairOf(_e129.blueAlpha);
+                vec2 _e175 = pairOf(_e133.blueAlpha);
+                vec2 blueAlpha = (((share_1.x * _e166) + (share_1.y * _e170)) + (share_1.z * _e175));
+                p_9.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            }
+            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                vec3 _e193 = fromOctahedral(_e54.tangent);
+                vec3 _e197 = fromOctahedral(_e56.tangent);
+                vec3 _e202 = fromOctahedral(_e58.tangent);
+                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
+                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                p_9.normal = (smoothed * side_1);
+                p_9.tangent = ((turn * tangent_2) * side_1);
+                p_9.bitangent = ((turn * cross(normal_10, tangent_2)) * (hand * side_1));
+            }
+        }
+    }
+    MeshPoint _e223 = p_9;
+    return _e223;
+}
+
+bool isSmooth(uint code_5) {
+    return ((code_5 & 32u) != 0u);
+}
+
+void takeUpLayer(inout Layers l_1, uint slot, vec4 texel_1) {
+    float _e4 = l_1.specularWeight;
+    l_1.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
+    vec3 _e12 = l_1.specularColor;
+    l_1.specularColor = (_e12 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e21 = l_1.transmission;
+    l_1.transmission = (_e21 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+    float _e29 = l_1.beyond;
+    l_1.beyond = (_e29 * pick((slot == beyondSlot), texel_1.w, 1.0));
+    vec3 _e37 = l_1.beyondColor;
+    l_1.beyondColor = (_e37 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e46 = l_1.coat;
+    l_1.coat = (_e46 * pick((slot == coatSlot), texel_1.x, 1.0));
+    float _e54 = l_1.coatRoughness;
+    l_1.coatRoughness = (_e54 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    vec3 _e62 = l_1.sheenColor;
+    l_1.sheenColor = (_e62 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e71 = l_1.sheenRoughness;
+    l_1.sheenRoughness = (_e71 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    float _e79 = l_1.film;
+    l_1.film = (_e79 * pick((slot == filmSlot), texel_1.x, 1.0));
+    float _e88 = l_1.filmThickness;
+    float _e90 = l_1.filmLeast;
+    float _e92 = l_1.filmThickness;
+    l_1.filmThickness = pick((slot == filmThicknessSlot), mix(_e90, _e92, texel_1.y), _e88);
+    bool isGrain = (slot == anisotropySlot);
+    float _e101 = l_1.anisotropy;
+    l_1.anisotropy = (_e101 * pick(isGrain, texel_1.z, 1.0));
+    vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
+    float size_3 = dot(given_2, given_2);
+    vec2 d_3 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+    vec2 own_6 = l_1.grain;
+    l_1.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
+    return;
+}
+
+vec3 takeUpTextures(inout Surface s_6, inout Layers l_2, vec4 uv_2, vec3 color) {
+    vec3 bump = vec3(0.0, 0.0, 1.0);
+    uint i_17 = 0u;
+    float _e5 = s_6.textures;
+    uint row_8 = uint(_e5);
+    MaterialTextures _e7 = fetchMaterialTextures(row_8);
+    bool unlit = ((_e7.flags & isUnlit) != 0u);
+    vec3 _e14 = s_6.baseColor;
+    s_6.baseColor = (_e14 * color);
+    vec3 _e17 = s_6.emission;
+    s_6.emission = (_e17 * pick(unlit, color, vec3(1.0)));
+    if ((_e7.count > 0u)) {
+        while(true) {
+            uint _e34 = i_17;
+            TextureUse _e38 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e34 * textureUseRows)));
+            vec4 _e47 = lookUp(_e38, pick(((_e38.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec3 _e49 = s_6.baseColor;
+            s_6.baseColor = (_e49 * pick((_e38.slot == baseColorSlot), _e47.xyz, vec3(1.0)));
+            vec3 _e59 = s_6.emission;
+            s_6.emission = (_e59 * pick((_e38.slot == emissionSlot), _e47.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e38.slot == metallicRoughnessSlot), _e47.yz, vec2(1.0));
+            float _e76 = s_6.alpha;
+            float rough = max(((_e76 * share_2.x) * share_2.x), 0.001);
+            float _e85 = s_6.alpha;
+            float _e87 = s_6.code;
+            bool _e89 = isSmooth(uint(_e87));
+            s_6.alpha = pick(_e89, _e85, rough);
+            float _e92 = s_6.metallic;
+            s_6.metallic = (_e92 * share_2.y);
+            vec3 _e95 = bump;
+            bump = pick((_e38.slot == normalSlot), (((2.0 * _e47.xyz) - vec3(1.0)) * vec3(_e38.scale, _e38.scale, 1.0)), _e95);
+            const bool _e112 = hasLayers;
+            if (_e112) {
+                takeUpLayer(l_2, _e38.slot, _e47);
+            }
+            uint _e115 = i_17;
+            i_17 = (_e115 + 1u);
+            uint _e117 = i_17;
+            if ((_e117 >= _e7.count)) {
+                break;
+            }
+        }
+    }
+    vec3 _e120 = bump;
+    return _e120;
+}
+
+vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
+    float oz = max(dot(o_1, g_1), 0.0);
+    float least = min((0.9 * oz), 0.01);
+    vec3 across_3 = (n - (dot(n, g_1) * g_1));
+    vec3 x_19 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_19);
+    float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
+    float b_8 = (2.0 * (a_4 + (oz * least)));
+    float c_4 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_4)), 0.0));
+    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
+    vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
+    return pick((dot(g_1, reflected) >= least), n, raised);
+}
+
+vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
+    float size_4 = dot(mapped, mapped);
+    vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
+    float side_2 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_2 * geometric), -(direction_9), (side_2 * n_4));
+    return (side_2 * _e21);
+}
+
+bool isDielectric(uint code_6) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_6);
+    return pick(_e2, (_e3 == dielectric_1), false);
+}
+
+bool letsThrough(uint code_7, float eta_2) {
+    bool _e2 = isDielectric(code_7);
+    bool _e3 = isLayered(code_7, eta_2);
+    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+}
+
+vec3 tangentAbout(vec3 normal_2) {
+    vec3 east = vec3(normal_2.z, 0.0, -(normal_2.x));
+    float length2_ = dot(east, east);
+    return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
+}
+
+vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_1 = (tangent - (dot(tangent, normal_3) * normal_3));
+    float size_5 = dot(along_1, along_1);
+    bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
+    vec3 _e12 = tangentAbout(normal_3);
+    vec3 t_12 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_12);
+    float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
+    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+}
+
+SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
+    SurfacePoint p_10 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 tangent_1 = vec3(0.0);
+    vec3 bitangent_1 = vec3(0.0);
+    vec3 _e4 = normalAt(rays_1, hit.t, shape);
+    Surface _e5 = fetchSurface(shape);
+    Layers _e10 = layersOf(uint(_e5.code), _e5.eta.x);
+    p_10 = SurfacePoint(_e5, _e10, _e4, _e4, vec3(0.0));
+    const bool _e22 = hasMeshes;
+    if (pick(_e22, (hit.triangle.instance != noInstance), false)) {
+        MeshPoint _e33 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+        p_10.geometric = _e33.geometric;
+        p_10.shading = _e33.shading;
+        const bool _e39 = hasTextures;
+        if (_e39) {
+            vec3 _e45 = takeUpTextures(p_10.surface, p_10.layers, _e33.uv, _e33.color.xyz);
+            tangent_1 = _e33.tangent;
+            bitangent_1 = _e33.bitangent;
+            if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
+                vec3 _e69 = validNormal(_e33.geometric, rays_1.direction, (((_e45.x * _e33.tangent) + (_e45.y * _e33.bitangent)) + (_e45.z * _e33.normal)), _e33.shading);
+                p_10.shading = _e69;
+            }
+        }
+        vec3 _e71 = p_10.geometric;
+        vec3 _e77 = p_10.shading;
+        bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
+        vec3 _e85 = p_10.shading;
+        vec3 _e87 = p_10.geometric;
+        float _e90 = p_10.surface.code;
+        float _e95 = p_10.surface.eta.x;
+        bool _e96 = letsThrough(uint(_e90), _e95);
+        p_10.shading = pick(pick(_e96, !(agree), false), _e87, _e85);
+    }
+    const bool _e101 = hasLayers;
+    if (_e101) {
+        float _e104 = p_10.layers.anisotropy;
+        if ((_e104 > 0.0)) {
+            vec3 _e109 = p_10.shading;
+            vec3 _e110 = tangent_1;
+            vec3 _e111 = bitangent_1;
+            vec2 _e114 = p_10.layers.grain;
+            vec3 _e115 = grainAt(_e109, _e110, _e111, _e114);
+            p_10.grain = _e115;
+        }
+    }
+    SurfacePoint _e116 = p_10;
+    return _e116;
+}
+
+Basis basisAbout(vec3 n_1) {
+    float side_3 = pick((n_1.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (side_3 + n_1.z));
+    float b_9 = ((n_1.x * n_1.y) * a_5);
+    return Basis(vec3((1.0 + (((side_3 * n_1.x) * n_1.x) * a_5)), (side_3 * b_9), (-(side_3) * n_1.x)), vec3(b_9, (side_3 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+}
+
+Basis basisAlong(vec3 n_2, vec3 x_10) {
+    vec3 tangent_3 = normalize((x_10 - (dot(x_10, n_2) * n_2)));
+    return Basis(tangent_3, cross(n_2, tangent_3), n_2);
+}
+
+vec3 toLocal(Basis b_1, vec3 v_4) {
+    return vec3(dot(v_4, b_1.tangent), dot(v_4, b_1.bitangent), dot(v_4, b_1.normal));
+}
+
+bool isThin(uint code_8) {
+    const bool _e2 = hasGlass;
+    return pick(_e2, ((code_8 & 7u) == 7u), false);
+}
+
+vec3 schlick(vec3 f0_, float cosine) {
+    float m = max((1.0 - cosine), 0.0);
+    float m2_ = (m * m);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+}
+
+float coatReflectance(float coat, float cosine_1) {
+    vec3 _e4 = schlick(vec3(0.04), cosine_1);
+    return (coat * _e4.x);
+}
+
+Emitter fetchEmitter(uint i_18) {
+    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(14u, i_18)), 0);
+    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(15u, i_18)), 0);
+    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(16u, i_18)), 0);
+    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(17u, i_18)), 0);
+    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(18u, i_18)), 0);
+    return Emitter(t0_5.xyz, t0_5.w, t1_4.xyz, t1_4.w, t2_2.xyz, t2_2.w, t3_2.xyz, t3_2.w, t4_2.x, t4_2.y, t4_2.z, t4_2.w);
+}
+
+int emitterOf(float code_9) {
+    return ((int(code_9) >> 6u) - 1);
+}
+
+Emitter emitterAt(uint i_19, Emitter only) {
+    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+    emitter = only;
+    const bool _e4 = hasManyLights;
+    if (_e4) {
+        Emitter _e5 = fetchEmitter(i_19);
+        emitter = _e5;
+    }
+    Emitter _e6 = emitter;
+    return _e6;
+}
+
+bool isOnDisc(Emitter e, vec3 direction_10) {
+    vec3 chord = (direction_10 + e.u);
+    return ((3.1415927 * dot(chord, chord)) < e.area);
+}
+
+float directionalPdf(Emitter e_1, vec3 direction_11) {
+    bool _e7 = isOnDisc(e_1, direction_11);
+    return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
+}
+
+vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
+    vec2 low_1 = min(x_11, y_5);
+    vec2 high = max(x_11, y_5);
+    bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high));
+    vec2 r_1 = (mix(low_1, (low_1 - high), middle_1) / max(mix(high, (low_1 + high), middle_1), vec2(1e-30)));
+    vec2 z_2 = (r_1 * r_1);
+    vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_11));
+}
+
+EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
+    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
+}
+
+Corners environmentCorners(uvec2 cell) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_6 = uvec2(_e3);
+    uint left_1 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_6.x), 0u, cell.x);
+    uint upper_1 = (max(cell.y, 1u) - 1u);
+    uint lower_1 = min(cell.y, (size_6.y - 1u));
+    vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_6.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
+    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
+    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
+    return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_12) {
+    vec2 size_7 = frame.environmentSize;
+    float sine_1 = max(length(direction_12.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
+    float turn_1 = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
+    float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
+    float row_9 = floor(fromPole);
+    bool isLower = (direction_12.y < 0.0);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_7.y - row_9), row_9));
+    float within_2 = (fromPole - row_9);
+    vec2 at_2 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
+    Corners _e66 = environmentCorners(uvec2(cell_1));
+    EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
+    return _e67;
+}
+
+vec3 sky(vec3 direction_13) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_13.y, 0.0));
+}
+
+EnvironmentLight skyLight(vec3 direction_14) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_14);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_14);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight farLight(Emitter e_2, vec3 direction_15) {
+    FarLight far = FarLight(vec3(0.0), 0.0);
+    const bool _e8 = hasSuns;
+    if (_e8) {
+        bool _e12 = isOnDisc(e_2, direction_15);
+        bool seen = pick((e_2.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_2, direction_15);
+        far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
+    }
+    const bool _e23 = hasSky;
+    if (pick(_e23, (e_2.kind == 6.0), false)) {
+        EnvironmentLight _e28 = skyLight(direction_15);
+        far = FarLight(_e28.radiance, _e28.pdf);
+    }
+    FarLight _e32 = far;
+    return _e32;
+}
+
+SphereView viewSphere(Emitter e_3, vec3 point) {
+    vec3 toCenter_2 = (e_3.position - point);
+    float d_4 = length(toCenter_2);
+    float power = abs(((d_4 - e_3.radius) * (d_4 + e_3.radius)));
+    bool inside_2 = (d_4 <= e_3.radius);
+    float sine_2 = min((e_3.radius / max(d_4, 1e-30)), 1.0);
+    float cosine_17 = (sqrt(power) / max(d_4, 1e-30));
+    return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_17))));
+}
+
+float conePdf(float width) {
+    return (1.0 / (6.2831855 * max(width, 1e-31)));
+}
+
+float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_16) {
+    SphereView _e3 = viewSphere(e_4, point_1);
+    bool reached = pick(_e3.inside, true, (dot(direction_16, _e3.toCenter) > 0.0));
+    float _e11 = conePdf(_e3.width);
+    return pick(reached, _e11, 0.0);
+}
+
+float areaPdf(float area, float height, float distance_) {
+    float pdf_1 = (((distance_ / max(height, 1e-30)) * distance_) / max((area / distance_), 1e-30));
+    return min(pdf_1, 1e30);
+}
+
+float pdfOfView(QuadView q_3, float area_1, float distance_1) {
+    float _e4 = areaPdf(area_1, q_3.height, distance_1);
+    float pdf_2 = pick(q_3.bySolidAngle, (1.0 / max(q_3.solidAngle, 0.01)), _e4);
+    return pick(q_3.lit, pdf_2, 0.0);
+}
+
+float arctangent(float x_12) {
+    float a_6 = abs(x_12);
+    bool steep = (a_6 > 2.4142137);
+    bool middle_2 = pick((a_6 > 0.41421357), !(steep), false);
+    float r_2 = pick(steep, (-1.0 / max(a_6, 1.0)), pick(middle_2, ((a_6 - 1.0) / (a_6 + 1.0)), a_6));
+    float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
+    float z_3 = (r_2 * r_2);
+    float series_1 = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
+    return (sign(x_12) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
+}
+
+float stretch(float x_13, vec2 y_6, float h_1) {
+    vec2 r_3 = sqrt(((vec2((x_13 * x_13)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
+    float _e16 = arctangent(((x_13 * y_6.y) / (h_1 * r_3.y)));
+    float _e22 = arctangent(((x_13 * y_6.x) / (h_1 * r_3.x)));
+    return (_e16 - _e22);
+}
+
+QuadView viewQuad(Emitter e_5, vec3 point_2) {
+    vec3 corner = (e_5.position - point_2);
+    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
+    vec3 axisX = (e_5.u / vec3(lengths.x));
+    vec3 axisY = (e_5.v / vec3(lengths.y));
+    vec3 normal_11 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_11);
+    float least_1 = (1e-7 * (lengths.x + lengths.y));
+    float height_1 = max(abs(signedHeight), least_1);
+    bool lit = pick((abs(signedHeight) > least_1), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_2 + lengths);
+    vec2 y_10 = vec2(low_2.y, high_1.y);
+    float _e44 = stretch(low_2.x, y_10, height_1);
+    float _e46 = stretch(high_1.x, y_10, height_1);
+    float solidAngle = (_e46 - _e44);
+    bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
+    vec3 axisZ = (normal_11 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+}
+
+float quadPdf(Emitter e_6, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_6, point_3);
+    float _e5 = pdfOfView(_e3, e_6.area, distance_2);
+    return _e5;
+}
+
+BoxView viewBox(Emitter e_7, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_7.shape));
+    vec4 rotation = _e4.a;
+    vec3 _e8 = rotate(rotation, (point_4 - e_7.position));
+    bvec3 seen_1 = greaterThan(abs(_e8), e_7.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen_1);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
+}
+
+float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_4) {
+    BoxView _e5 = viewBox(e_8, point_5);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_4))), distance_3);
+    float _e12 = conePdf(2.0);
+    return pick(_e5.inside, _e12, _e10);
+}
+
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, vec3 normal_5) {
+    float pdf = 0.0;
+    const bool _e8 = hasSphereLights;
+    if (pick(_e8, (e_9.kind == 0.0), false)) {
+        float _e13 = spherePdf(e_9, point_6, direction_18);
+        pdf = _e13;
+    }
+    const bool _e15 = hasQuadLights;
+    if (pick(_e15, (e_9.kind == 1.0), false)) {
+        float _e20 = quadPdf(e_9, point_6, distance_4);
+        pdf = _e20;
+    }
+    const bool _e22 = hasBoxLights;
+    if (pick(_e22, (e_9.kind == 2.0), false)) {
+        float _e27 = boxPdf(e_9, point_6, direction_18, distance_4, normal_5);
+        pdf = _e27;
+    }
+    float _e28 = pdf;
+    return _e28;
+}
+
+float spotFalloff(Emitter e_10, vec3 toLight_1) {
+    float share_3 = clamp(((-(dot(toLight_1, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+    return (share_3 * share_3);
+}
+
+float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_6) {
+    float estimate = 0.0;
+    const bool _e4 = hasQuadLights;
+    bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
+    const bool _e10 = hasSuns;
+    bool isFar = pick(_e10, (e_11.kind == 5.0), false);
+    vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
+    vec3 toLight_3 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    float distance2_ = dot(toLight_3, toLight_3);
+    float distance_5 = sqrt(distance2_);
+    float grown = max((distance_5 + e_11.reach), 1e-15);
+    float above_2 = clamp(((dot(normal_6, toLight_3) + e_11.reach) / grown), 0.0, 1.0);
+    float cosine_18 = pick((dot(normal_6, normal_6) == 0.0), 1.0, above_2);
+    float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
+    estimate = ((e_11.power * cosine_18) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e65 = hasQuadLights;
+    if (_e65) {
+        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_3)) / max(e_11.area, 1e-30));
+        float side_4 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_4 > 0.0), ((side_4 + e_11.reach) / grown), 0.0);
+        float _e89 = estimate;
+        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    }
+    const bool _e94 = hasPointLights;
+    if (_e94) {
+        float _e95 = estimate;
+        float _e100 = spotFalloff(e_11, (toLight_3 / vec3(max(distance_5, 1e-15))));
+        estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
+    }
+    const bool _e108 = hasSky;
+    if (_e108) {
+        float _e109 = estimate;
+        estimate = pick((e_11.kind == 6.0), e_11.power, _e109);
+    }
+    float _e115 = estimate;
+    return _e115;
+}
+
+float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
+    float probability = 0.0;
+    uint _e6 = frame.emitterCount;
+    probability = float(min(_e6, 1u));
+    const bool _e12 = hasManyLights;
+    uint _e15 = frame.emitterCount;
+    if (pick(_e12, (_e15 > 1u), false)) {
+        float _e19 = estimatedIrradiance(e_12, point_8, normal_7);
+        probability = (_e19 / max(total, 1e-37));
+    }
+    float _e23 = probability;
+    return _e23;
+}
+
+float misWeight(float own, float other) {
+    float ratio_7 = (other / own);
+    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
+}
+
+vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
+    vec3 found_8 = vec3(0.0);
+    uint i_20 = 0u;
+    bool escaped = (hit_1.shape == noShape);
+    vec3 direction_19 = p_11.rays.direction;
+    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_19) > 0.0), false);
+    int _e21 = emitterOf(s_7.code);
+    found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
+    bool weighed = pick(escaped, true, (_e21 >= 0));
+    uint _e33 = frame.emitterCount;
+    if (pick(weighed, (_e33 > 0u), false)) {
+        vec3 emission = found_8;
+        found_8 = vec3(0.0);
+        i_20 = pick(escaped, 0u, uint(max(_e21, 0)));
+        while(true) {
+            uint _e46 = i_20;
+            Emitter _e47 = emitterAt(_e46, only_1);
+            FarLight _e48 = farLight(_e47, direction_19);
+            float _e52 = shapePdf(_e47, p_11.rays.point, direction_19, hit_1.t, outward);
+            float density = pick(escaped, _e48.pdf, _e52);
+            float _e59 = probabilityOf(_e47, p_11.rays.point, p_11.litSide, p_11.total);
+            float pdf_3 = (density * _e59);
+            vec3 radiance = pick(escaped, _e48.radiance, emission);
+            vec3 _e63 = found_8;
+            float _e65 = misWeight(p_11.pdf, pdf_3);
+            found_8 = (_e63 + (radiance * pick((p_11.pdf <= 0.0), 1.0, _e65)));
+            uint _e74 = i_20;
+            i_20 = (_e74 + 1u);
+            const bool _e77 = hasSky;
+            const bool _e79 = hasSuns;
+            uint _e84 = i_20;
+            uint _e87 = frame.emitterCount;
+            if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
+                break;
+            }
+        }
+    }
+    vec3 _e90 = found_8;
+    return _e90;
+}
+
+uint pascalW2_(uint x_14) {
+    uint y_7 = 0u;
+    uint _e5 = timesW2_(((x_14 >> 2u) & 13107u));
+    y_7 = (x_14 ^ _e5);
+    uint _e8 = y_7;
+    uint _e9 = y_7;
+    uint _e14 = timesW(((_e9 >> 4u) & 3855u));
+    y_7 = (_e8 ^ _e14);
+    uint _e16 = y_7;
+    uint _e17 = y_7;
+    uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
+    return (_e16 ^ _e22);
+}
+
+vec3 next3d(inout Sampler s_8) {
+    Group _e1 = nextGroup(s_8);
+    uint _e4 = timesW2_(_e1.shift);
+    uint _e6 = pascalW2_((_e1.index ^ _e4));
+    uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
+    vec2 _e13 = points2d(_e1);
+    uint _e16 = reverseHalves((_e12 & 65535u));
+    float _e17 = toUnit(_e16, _e12);
+    return vec3(_e13, _e17);
+}
+
+EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
+    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
+    float total_1 = 0.0;
+    uint chosen = 0u;
+    float chosenWeight = 0.0;
+    float rest = 0.0;
+    uint i_21 = 0u;
+    uint _e6 = frame.emitterCount;
+    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
+    const bool _e14 = hasManyLights;
+    uint _e17 = frame.emitterCount;
+    if (pick(_e14, (_e17 > 1u), false)) {
+        rest = u_4;
+        while(true) {
+            uint _e30 = i_21;
+            Emitter _e31 = fetchEmitter(_e30);
+            float _e32 = estimatedIrradiance(_e31, point_9, normal_8);
+            float _e33 = total_1;
+            total_1 = (_e33 + _e32);
+            float _e35 = total_1;
+            float share_4 = (_e32 / max(_e35, 1e-37));
+            float _e39 = rest;
+            bool take = (_e39 < share_4);
+            uint _e41 = chosen;
+            uint _e42 = i_21;
+            chosen = pick(take, _e42, _e41);
+            float _e44 = chosenWeight;
+            chosenWeight = pick(take, _e32, _e44);
+            float _e46 = rest;
+            float _e53 = rest;
+            rest = pick(take, (_e53 / max(share_4, 1e-37)), ((_e46 - share_4) / max((1.0 - share_4), 1e-7)));
+            uint _e59 = i_21;
+            i_21 = (_e59 + 1u);
+            uint _e61 = i_21;
+            uint _e64 = frame.emitterCount;
+            if ((_e61 >= _e64)) {
+                break;
+            }
+        }
+        uint _e66 = chosen;
+        float _e67 = chosenWeight;
+        float _e68 = total_1;
+        float _e72 = total_1;
+        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
+    }
+    EmitterChoice _e74 = choice;
+    return _e74;
+}
+
+vec3 turnTo(vec3 axis_1, vec3 v_5) {
+    float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_7 = (-1.0 / (s_26 + axis_1.z));
+    float b_10 = ((axis_1.x * axis_1.y) * a_7);
+    vec3 x_20 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_7)), (s_26 * b_10), (-(s_26) * axis_1.x));
+    vec3 y_11 = vec3(b_10, (s_26 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
+    return (((v_5.x * x_20) + (v_5.y * y_11)) + (v_5.z * axis_1));
+}
+
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_5) {
+    float oneMinusCosine = (u_5.x * width_1);
+    float cosine_19 = (1.0 - oneMinusCosine);
+    float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
+    float sine_3 = sqrt(max(sine2_, 0.0));
+    float phi = (6.2831855 * u_5.y);
+    vec2 turn_2 = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_19));
+    return ConeDirection(_e23, cosine_19, sine2_);
+}
+
+LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
+    SphereView _e3 = viewSphere(e_13, point_10);
+    vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_6);
+    float along_2 = (_e3.distance_ * _e19.cosine);
+    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float larger = (abs(along_2) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
+    float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    float _e49 = conePdf(_e3.width);
+    return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
+}
+
+vec2 cosineAndSine(float x_15) {
+    float h_5 = (0.5 * x_15);
+    float z_4 = (h_5 * h_5);
+    float sine_4 = (((((((-0.00019515296 * z_4) + 0.008332161) * z_4) - 0.16666655) * z_4) * h_5) + h_5);
+    return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
+}
+
+vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
+    float h_6 = q_4.height;
+    vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
+    vec2 s_27 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_6 * h_6)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
+    vec2 across_5 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
+    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_5), 1e-15));
+    float x_21 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_21 * x_21) + (h_6 * h_6));
+    vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
+    float v_11 = mix(ends_1.x, ends_1.y, u_7.y);
+    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_12.x, y_12.y);
+    return (((x_21 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
+}
+
+LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
+    QuadView _e3 = viewQuad(e_14, point_11);
+    vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_8);
+    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_4), _e3.height);
+    float _e23 = pdfOfView(_e3, e_14.area, distance_7);
+    return LightSample((toLight_4 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+}
+
+vec4 pointOnFaces(Emitter e_15, BoxView b_2, vec2 u_9) {
+    float both = (b_2.faces.x + b_2.faces.y);
+    float at_3 = (u_9.x * b_2.area);
+    bool onX_1 = (at_3 < b_2.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_3 < both), false);
+    float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
+    float within_3 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
+    vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_15.u) - b_2.point);
+    return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
+}
+
+vec3 rotateBack(vec4 q_5, vec3 v_6) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_6);
+    return _e6;
+}
+
+LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
+    BoxView _e3 = viewBox(e_16, point_12);
+    vec4 _e4 = pointOnFaces(e_16, _e3, u_10);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_10);
+    vec3 outwards = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
+    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
+    float _e33 = conePdf(2.0);
+    float pdf_4 = pick(_e3.inside, _e33, _e31);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
+    return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
+}
+
+LightSample samplePoint(Emitter e_17, vec3 point_13) {
+    vec3 toLight_6 = (e_17.position - point_13);
+    float distance_9 = length(toLight_6);
+    float safe = max(distance_9, 1e-15);
+    return LightSample((toLight_6 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_18, vec3 point_14) {
+    LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_18, point_14);
+    s_9 = _e2;
+    vec3 _e5 = s_9.direction;
+    float _e6 = spotFalloff(e_18, _e5);
+    vec3 _e8 = s_9.radiance;
+    s_9.radiance = (_e8 * _e6);
+    float _e12 = s_9.pdf;
+    s_9.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s_9;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_19, vec2 u_11) {
+    bool delta = (e_19.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_11);
+    return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
+}
+
+Parts splitProduct(vec2 u_12, uvec2 n_3) {
+    uvec2 digits = uvec2((u_12 * 16777216.0));
+    uvec2 low_3 = ((digits & uvec2(4095u)) * n_3);
+    uvec2 high_2 = (((digits >> uvec2(12u)) * n_3) + (low_3 >> uvec2(12u)));
+    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_3 & uvec2(4095u)))));
+}
+
+ChosenCell chooseCell(vec2 u_13) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_8 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_13, (size_8 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
+    uint hash = (_e17 >> 8u);
+    float _e26 = frame.environmentSize.x;
+    float fine = ((float(hash) * 5.9604645e-8) * _e26);
+    float x_22 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    uint rows_2 = ((size_8.y + 2u) / 2u);
+    bool second_1 = (_e9.whole.y >= rows_2);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_8.y) - pick(second_1, rows_2, 0u)))), 0);
+    vec2 entry = pick(second_1, entries.zw, entries.xy);
+    bool own_8 = (x_22 < entry.x);
+    uint other_1 = uint(entry.y);
+    uint otherRow = (other_1 / size_8.x);
+    uvec2 cell_2 = pick(own_8, _e9.whole, uvec2((other_1 - (otherRow * size_8.x)), otherRow));
+    float rest_1 = pick(own_8, (x_22 / max(entry.x, 1e-37)), ((x_22 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+}
+
+float linearSample(float u_14, float a_1, float b_3) {
+    vec2 ends_2 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
+    return min((u_14 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_14))), 1e-9)), 1.0);
+}
+
+EnvironmentSample sampleEnvironment(vec2 u_15) {
+    vec2 size_9 = frame.environmentSize;
+    ChosenCell _e4 = chooseCell(u_15);
+    Corners _e6 = environmentCorners(_e4.cell);
+    vec2 cell_3 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_9.y));
+    float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
+    float t_13 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_13), mix(_e6.b.w, _e6.d.w, t_13));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_9.y);
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_13)), (cell_3.y + (t_13 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
+    float _e85 = frame.environmentTurn;
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_9.x) - _e85));
+    float nearest_2 = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest_2)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
+    vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
+    float sine_5 = max(_e76.y, 1e-9);
+    vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_5);
+    return EnvironmentSample(direction_21, _e119);
+}
+
+LightSample sampleSky(vec2 u_16) {
+    EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
+    s_10 = EnvironmentSample(_e6.direction, white);
+    const bool _e12 = hasEnvironment;
+    if (_e12) {
+        EnvironmentSample _e13 = sampleEnvironment(u_16);
+        s_10 = _e13;
+    }
+    vec3 _e15 = s_10.direction;
+    vec3 _e18 = s_10.light.radiance;
+    vec3 _e20 = s_10.direction;
+    vec3 _e21 = sky(_e20);
+    float _e25 = s_10.light.pdf;
+    return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
+}
+
+LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
+    LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
+    const bool _e15 = hasSphereLights;
+    if (pick(_e15, (e_20.kind == 0.0), false)) {
+        LightSample _e20 = sampleSphere(e_20, point_15, u_17);
+        s_11 = _e20;
+    }
+    const bool _e22 = hasQuadLights;
+    if (pick(_e22, (e_20.kind == 1.0), false)) {
+        LightSample _e27 = sampleQuad(e_20, point_15, u_17);
+        s_11 = _e27;
+    }
+    const bool _e29 = hasBoxLights;
+    if (pick(_e29, (e_20.kind == 2.0), false)) {
+        LightSample _e34 = sampleBox(e_20, point_15, u_17);
+        s_11 = _e34;
+    }
+    const bool _e36 = hasPointLights;
+    if (pick(_e36, (e_20.kind == 3.0), false)) {
+        LightSample _e41 = samplePoint(e_20, point_15);
+        s_11 = _e41;
+    }
+    const bool _e43 = hasPointLights;
+    if (pick(_e43, (e_20.kind == 4.0), false)) {
+        LightSample _e48 = sampleSpot(e_20, point_15);
+        s_11 = _e48;
+    }
+    const bool _e50 = hasSuns;
+    if (pick(_e50, (e_20.kind == 5.0), false)) {
+        LightSample _e55 = sampleDirectional(e_20, u_17);
+        s_11 = _e55;
+    }
+    const bool _e57 = hasSky;
+    if (pick(_e57, (e_20.kind == 6.0), false)) {
+        LightSample _e62 = sampleSky(u_17);
+        s_11 = _e62;
+    }
+    float _e65 = s_11.pdf;
+    float _e67 = s_11.distance_;
+    s_11.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
+    LightSample _e74 = s_11;
+    return _e74;
+}
+
+vec3 heroColor(vec3 throughput, float u_18) {
+    vec3 share_5 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_18 < share_5.x);
+    bool isBlue = pick(pick(!(isRed), (u_18 >= (share_5.x + share_5.y)), false), (share_5.z > 0.0), false);
+    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_5), 1e-6)));
+}
+
+float nextHash(inout Sampler s_12) {
+    uint _e3 = s_12.key;
+    s_12.key = (_e3 + 1u);
+    uint _e7 = s_12.key;
+    uint _e9 = s_12.salt;
+    uint _e11 = mixBits((_e7 ^ _e9));
+    uint _e13 = s_12.sample_;
+    uint _e17 = s_12.place;
+    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    float _e21 = unitFloat(_e20);
+    return _e21;
+}
+
+bool isConductor(uint code_10) {
+    const bool _e2 = hasConductors;
+    uint _e3 = kindOf(code_10);
+    return pick(_e2, (_e3 == conductor), false);
+}
+
+float dispersedIndex(float ior, float dispersion, vec3 hero) {
+    float side_5 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_5 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+}
+
+vec2 ellipticAlpha(float alpha, float strength) {
+    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
+}
+
+float greatest(vec3 v_7) {
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+float sheenAlbedo(float cosine_2, float roughness) {
+    float u_25 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    vec3 low_4 = (vec3(0.746962, 0.0397496, 0.224802) + (u_25 * (vec3(-0.448339, 0.3406, -0.509736) + (u_25 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_25 * (vec3(0.0587112, 0.187983, 0.191769) + (u_25 * (vec3(-0.182064, 0.425384, 0.971703) + (u_25 * (vec3(0.0763965, -0.331055, 0.616069) + (u_25 * (vec3(0.0893496, -0.409073, -0.445006) + (u_25 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_3 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_25 * (vec3(0.492365, -0.201291, -0.00570256) + (u_25 * (vec3(0.833264, 0.765625, -1.06831) + (u_25 * (vec3(-1.29238, 0.71056, 0.237437) + (u_25 * (vec3(-2.81818, -0.673857, 2.17806) + (u_25 * (vec3(0.500911, -0.777981, 0.0143213) + (u_25 * (vec3(1.97956, 0.108218, -1.28939) + (u_25 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    float v2_ = (v_12 * v_12);
+    float root_1 = dot((low_4 + ((v2_ * v_12) * high_3)), vec3(1.0, v_12, v2_));
+    float albedo = (root_1 * root_1);
+    return (albedo + (0.005 * max(albedo, 1.0)));
+}
+
+vec3 dielectricF0_(Layers l_3) {
+    float contrast = ((l_3.ior - 1.0) / (l_3.ior + 1.0));
+    return min(((contrast * contrast) * l_3.specularColor), vec3(1.0));
+}
+
+float singleScatteringAlbedo(float cosine_3, float alpha_1) {
+    float x_23 = (cosine_3 / (cosine_3 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_23 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_23 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_23 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_23 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_ = (alpha_1 * alpha_1);
+    return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
+}
+
+float cosineInAir(float cosine_4, float ratio) {
+    float sine2_1 = ((1.0 - (cosine_4 * cosine_4)) / (ratio * ratio));
+    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_4);
+}
+
+vec3 indexOf(vec3 f0_1) {
+    vec3 root_2 = sqrt(min(f0_1, vec3(0.9999)));
+    return ((vec3(1.0) + root_2) / (vec3(1.0) - root_2));
+}
+
+vec3 sensitivity(float difference, vec3 shift) {
+    float phase = (6.2831855e-9 * difference);
+    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
+    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
+    vec4 height_3 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
+    vec4 lobes = ((height_3 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    float x_24 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_24) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_24) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_24) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+}
+
+vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_5) {
+    vec3 sum = vec3(0.0);
+    vec3 amplitude = vec3(0.0);
+    float order = 1.0;
+    float sine2_2 = ((1.0 - (cosine_5 * cosine_5)) / (filmIor * filmIor));
+    float within_4 = sqrt(max((1.0 - sine2_2), 0.0));
+    float first_2 = ((filmIor - 1.0) / (filmIor + 1.0));
+    vec3 _e21 = schlick(vec3((first_2 * first_2)), cosine_5);
+    float r12_ = _e21.x;
+    float t121_ = (1.0 - r12_);
+    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
+    vec3 second_2 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
+    vec3 _e35 = schlick((second_2 * second_2), within_4);
+    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
+    vec3 once = sqrt(r123_);
+    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
+    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
+    float difference_1 = (((2.0 * filmIor) * thickness) * within_4);
+    sum = (vec3(r12_) + rs);
+    amplitude = (rs - vec3(t121_));
+    while(true) {
+        vec3 _e71 = amplitude;
+        amplitude = (_e71 * once);
+        vec3 _e73 = sum;
+        vec3 _e74 = amplitude;
+        float _e77 = order;
+        float _e79 = order;
+        vec3 _e81 = sensitivity((_e77 * difference_1), (_e79 * shift_1));
+        sum = (_e73 + ((2.0 * _e74) * _e81));
+        float _e84 = order;
+        order = (_e84 + 1.0);
+        float _e87 = order;
+        if ((_e87 > 2.5)) {
+            break;
+        }
+    }
+    vec3 _e90 = sum;
+    return clamp(_e90, vec3(0.0), vec3(1.0));
+}
+
+bool reflectsAll(float cosine_6, float ratio_1) {
+    return pick((ratio_1 < 1.0), ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1)), false);
+}
+
+vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_7) {
+    vec3 dielectric = vec3(0.0);
+    vec3 metal = vec3(0.0);
+    bool isMetal = false;
+    Layers l_6 = o_2.layers;
+    float _e5 = cosineInAir(cosine_7, o_2.ratio);
+    vec3 _e6 = dielectricF0_(l_6);
+    vec3 _e8 = schlick(_e6, _e5);
+    dielectric = (l_6.specularWeight * _e8);
+    vec3 _e12 = schlick(s_13.baseColor, _e5);
+    metal = _e12;
+    const bool _e15 = hasIridescence;
+    if (pick(_e15, (l_6.film > 0.0), false)) {
+        isMetal = (s_13.metallic >= 1.0);
+        while(true) {
+            bool _e27 = isMetal;
+            vec3 _e31 = filmReflectance(pick(_e27, s_13.baseColor, (l_6.specularWeight * _e6)), l_6.filmIor, l_6.filmThickness, _e5);
+            bool _e32 = isMetal;
+            if (_e32) {
+                vec3 _e33 = metal;
+                metal = mix(_e33, _e31, l_6.film);
+            } else {
+                vec3 _e36 = dielectric;
+                dielectric = mix(_e36, _e31, l_6.film);
+            }
+            bool _e39 = isMetal;
+            if (pick(_e39, true, (s_13.metallic <= 0.0))) {
+                break;
+            }
+            isMetal = true;
+        }
+    }
+    vec3 _e45 = dielectric;
+    bool _e49 = reflectsAll(cosine_7, o_2.ratio);
+    dielectric = pick(_e49, vec3(1.0), _e45);
+    vec3 _e51 = dielectric;
+    vec3 _e52 = metal;
+    vec3 _e58 = dielectric;
+    float _e59 = greatest(_e58);
+    return vec4(mix(_e51, _e52, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e59)));
+}
+
+float mean3_(vec3 v_8) {
+    return dot(v_8, vec3(0.33333334));
+}
+
+Stack stackOf(Surface s_14, Layers l_4, vec3 given, vec3 hero_1) {
+    float sheen = 0.0;
+    vec3 more = vec3(1.0);
+    Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float side_6 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_6));
+    bool isSolid = (l_4.solid > 0.0);
+    bool inside_3 = pick(isSolid, (side_6 < 0.0), false);
+    float _e22 = dispersedIndex(l_4.ior, l_4.dispersion, hero_1);
+    float ratio_8 = pick(isSolid, pick(inside_3, (1.0 / _e22), _e22), 1.0);
+    bool flat_ = pick(pick(isSolid, (l_4.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
+    vec2 _e39 = ellipticAlpha(s_14.alpha, l_4.anisotropy);
+    vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
+    float coatAlpha = (l_4.coatRoughness * l_4.coatRoughness);
+    float _e48 = coatReflectance(l_4.coat, wo_8.z);
+    float coat_1 = pick(inside_3, 0.0, _e48);
+    float _e52 = greatest(l_4.sheenColor);
+    if ((_e52 > 0.0)) {
+        float _e59 = sheenAlbedo(wo_8.z, l_4.sheenRoughness);
+        sheen = pick(inside_3, 0.0, _e59);
+    }
+    vec3 _e63 = dielectricF0_(l_4);
+    vec3 f0_3 = (l_4.specularWeight * _e63);
+    const bool _e69 = hasCompensation;
+    if (_e69) {
+        float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
+        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (l_4.transmission <= 0.0), false);
+        vec3 _e86 = more;
+        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, s_14.metallic) * ((1.0 - _e75) / _e75))), _e86);
+    }
+    vec3 _e98 = more;
+    float _e99 = sheen;
+    o_3 = Stack(l_4, wo_8, side_6, hero_1, ratio_8, inside_3, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    Stack _e106 = o_3;
+    vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
+    float _e111 = sheen;
+    float below_2 = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
+    float film_1 = pick((l_4.film > 0.0), (0.25 * l_4.film), 0.0);
+    float _e127 = mean3_(_e108.xyz);
+    float _e133 = mean3_(s_14.baseColor);
+    float facets = (below_2 * ((_e127 + film_1) + ((_e108.w * l_4.transmission) * _e133)));
+    float _e139 = sheen;
+    float _e142 = mean3_(l_4.sheenColor);
+    float fibres = (((1.0 - coat_1) * _e139) * _e142);
+    float _e148 = greatest(f0_3);
+    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e148)) * (1.0 - l_4.transmission));
+    float _e161 = mean3_(s_14.baseColor);
+    float diffuse = ((body * (1.0 - l_4.beyond)) * _e161);
+    float _e166 = mean3_(l_4.beyondColor);
+    float beyond = ((body * l_4.beyond) * _e166);
+    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    o_3.ofCoat = (coat_1 / all_);
+    o_3.ofFacets = (facets / all_);
+    o_3.ofSheen = (fibres / all_);
+    o_3.ofDiffuse = (diffuse / all_);
+    Stack _e182 = o_3;
+    return _e182;
+}
+
+vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
+    return mix(vec3(0.04), baseColor, metallic);
+}
+
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_8) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_8);
+    return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
+}
+
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
+    vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
+    vec3 _e4 = schlick(_e3, cosine_9);
+    float specular = dot(_e4, vec3(1.0));
+    vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
+    float diffuse_1 = dot(_e9, vec3(1.0));
+    return (specular / max((specular + diffuse_1), 1e-20));
+}
+
+float indexRatio(float eta_3, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
+}
+
+float reflectionBound(vec3 wo, float alpha_2) {
+    float s_28 = (1.0 + length(wo.xy));
+    float s2_ = (s_28 * s_28);
+    float a2_1 = (alpha_2 * alpha_2);
+    return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
+}
+
+float stretched(vec3 w_1, float alpha_3) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
+}
+
+Outgoing outgoing(Surface s_15, Layers l_5, vec3 wo_1, vec3 hero_2) {
+    Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+    uint code_11 = uint(s_15.code);
+    o_4.wo = wo_1;
+    bool _e9 = isConductor(code_11);
+    bool _e10 = isDielectric(code_11);
+    o_4.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
+    o_4.ratio = 1.0;
+    o_4.bound = 1.0;
+    o_4.stretched = 1.0;
+    const bool _e22 = hasLayers;
+    if (_e22) {
+        bool _e27 = isLayered(uint(s_15.code), s_15.eta.x);
+        if (_e27) {
+            Stack _e29 = stackOf(s_15, l_5, wo_1, hero_2);
+            o_4.stack = _e29;
+        }
+    }
+    const bool _e31 = hasMetallicRoughness;
+    if (_e31) {
+        float _e34 = o_4.share;
+        float _e38 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
+        bool _e39 = isMetallicRoughness(code_11);
+        o_4.share = pick(_e39, _e38, _e34);
+    }
+    const bool _e42 = hasGlass;
+    if (_e42) {
+        bool _e47 = isThin(code_11);
+        float _e48 = indexRatio(s_15.eta.x, wo_1.z, _e47);
+        bool _e49 = isDielectric(code_11);
+        o_4.ratio = pick(_e49, _e48, 1.0);
+    }
+    const bool _e53 = hasConductors;
+    const bool _e55 = hasMetallicRoughness;
+    const bool _e58 = hasGlass;
+    if (pick(pick(_e53, true, _e55), true, _e58)) {
+        float _e62 = reflectionBound(wo_1, s_15.alpha);
+        bool _e63 = isDielectric(code_11);
+        o_4.bound = pick(_e63, 1.0, _e62);
+        float _e68 = stretched(wo_1, s_15.alpha);
+        o_4.stretched = _e68;
+    }
+    Outgoing _e69 = o_4;
+    return _e69;
+}
+
+float mirrorShare(float reflectivity) {
+    const bool _e2 = hasMirrorLayers;
+    return pick(_e2, reflectivity, 0.0);
+}
+
+vec3 sampleCosine(vec2 u_19) {
+    float radius_2 = sqrt(u_19.x);
+    float phi_2 = ((6.2831855 * u_19.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_19.x))));
+}
+
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_20) {
+    float _e8 = stretched(wo_2, alpha_4);
+    vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_20.x) - 3.1415927);
+    float drop = (u_20.y * (1.0 + (bound * w_5.z)));
+    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+}
+
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_21) {
+    float side_7 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_7), max(alpha_5, 0.001), o_5.bound, u_21);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_7);
+}
+
+vec3 conductorFresnel(float cosine_10, vec3 eta_4, vec3 k_1) {
+    float cosine2_ = (cosine_10 * cosine_10);
+    float sine2_3 = (1.0 - cosine2_);
+    vec3 difference_2 = (((eta_4 * eta_4) - (k_1 * k_1)) - vec3(sine2_3));
+    vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
+    vec3 smaller = ((eta_4 * k_1) / larger_1);
+    vec3 a_8 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
+    vec3 b_11 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
+    vec3 b2_ = ((b_11 * b_11) + vec3(1e-20));
+    vec3 acrossFar = (a_8 + vec3(cosine_10));
+    vec3 acrossNear = (a_8 - vec3(cosine_10));
+    vec3 across_6 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_8 * cosine_10) + vec3(sine2_3));
+    vec3 alongNear = ((a_8 * cosine_10) - vec3(sine2_3));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across_6) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+}
+
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_11) {
+    float constants = dot((eta_5 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_11, eta_5, k_2);
+    return pick((constants > 0.0), _e8, baseColor_3);
+}
+
+float dielectricFresnel(float cosine_12, float ratio_2) {
+    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_12 * cosine_12));
+    float inside_4 = sqrt(max(inside2_, 0.0));
+    float across_7 = ((cosine_12 - inside_4) / (cosine_12 + inside_4));
+    float along_3 = ((((ratio_2 * ratio_2) * cosine_12) - inside_4) / (((ratio_2 * ratio_2) * cosine_12) + inside_4));
+    return pick((inside2_ > 0.0), (0.5 * ((across_7 * across_7) + (along_3 * along_3))), 1.0);
+}
+
+float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_13, ratio_3);
+    return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
+}
+
+vec3 facetReflectance(Surface s_16, float cosine_14, float ratio_4) {
+    vec3 reflectance = vec3(0.0);
+    uint code_12 = uint(s_16.code);
+    const bool _e9 = hasMetallicRoughness;
+    if (_e9) {
+        vec3 _e12 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
+        vec3 _e13 = schlick(_e12, cosine_14);
+        reflectance = _e13;
+    }
+    const bool _e15 = hasConductors;
+    if (_e15) {
+        vec3 _e16 = reflectance;
+        vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_14);
+        bool _e21 = isConductor(code_12);
+        reflectance = pick(_e21, _e20, _e16);
+    }
+    const bool _e24 = hasGlass;
+    if (_e24) {
+        vec3 _e25 = reflectance;
+        bool _e26 = isThin(code_12);
+        float _e27 = glassReflectance(cosine_14, ratio_4, _e26);
+        bool _e29 = isDielectric(code_12);
+        reflectance = pick(_e29, vec3(_e27), _e25);
+    }
+    vec3 _e31 = reflectance;
+    return _e31;
+}
+
+vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
+    float cosine_20 = dot(wo_3, h_2);
+    float inside_5 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_20 * cosine_20)), 0.0));
+    return ((((cosine_20 - inside_5) * h_2) - wo_3) / vec3(ratio_5));
+}
+
+float ellipticBound(vec3 wo_4, vec2 alpha_6) {
+    float s_29 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_29 * s_29);
+    float least_2 = min(alpha_6.x, alpha_6.y);
+    float a2_2 = (least_2 * least_2);
+    return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
+}
+
+float ellipticStretched(vec3 w_2, vec2 alpha_7) {
+    vec2 scaled = (alpha_7 * w_2.xy);
+    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
+}
+
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_22) {
+    float _e8 = ellipticStretched(wo_5, alpha_8);
+    vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+    float phi_4 = ((6.2831855 * u_22.x) - 3.1415927);
+    float drop_1 = (u_22.y * (1.0 + (bound_1 * w_6.z)));
+    float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
+    vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
+}
+
+Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
+    vec3 toward = (reflectance_1.xyz * pick(o_6.inside, o_6.hero, vec3(1.0)));
+    vec3 beyond_1 = (((reflectance_1.w * o_6.layers.transmission) * s_17.baseColor) * o_6.hero);
+    float _e18 = mean3_(toward);
+    float _e19 = mean3_(beyond_1);
+    return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
+}
+
+float throughCover(Stack o_7, float zi, bool crossing) {
+    float sheen_1 = 0.0;
+    Layers l_7 = o_7.layers;
+    bool isSolid_1 = (l_7.solid > 0.0);
+    bool entersHere = pick(o_7.inside, crossing, false);
+    float _e11 = coatReflectance(l_7.coat, zi);
+    float coat_2 = pick(entersHere, _e11, o_7.coat);
+    sheen_1 = o_7.sheen;
+    if ((o_7.sheenColor > 0.0)) {
+        bool isOutside = pick(!(isSolid_1), true, (o_7.inside == crossing));
+        float _e22 = sheen_1;
+        float _e24 = sheenAlbedo(zi, l_7.sheenRoughness);
+        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
+    }
+    float _e31 = sheen_1;
+    return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e31, 1.0))));
+}
+
+LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_23) {
+    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
+    vec3 wo_9 = o_8.wo;
+    bool isSolid_2 = (o_8.layers.solid > 0.0);
+    bool isCoat_1 = (u_23.z < o_8.ofCoat);
+    bool isFacet = (u_23.z < (o_8.ofCoat + o_8.ofFacets));
+    vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
+    bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
+    vec2 wide_1 = max(alpha_15, vec2(0.001));
+    float _e28 = ellipticBound(wo_9, wide_1);
+    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
+    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_23.xy);
+    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
+    float oh = max(dot(wo_9, h_9), 0.0);
+    vec4 _e43 = baseReflectance(s_18, o_8, oh);
+    Parting _e44 = partingOf(s_18, o_8, _e43);
+    float left_2 = ((u_23.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
+    vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
+    vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
+    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected_1.xy, -(reflected_1.z)));
+    vec3 met = pick(crossing_1, beyond_2, reflected_1);
+    bool lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
+    float _e76 = throughCover(o_8, abs(met.z), crossing_1);
+    vec3 weight_1 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
+    drawn = LayeredSample(met, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_1 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    float _e122 = drawn.pdf;
+    drawn.pdf = pick(lost, 0.0, _e122);
+    if (!(isFacet)) {
+        float next = ((u_23.z - o_8.ofCoat) - o_8.ofFacets);
+        float sine_8 = sqrt(max((u_23.x * (2.0 - u_23.x)), 0.0));
+        float phi_5 = ((6.2831855 * u_23.y) - 3.1415927);
+        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_23.x));
+        vec3 _e153 = sampleCosine(u_23.xy);
+        vec3 below_3 = vec3(_e153.xy, pick((next >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
+        drawn = LayeredSample(pick((next < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
+    }
+    float _e174 = drawn.direction.z;
+    drawn.direction.z = (_e174 * o_8.side);
+    LayeredSample _e177 = drawn;
+    return _e177;
+}
+
+vec3 mirrored(vec3 wo_6) {
+    return vec3(-(wo_6.xy), wo_6.z);
+}
+
+BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_24) {
+    BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
+    vec3 wi = vec3(0.0);
+    float probability_1 = 0.0;
+    vec3 weight = vec3(0.0);
+    vec3 wo_10 = o_9.wo;
+    float _e5 = mirrorShare(s_19.reflectivity);
+    float base_2 = (1.0 - _e5);
+    float choice_1 = ((u_24.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_24.xy);
+    drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
+    const bool _e20 = hasConductors;
+    const bool _e22 = hasMetallicRoughness;
+    const bool _e25 = hasGlass;
+    if (pick(pick(_e20, true, _e22), true, _e25)) {
+        uint code_13 = uint(s_19.code);
+        bool _e29 = isDielectric(code_13);
+        bool _e30 = isSmooth(code_13);
+        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_24.xy);
+        float oh_1 = max(dot(wo_10, _e33), 0.0);
+        vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
+        bool crossing_2 = pick(_e29, (choice_1 >= _e38.x), false);
+        wi = (((2.0 * oh_1) * _e33) - wo_10);
+        probability_1 = (base_2 * o_9.share);
+        weight = (_e38 / vec3(o_9.share));
+        const bool _e55 = hasGlass;
+        if (_e55) {
+            bool _e56 = isThin(code_13);
+            vec3 _e57 = wi;
+            vec3 _e59 = refracted(wo_10, _e33, o_9.ratio);
+            wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
+            float _e63 = probability_1;
+            probability_1 = pick(_e29, (base_2 * pick(crossing_2, (1.0 - _e38.x), _e38.x)), _e63);
+            vec3 _e71 = weight;
+            weight = pick(_e29, vec3(pick(pick(crossing_2, !(_e56), false), (1.0 / (o_9.ratio * o_9.ratio)), 1.0)), _e71);
+        }
+        float _e88 = wi.z;
+        bool lost_1 = pick(!(_e30), (crossing_2 != ((wo_10.z < 0.0) != (_e88 < 0.0))), false);
+        bool specular_1 = (choice_1 < o_9.share);
+        vec3 _e98 = drawn_1.direction;
+        vec3 _e99 = wi;
+        drawn_1.direction = pick(specular_1, _e99, _e98);
+        float _e103 = drawn_1.pdf;
+        float _e104 = probability_1;
+        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e104), _e103);
+        vec3 _e110 = drawn_1.weight;
+        vec3 _e111 = weight;
+        drawn_1.weight = pick(specular_1, _e111, _e110);
+        drawn_1.delta = pick(specular_1, _e30, false);
+    }
+    const bool _e116 = hasLayers;
+    if (_e116) {
+        bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
+        if (_e121) {
+            LayeredSample _e125 = sampleLayered(s_19, o_9.stack, vec3(u_24.xy, choice_1));
+            drawn_1 = BsdfSample(_e125.direction, (base_2 * _e125.pdf), _e125.weight, _e125.delta);
+        }
+    }
+    const bool _e133 = hasMirrorLayers;
+    if (_e133) {
+        bool reflected_2 = (u_24.z < _e5);
+        vec3 _e138 = drawn_1.direction;
+        vec3 _e139 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_2, _e139, _e138);
+        float _e143 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_2, _e5, _e143);
+        vec3 _e147 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_2, vec3(1.0), _e147);
+        bool _e153 = drawn_1.delta;
+        drawn_1.delta = pick(_e153, true, reflected_2);
+    }
+    BsdfSample _e155 = drawn_1;
+    return _e155;
+}
+
+float facetDensity(vec3 h_3, float alpha_9) {
+    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
+    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
+}
+
+vec3 compensation(Surface s_20, float cosine_15) {
+    uint code_14 = uint(s_20.code);
+    bool _e8 = isDielectric(code_14);
+    bool asked_1 = pick(((code_14 & 8u) != 0u), !(_e8), false);
+    float _e12 = singleScatteringAlbedo(cosine_15, s_20.alpha);
+    vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
+    return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+}
+
+FacetLobe evaluateFacets(Surface s_21, Outgoing o_10, vec3 wi_1) {
+    vec3 passes = vec3(0.0);
+    vec3 wo_11 = o_10.wo;
+    bool _e6 = isDielectric(uint(s_21.code));
+    const bool _e8 = hasGlass;
+    bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
+    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_10.ratio, 1.0)));
+    float m2_1 = max(dot(m_1, m_1), 1e-20);
+    vec3 h_10 = (m_1 * inversesqrt(m2_1));
+    float oh_2 = dot(wo_11, h_10);
+    float ih = dot(wi_1, h_10);
+    float zo = abs(wo_11.z);
+    float zi_1 = abs(wi_1.z);
+    bool faces_1 = pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false);
+    float _e52 = facetDensity(h_10, s_21.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
+    vec3 _e60 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
+    passes = pick(crossing_3, (vec3(1.0) - _e60), _e60);
+    float _e69 = stretched(wi_1, s_21.alpha);
+    float masked = (zi_1 / max(((zi_1 * o_10.stretched) + (zo * _e69)), 1e-20));
+    float _e76 = passes.x;
+    float chosen_3 = (pick(_e6, _e76, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
+    const bool _e86 = hasCompensation;
+    if (_e86) {
+        vec3 _e87 = passes;
+        vec3 _e88 = compensation(s_21, zo);
+        passes = (_e87 * _e88);
+    }
+    vec3 _e90 = passes;
+    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
+}
+
+vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
+    vec4 value = vec4(0.0);
+    bool dark = false;
+    vec3 base = vec3(0.0);
+    float lambert = (0.31830987 * max(wi_2.z, 0.0));
+    value = (vec4(s_22.baseColor, 1.0) * lambert);
+    dark = pick((o_11.wo.z < 0.0), true, (wi_2.z <= 0.0));
+    const bool _e23 = hasConductors;
+    const bool _e25 = hasMetallicRoughness;
+    const bool _e28 = hasGlass;
+    if (pick(pick(_e23, true, _e25), true, _e28)) {
+        uint code_15 = uint(s_22.code);
+        FacetLobe _e32 = evaluateFacets(s_22, o_11, wi_2);
+        const bool _e37 = hasMetallicRoughness;
+        if (_e37) {
+            vec3 _e38 = base;
+            vec3 _e42 = metallicRoughnessDiffuse(s_22.baseColor, s_22.metallic, _e32.cosine);
+            bool _e43 = isMetallicRoughness(code_15);
+            base = pick(_e43, _e42, _e38);
+        }
+        bool _e52 = isSmooth(code_15);
+        vec4 rough_1 = pick(_e52, vec4(0.0), vec4(_e32.value, (o_11.share * _e32.pdf)));
+        vec3 _e54 = base;
+        vec4 _e61 = value;
+        uint _e62 = kindOf(code_15);
+        value = pick((_e62 == diffuse0_), _e61, (rough_1 + (vec4(_e54, (1.0 - o_11.share)) * lambert)));
+        bool _e66 = dark;
+        bool _e67 = isSmooth(code_15);
+        bool _e68 = isDielectric(code_15);
+        dark = pick(_e68, _e67, _e66);
+    }
+    float _e71 = mirrorShare(s_22.reflectivity);
+    vec4 _e74 = value;
+    bool _e78 = dark;
+    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
+}
+
+float ellipticDensity(vec3 h_4, vec2 alpha_10) {
+    vec2 scaled_1 = (h_4.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
+    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
+}
+
+float shadowingExponent(float x_16, float alpha_11) {
+    float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+    float a_9 = mix(21.5473, 25.3245, m_2);
+    float b_12 = mix(3.82987, 3.32435, m_2);
+    float c_5 = mix(0.19823, 0.16801, m_2);
+    float d_5 = mix(-1.9776, -1.27393, m_2);
+    float e_22 = mix(-4.32054, -4.85967, m_2);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_22);
+}
+
+float sheenShadowing(float cosine_16, float alpha_12) {
+    float x_25 = clamp(cosine_16, 1e-6, 1.0);
+    bool isLow = (x_25 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_25, max((1.0 - x_25), 1e-6)), alpha_12);
+    float _e14 = shadowingExponent(0.5, alpha_12);
+    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
+}
+
+float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
+    vec3 m_3 = (wo_7 + wi_3);
+    float m2_2 = max(dot(m_3, m_3), 1e-20);
+    float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
+    float power_1 = (0.5 / alpha_13);
+    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
+    float zo_1 = max(wo_7.z, 1e-6);
+    float _e38 = sheenShadowing(wo_7.z, alpha_13);
+    float _e42 = sheenShadowing(wi_3.z, alpha_13);
+    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
+}
+
+float sheenAlpha(float roughness_1) {
+    float r_4 = max(roughness_1, 0.07);
+    return (r_4 * r_4);
+}
+
+float ofBeyond(Stack o_12) {
+    return max(((((1.0 - o_12.ofCoat) - o_12.ofFacets) - o_12.ofSheen) - o_12.ofDiffuse), 0.0);
+}
+
+vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
+    vec4 sum_1 = vec4(0.0);
+    float intoBody = 0.0;
+    bool isCoat = false;
+    vec3 lobe = vec3(0.0);
+    float chosen_1 = 0.0;
+    Layers l_8 = o_13.layers;
+    vec3 wo_12 = o_13.wo;
+    vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_13.side));
+    bool crossing_4 = (wi_4.z < 0.0);
+    vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
+    float zi_2 = facing.z;
+    float _e18 = throughCover(o_13, zi_2, crossing_4);
+    isCoat = pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0));
+    while(true) {
+        bool _e32 = isCoat;
+        bool bends = pick(pick(crossing_4, !(_e32), false), (l_8.solid > 0.0), false);
+        bool _e42 = isCoat;
+        vec2 alpha_16 = pick(_e42, vec2(o_13.coatAlpha), o_13.alpha);
+        bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
+        vec2 wide_2 = max(alpha_16, vec2(0.001));
+        vec3 met_1 = pick(bends, wi_4, facing);
+        vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_13.ratio, 1.0)));
+        float m2_3 = max(dot(m_4, m_4), 1e-20);
+        vec3 h_11 = (m_4 * inversesqrt(m2_3));
+        float oh_3 = dot(wo_12, h_11);
+        float ih_1 = dot(met_1, h_11);
+        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_1.z) >= 0.0), false);
+        float _e81 = ellipticDensity(h_11, wide_2);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e81), 0.0));
+        float _e89 = ellipticStretched(wo_12, wide_2);
+        float _e92 = ellipticStretched(facing, wide_2);
+        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
+        float _e98 = ellipticBound(wo_12, wide_2);
+        bool _e102 = isCoat;
+        float bound_3 = pick(pick((l_8.solid > 0.0), !(_e102), false), 1.0, _e98);
+        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
+        bool _e115 = isCoat;
+        vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e120 = partingOf(s_23, o_13, _e119);
+        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_13.more)));
+        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
+        bool _e142 = isCoat;
+        if (_e142) {
+            intoBody = _e119.w;
+            lobe = vec3(pick(crossing_4, 0.0, o_13.coat));
+            chosen_1 = pick(crossing_4, 0.0, o_13.ofCoat);
+        }
+        vec4 _e151 = sum_1;
+        vec3 _e152 = lobe;
+        float _e155 = chosen_1;
+        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_2)));
+        bool _e159 = isCoat;
+        if (!(_e159)) {
+            break;
+        }
+        isCoat = false;
+    }
+    if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
+        float _e172 = sheenAlbedo(zi_2, l_8.sheenRoughness);
+        float most_2 = max(max(o_13.sheen, _e172), 1.0);
+        float _e180 = sheenAlpha(l_8.sheenRoughness);
+        float _e181 = whiteSheen(wo_12, wi_4, _e180);
+        float fibres_1 = (((1.0 - o_13.coat) * _e181) / most_2);
+        vec4 _e184 = sum_1;
+        sum_1 = (_e184 + vec4((fibres_1 * l_8.sheenColor), (o_13.ofSheen * 0.15915494)));
+    }
+    vec3 body_1 = pick(crossing_4, (l_8.beyond * l_8.beyondColor), ((1.0 - l_8.beyond) * s_23.baseColor));
+    float _e201 = intoBody;
+    vec3 matte = (((_e18 * _e201) * (1.0 - l_8.transmission)) * body_1);
+    vec4 _e208 = sum_1;
+    float _e210 = ofBeyond(o_13);
+    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
+}
+
+Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
+    Pair pair = Pair(vec4(0.0), vec4(0.0));
+    bool isLight = false;
+    vec4 _e4 = evaluateBsdf(s_24, o_14, toLight_2);
+    vec4 _e5 = evaluateBsdf(s_24, o_14, toSample);
+    pair = Pair(_e4, _e5);
+    const bool _e9 = hasLayers;
+    if (_e9) {
+        bool _e14 = isLayered(uint(s_24.code), s_24.eta.x);
+        if (_e14) {
+            uint _e17 = frame.emitterCount;
+            isLight = (_e17 > 0u);
+            while(true) {
+                float _e22 = mirrorShare(s_24.reflectivity);
+                bool _e26 = isLight;
+                vec4 _e28 = evaluateLayered(s_24, o_14.stack, pick(_e26, toLight_2, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e28);
+                bool _e30 = isLight;
+                if (_e30) {
+                    pair.toLight = value_2;
+                } else {
+                    pair.toSample = value_2;
+                }
+                bool _e33 = isLight;
+                if (!(_e33)) {
+                    break;
+                }
+                isLight = false;
+            }
+        }
+    }
+    Pair _e36 = pair;
+    return _e36;
+}
+
+bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
+    return ((dot(geometric_1, a_2) > 0.0) != (dot(geometric_1, b_4) > 0.0));
+}
+
+BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
+    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+}
+
+vec3 toWorld(Basis b_5, vec3 v_9) {
+    return (((v_9.x * b_5.tangent) + (v_9.y * b_5.bitangent)) + (v_9.z * b_5.normal));
+}
+
+float max3_(vec3 v_10) {
+    return max(max(v_10.x, v_10.y), v_10.z);
+}
+
+bool isFlat(uint i_22) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_22 >= _e4);
+}
+
+void meetSurface(inout Path p_12, PairHit hit_2) {
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 hero_3 = vec3(1.0);
+    RayPair rays_2 = p_12.rays;
+    bool escaped_1 = (hit_2.shape == noShape);
+    uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
+    SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
+    surface = _e10.surface;
+    float _e14 = surface.code;
+    float _e18 = surface.eta.x;
+    bool _e19 = letsThrough(uint(_e14), _e18);
+    vec3 point_16 = (rays_2.point + (hit_2.t * rays_2.direction));
+    vec3 outward_1 = _e10.shading;
+    vec3 normal_12 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e34 = basisAbout(normal_12);
+    basis = _e34;
+    const bool _e37 = hasLayers;
+    if (_e37) {
+        if (any(notEqual(_e10.grain, vec3(0.0)))) {
+            Basis _e44 = basisAlong(normal_12, _e10.grain);
+            basis = _e44;
+        }
+    }
+    Basis _e45 = basis;
+    vec3 _e48 = toLocal(_e45, -(rays_2.direction));
+    const bool _e50 = hasGlass;
+    const bool _e52 = hasLayers;
+    if (pick(_e50, true, _e52)) {
+        float _e55 = surface.code;
+        bool _e57 = isThin(uint(_e55));
+        bool inside_6 = pick(pick(pick(_e19, !(_e57), false), (_e48.z < 0.0), false), !(escaped_1), false);
+        vec3 _e67 = p_12.throughput;
+        vec3 _e69 = surface.absorption;
+        p_12.throughput = (_e67 * exp((-(_e69) * pick(inside_6, hit_2.t, 0.0))));
+    }
+    const bool _e78 = hasLayers;
+    if (_e78) {
+        vec3 _e80 = surface.emission;
+        float _e85 = coatReflectance(_e10.layers.coat, abs(_e48.z));
+        surface.emission = (_e80 * (1.0 - _e85));
+    }
+    Emitter _e90 = fetchEmitter(0u);
+    vec3 _e92 = p_12.radiance;
+    vec3 _e94 = p_12.throughput;
+    Path _e95 = p_12;
+    Surface _e96 = surface;
+    vec3 _e98 = foundLight(_e95, hit_2, _e96, _e10.geometric, _e90);
+    p_12.radiance = (_e92 + (_e94 * _e98));
+    vec3 litSide = pick(_e19, vec3(0.0), normal_12);
+    vec3 _e105 = next3d(p_12.sampler_);
+    vec3 _e107 = next3d(p_12.sampler_);
+    EmitterChoice _e109 = chooseEmitter(point_16, litSide, _e105.z);
+    Emitter _e111 = emitterAt(_e109.index, _e90);
+    LightSample _e113 = sampleEmitter(_e111, point_16, _e105.xy);
+    float lightPdf = (_e113.pdf * _e109.probability);
+    const bool _e121 = hasLayers;
+    if (_e121) {
+        if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
+            vec3 _e128 = p_12.throughput;
+            float _e130 = nextHash(p_12.sampler_);
+            vec3 _e131 = heroColor(_e128, _e130);
+            hero_3 = _e131;
+        }
+    }
+    Surface _e132 = surface;
+    vec3 _e134 = hero_3;
+    Outgoing _e135 = outgoing(_e132, _e10.layers, _e48, _e134);
+    Surface _e136 = surface;
+    BsdfSample _e137 = sampleLobe(_e136, _e135, _e107);
+    Surface _e138 = surface;
+    Basis _e139 = basis;
+    vec3 _e141 = toLocal(_e139, _e113.direction);
+    Pair _e143 = evaluatePair(_e138, _e135, _e141, _e137.direction);
+    const bool _e145 = hasMeshes;
+    bool opaque = pick(_e145, !(_e19), false);
+    bool _e152 = crosses(_e10.geometric, _e113.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e152, false);
+    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e143.toLight);
+    bool alone_1 = pick(_e113.delta, true, pick((_e111.shape < 0.0), (_e113.distance_ < 1e30), false));
+    float _e168 = misWeight(lightPdf, toLight_7.w);
+    float lightWeight = (pick(alone_1, 1.0, _e168) / lightPdf);
+    BsdfSample _e173 = completed(_e137, _e143.toSample);
+    Basis _e174 = basis;
+    vec3 _e176 = toWorld(_e174, _e173.direction);
+    bool _e180 = crosses(_e10.geometric, _e176, -(rays_2.direction));
+    bool leaks = pick(opaque, _e180, false);
+    uint _e184 = p_12.depth;
+    uint _e187 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e184 != _e187), false);
+    vec3 _e191 = p_12.throughput;
+    vec3 contribution = (((_e191 * toLight_7.xyz) * _e113.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e113.radiance), vec3(0.0))), false);
+    p_12.light = pick(lit_1, contribution, vec3(0.0));
+    vec3 _e213 = p_12.throughput;
+    vec3 throughput_1 = (_e213 * _e173.weight);
+    float _e216 = max3_(throughput_1);
+    uint _e222 = p_12.depth;
+    float survival = pick((_e222 < rouletteDepth), 1.0, min((_e216 / 0.33333334), 0.95));
+    float _e234 = max3_(throughput_1);
+    float _e239 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn, (_e173.pdf > 0.0), false), !(leaks), false), (_e234 > 0.0), false), (_e239 < survival), false);
+    p_12.throughput = (throughput_1 / vec3(survival));
+    uint _e247 = p_12.depth;
+    p_12.depth = (_e247 + 1u);
+    p_12.pdf = pick(_e173.delta, 0.0, _e173.pdf);
+    p_12.litSide = litSide;
+    p_12.total = _e109.total;
+    bool _e257 = isFlat(shape_1);
+    bool solid = !(_e257);
+    uint lightShape = pick((_e111.shape >= 0.0), uint(max(_e111.shape, 0.0)), noShape);
+    bool _e274 = p_12.alive;
+    Sampler _e289 = p_12.sampler_;
+    uint _e290 = numberOfNext(_e289);
+    p_12.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e274, _e176, pick(solid, (dot(_e176, outward_1) < 0.0), false), _e113.direction, pick(solid, (dot(_e113.direction, outward_1) < 0.0), false), pick(lit_1, _e113.distance_, -1.0), lightShape, _e290);
+    return;
+}
+
+void extendPath(inout Path p_13) {
+    RayPair _e2 = p_13.rays;
+    PairHit _e3 = tracePair(_e2);
+    vec3 _e5 = p_13.radiance;
+    vec3 _e7 = p_13.light;
+    p_13.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_13.rays.lightDistance = -1.0;
+    bool _e17 = p_13.alive;
+    if (_e17) {
+        meetSurface(p_13, _e3);
+        return;
+    } else {
+        return;
+    }
+}
+
+bool isOver(Path p_14) {
+    return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
+}
+
+void main() {
+    vec4 fragment = gl_FragCoord;
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
+    Film film = Film(vec4(0.0), vec4(0.0));
+    uvec2 pixel_3 = uvec2(fragment.xy);
+    uint _e5 = frame.sampleIndex;
+    Path _e6 = startPath(pixel_3, _e5);
+    p = _e6;
+    while(true) {
+        extendPath(p);
+        Path _e8 = p;
+        bool _e9 = isOver(_e8);
+        if (_e9) {
+            break;
+        }
+    }
+    uint _e18 = frame.sampleIndex;
+    if ((_e18 > 0u)) {
+        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
+        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
+        film = Film(_e23, _e26);
+    }
+    vec4 _e29 = film.sums;
+    vec3 _e31 = p.radiance;
+    vec4 _e36 = film.squares;
+    vec3 _e38 = p.radiance;
+    vec3 _e40 = p.radiance;
+    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
+    _fs2p_location0 = _tmp_return.sums;
+    _fs2p_location1 = _tmp_return.squares;
+    return;
+}
+
