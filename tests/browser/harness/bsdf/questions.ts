@@ -66,7 +66,8 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
       baseColor: s.baseColor,
       code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0) + (isSmooth(s) ? 32 : 0),
       reflectivity: s.reflectivity,
-      eta: s.type === 'dielectric' ? grey(s.ior) : s.eta,
+      // Of metallicRoughness it says where its layers are: there are none.
+      eta: s.type === 'dielectric' ? grey(s.ior) : s.type === 'conductor' ? s.eta : grey(0),
       alpha: s.alpha,
       k: s.k,
       metallic: s.metallic,

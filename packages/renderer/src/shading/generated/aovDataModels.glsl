@@ -234,6 +234,10 @@ struct SurfacePoint {
     vec3 shading;
     vec3 grain;
 };
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct MeshPoint {
     vec3 geometric;
     vec3 shading;
@@ -518,10 +522,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_10 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_10.x) > abs(p_10.y));
-    float radius_1 = pick(wide, p_10.x, p_10.y);
-    float ratio = (pick(wide, p_10.y, p_10.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_9 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_9.x) > abs(p_9.y));
+    float radius_1 = pick(wide, p_9.x, p_9.y);
+    float ratio = (pick(wide, p_9.y, p_9.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio), (1.5707964 - (0.7853982 * ratio)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -679,8 +683,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_4);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_8 = (dot(toCenter_1, normal_4) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_11 = ((t_8 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_11, reciprocalU)), abs(dot(p_11, reciprocalV))) <= 0.500001);
+    vec3 p_10 = ((t_8 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
@@ -760,9 +764,9 @@ MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
 }
 
 float edge(vec2 a, vec2 b) {
-    float p_12 = (a.x * b.y);
+    float p_11 = (a.x * b.y);
     float q_3 = (a.y * b.x);
-    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_12)));
+    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
 }
 
 TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
@@ -1019,8 +1023,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         uint _e244 = instance_1;
                         Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
                         vec3 _e249 = o;
-                        vec4 p_13 = vec4(_e249, 1.0);
-                        o = vec3(dot(_e248.toMeshX, p_13), dot(_e248.toMeshY, p_13), dot(_e248.toMeshZ, p_13));
+                        vec4 p_12 = vec4(_e249, 1.0);
+                        o = vec3(dot(_e248.toMeshX, p_12), dot(_e248.toMeshY, p_12), dot(_e248.toMeshZ, p_12));
                         vec3 _e261 = d_1;
                         vec3 _e265 = d_1;
                         vec3 _e269 = d_1;
@@ -1386,10 +1390,10 @@ Layers0_ layersOf(uint code_3, float eta_1) {
 }
 
 vec3 fromOctahedral(uint code_4) {
-    vec2 p_14 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z = ((1.0 - abs(p_14.x)) - abs(p_14.y));
-    vec2 folded = ((vec2(1.0) - abs(p_14.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_14, vec2(0.0))));
-    return normalize(vec3(pick((z < 0.0), folded, p_14), z));
+    vec2 p_13 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z = ((1.0 - abs(p_13.x)) - abs(p_13.y));
+    vec2 folded = ((vec2(1.0) - abs(p_13.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_13, vec2(0.0))));
+    return normalize(vec3(pick((z < 0.0), folded, p_13), z));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
@@ -1591,52 +1595,62 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
-    SurfacePoint p_9 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Layers0_ layers = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent_1 = vec3(0.0);
     vec3 bitangent_1 = vec3(0.0);
+    vec3 grain_1 = vec3(0.0);
     vec3 _e4 = normalAt(rays_1, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
-    Layers0_ _e10 = layersOf(uint(_e5.code), _e5.eta.x);
-    p_9 = SurfacePoint(_e5, _e10, _e4, _e4, vec3(0.0));
-    const bool _e22 = hasMeshes;
-    if (pick(_e22, (hit.triangle.instance != noInstance), false)) {
-        MeshPoint _e33 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        p_9.geometric = _e33.geometric;
-        p_9.shading = _e33.shading;
-        const bool _e39 = hasTextures;
-        if (_e39) {
-            vec3 _e45 = takeUpTextures(p_9.surface, p_9.layers, _e33.uv, _e33.color.xyz);
-            tangent_1 = _e33.tangent;
-            bitangent_1 = _e33.bitangent;
-            if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
-                vec3 _e69 = validNormal(_e33.geometric, rays_1.direction, (((_e45.x * _e33.tangent) + (_e45.y * _e33.bitangent)) + (_e45.z * _e33.normal)), _e33.shading);
-                p_9.shading = _e69;
+    surface = _e5;
+    float _e8 = surface.code;
+    float _e12 = surface.eta.x;
+    Layers0_ _e13 = layersOf(uint(_e8), _e12);
+    layers = _e13;
+    normals = Normals(_e4, _e4);
+    const bool _e24 = hasMeshes;
+    if (pick(_e24, (hit.triangle.instance != noInstance), false)) {
+        MeshPoint _e35 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+        normals = Normals(_e35.geometric, _e35.shading);
+        const bool _e40 = hasTextures;
+        if (_e40) {
+            vec3 _e44 = takeUpTextures(surface, layers, _e35.uv, _e35.color.xyz);
+            tangent_1 = _e35.tangent;
+            bitangent_1 = _e35.bitangent;
+            if (any(notEqual(_e44, vec3(0.0, 0.0, 1.0)))) {
+                vec3 _e68 = validNormal(_e35.geometric, rays_1.direction, (((_e44.x * _e35.tangent) + (_e44.y * _e35.bitangent)) + (_e44.z * _e35.normal)), _e35.shading);
+                normals.shading = _e68;
             }
         }
-        vec3 _e71 = p_9.geometric;
-        vec3 _e77 = p_9.shading;
-        bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
-        vec3 _e85 = p_9.shading;
-        vec3 _e87 = p_9.geometric;
-        float _e90 = p_9.surface.code;
-        float _e95 = p_9.surface.eta.x;
-        bool _e96 = letsThrough(uint(_e90), _e95);
-        p_9.shading = pick(pick(_e96, !(agree), false), _e87, _e85);
+        vec3 _e70 = normals.geometric;
+        vec3 _e76 = normals.shading;
+        bool agree = ((dot(_e70, rays_1.direction) > 0.0) == (dot(_e76, rays_1.direction) > 0.0));
+        vec3 _e84 = normals.shading;
+        vec3 _e86 = normals.geometric;
+        float _e88 = surface.code;
+        float _e92 = surface.eta.x;
+        bool _e93 = letsThrough(uint(_e88), _e92);
+        normals.shading = pick(pick(_e93, !(agree), false), _e86, _e84);
     }
     const bool _e101 = hasLayers;
     if (_e101) {
-        float _e104 = p_9.layers.anisotropy;
-        if ((_e104 > 0.0)) {
-            vec3 _e109 = p_9.shading;
-            vec3 _e110 = tangent_1;
-            vec3 _e111 = bitangent_1;
-            vec2 _e114 = p_9.layers.grain;
-            vec3 _e115 = grainAt(_e109, _e110, _e111, _e114);
-            p_9.grain = _e115;
+        float _e103 = layers.anisotropy;
+        if ((_e103 > 0.0)) {
+            vec3 _e107 = normals.shading;
+            vec3 _e108 = tangent_1;
+            vec3 _e109 = bitangent_1;
+            vec2 _e111 = layers.grain;
+            vec3 _e112 = grainAt(_e107, _e108, _e109, _e111);
+            grain_1 = _e112;
         }
     }
-    SurfacePoint _e116 = p_9;
-    return _e116;
+    Surface _e113 = surface;
+    Layers0_ _e114 = layers;
+    vec3 _e116 = normals.geometric;
+    vec3 _e118 = normals.shading;
+    vec3 _e119 = grain_1;
+    return SurfacePoint(_e113, _e114, _e116, _e118, _e119);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {

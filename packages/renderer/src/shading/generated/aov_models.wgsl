@@ -1210,32 +1210,33 @@ struct MaterialTextures {
 
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  let surface = fetchSurface(shape);
-  var p = SurfacePoint(surface, layersOf(u32(surface.code), surface.eta.x), outward, outward, vec3f(0.0));
+  var surface = fetchSurface(shape);
+  var layers = layersOf(u32(surface.code), surface.eta.x);
+  var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
   if (hasMeshes & (hit.triangle.instance != noInstance)) {
     let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    p.geometric = m.geometric;
-    p.shading = m.shading;
+    normals = Normals(m.geometric, m.shading);
     if (hasTextures) {
-      let bump = takeUpTextures(&p.surface, &p.layers, m.uv, m.color.rgb);
+      let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
       tangent = m.tangent;
       bitangent = m.bitangent;
       if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-        p.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
       }
     }
     // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-    let agree = (dot(p.geometric, rays.direction) > 0.0) == (dot(p.shading, rays.direction) > 0.0);
-    p.shading = select(p.shading, p.geometric, letsThrough(u32(p.surface.code), p.surface.eta.x) & !agree);
+    let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
+    normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
   }
+  var grain = vec3f(0.0);
   if (hasLayers) {
-    if (p.layers.anisotropy > 0.0) {
-      p.grain = grainAt(p.shading, tangent, bitangent, p.layers.grain);
+    if (layers.anisotropy > 0.0) {
+      grain = grainAt(normals.shading, tangent, bitangent, layers.grain);
     }
   }
-  return p;
+  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
 }
 
 // One-sided lamps have a dark back.
@@ -1285,6 +1286,23 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers0 {
+  var l: Layers0;
+  if (hasLayers) {
+    if (isLayered(code, eta)) {
+      l = fetchLayers(u32(abs(eta)));
+    }
+  }
+  return l;
+}
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
 struct SurfacePoint {
   surface: Surface,
   // All zero where it has none.
@@ -1296,17 +1314,6 @@ struct SurfacePoint {
   grain: vec3f,
 }
 
-
-// All zero where there are none.
-fn layersOf(code: u32, eta: f32) -> Layers0 {
-  var l: Layers0;
-  if (hasLayers) {
-    if (isLayered(code, eta)) {
-      l = fetchLayers(u32(abs(eta)));
-    }
-  }
-  return l;
-}
 
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {

@@ -158,6 +158,10 @@ struct SurfacePoint {
     vec3 shading;
     vec3 grain;
 };
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct Basis {
     vec3 tangent;
     vec3 bitangent;
@@ -525,10 +529,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_13 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_13.x) > abs(p_13.y));
-    float radius_1 = pick(wide, p_13.x, p_13.y);
-    float ratio_4 = (pick(wide, p_13.y, p_13.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_12 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_12.x) > abs(p_12.y));
+    float radius_1 = pick(wide, p_12.x, p_12.y);
+    float ratio_4 = (pick(wide, p_12.y, p_12.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -722,8 +726,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_7);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_6 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_14 = ((t_6 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_14, reciprocalU)), abs(dot(p_14, reciprocalV))) <= 0.500001);
+    vec3 p_13 = ((t_6 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_13, reciprocalU)), abs(dot(p_13, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
 }
 
@@ -908,15 +912,26 @@ Layers layersOf(uint code, float eta) {
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
-    SurfacePoint p_8 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Layers layers = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent = vec3(0.0);
     vec3 bitangent = vec3(0.0);
+    vec3 grain = vec3(0.0);
     vec3 _e4 = normalAt(rays, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
-    Layers _e10 = layersOf(uint(_e5.code), _e5.eta.x);
-    p_8 = SurfacePoint(_e5, _e10, _e4, _e4, vec3(0.0));
-    SurfacePoint _e19 = p_8;
-    return _e19;
+    surface = _e5;
+    float _e8 = surface.code;
+    float _e12 = surface.eta.x;
+    Layers _e13 = layersOf(uint(_e8), _e12);
+    layers = _e13;
+    normals = Normals(_e4, _e4);
+    Surface _e24 = surface;
+    Layers _e25 = layers;
+    vec3 _e27 = normals.geometric;
+    vec3 _e29 = normals.shading;
+    vec3 _e30 = grain;
+    return SurfacePoint(_e24, _e25, _e27, _e29, _e30);
 }
 
 uint kindOf(uint code_1) {
@@ -1260,11 +1275,11 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_9, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
+vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
     vec3 found_6 = vec3(0.0);
     uint i_15 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_16 = p_9.rays.direction;
+    vec3 direction_16 = p_8.rays.direction;
     bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_16) > 0.0), false);
     int _e21 = emitterOf(s_6.code);
     found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_6.emission);
@@ -1278,14 +1293,14 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
             uint _e46 = i_15;
             Emitter _e47 = emitterAt(_e46, only_1);
             FarLight _e48 = farLight(_e47, direction_16);
-            float _e52 = shapePdf(_e47, p_9.rays.point, direction_16, hit_1.t, outward);
+            float _e52 = shapePdf(_e47, p_8.rays.point, direction_16, hit_1.t, outward);
             float density = pick(escaped, _e48.pdf, _e52);
-            float _e59 = probabilityOf(_e47, p_9.rays.point, p_9.litSide, p_9.total);
+            float _e59 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.total);
             float pdf_3 = (density * _e59);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
             vec3 _e63 = found_6;
-            float _e65 = misWeight(p_9.pdf, pdf_3);
-            found_6 = (_e63 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e65)));
+            float _e65 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e63 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e65)));
             uint _e74 = i_15;
             i_15 = (_e74 + 1u);
             const bool _e77 = hasSky;
@@ -1448,8 +1463,8 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
     float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
     float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_15 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_4 = ((pick(onX_1, p_15.xyz, pick(onY_1, p_15.zxy, p_15.yzx)) * e_15.u) - b_1.point);
+    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
     return vec4(toLight_4, abs(dot(axis_3, toLight_4)));
 }
 
@@ -2014,17 +2029,17 @@ bool isFlat(uint i_17) {
     return (i_17 >= _e4);
 }
 
-void meetSurface(inout Path p_10, PairHit hit_2) {
-    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+void meetSurface(inout Path p_9, PairHit hit_2) {
+    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 hero_1 = vec3(1.0);
-    RayPair rays_1 = p_10.rays;
+    RayPair rays_1 = p_9.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_1, hit_2, shape_1);
-    surface = _e10.surface;
-    float _e14 = surface.code;
-    float _e18 = surface.eta.x;
+    surface_1 = _e10.surface;
+    float _e14 = surface_1.code;
+    float _e18 = surface_1.eta.x;
     bool _e19 = letsThrough(uint(_e14), _e18);
     vec3 point_16 = (rays_1.point + (hit_2.t * rays_1.direction));
     vec3 outward_1 = _e10.shading;
@@ -2035,33 +2050,33 @@ void meetSurface(inout Path p_10, PairHit hit_2) {
     vec3 _e39 = toLocal(_e36, -(rays_1.direction));
     const bool _e41 = hasGlass;
     if (pick(_e41, true, hasLayers)) {
-        float _e45 = surface.code;
+        float _e45 = surface_1.code;
         bool _e47 = isThin(uint(_e45));
         bool inside_4 = pick(pick(pick(_e19, !(_e47), false), (_e39.z < 0.0), false), !(escaped_1), false);
-        vec3 _e57 = p_10.throughput;
-        vec3 _e59 = surface.absorption;
-        p_10.throughput = (_e57 * exp((-(_e59) * pick(inside_4, hit_2.t, 0.0))));
+        vec3 _e57 = p_9.throughput;
+        vec3 _e59 = surface_1.absorption;
+        p_9.throughput = (_e57 * exp((-(_e59) * pick(inside_4, hit_2.t, 0.0))));
     }
     Emitter _e68 = fetchEmitter(0u);
-    vec3 _e70 = p_10.radiance;
-    vec3 _e72 = p_10.throughput;
-    Path _e73 = p_10;
-    Surface _e74 = surface;
+    vec3 _e70 = p_9.radiance;
+    vec3 _e72 = p_9.throughput;
+    Path _e73 = p_9;
+    Surface _e74 = surface_1;
     vec3 _e76 = foundLight(_e73, hit_2, _e74, _e10.geometric, _e68);
-    p_10.radiance = (_e70 + (_e72 * _e76));
+    p_9.radiance = (_e70 + (_e72 * _e76));
     vec3 litSide = pick(_e19, vec3(0.0), normal_9);
-    vec3 _e83 = next3d(p_10.sampler_);
-    vec3 _e85 = next3d(p_10.sampler_);
+    vec3 _e83 = next3d(p_9.sampler_);
+    vec3 _e85 = next3d(p_9.sampler_);
     EmitterChoice _e87 = chooseEmitter(point_16, litSide, _e83.z);
     Emitter _e89 = emitterAt(_e87.index, _e68);
     LightSample _e91 = sampleEmitter(_e89, point_16, _e83.xy);
     float lightPdf = (_e91.pdf * _e87.probability);
-    Surface _e98 = surface;
+    Surface _e98 = surface_1;
     vec3 _e100 = hero_1;
     Outgoing _e101 = outgoing(_e98, _e10.layers, _e39, _e100);
-    Surface _e102 = surface;
+    Surface _e102 = surface_1;
     BsdfSample _e103 = sampleLobe(_e102, _e101, _e85);
-    Surface _e104 = surface;
+    Surface _e104 = surface_1;
     Basis _e105 = basis;
     vec3 _e107 = toLocal(_e105, _e91.direction);
     Pair _e109 = evaluatePair(_e104, _e101, _e107, _e103.direction);
@@ -2077,55 +2092,55 @@ void meetSurface(inout Path p_10, PairHit hit_2) {
     vec3 _e141 = toWorld(_e139, _e138.direction);
     bool _e145 = crosses(_e10.geometric, _e141, -(rays_1.direction));
     bool leaks = pick(opaque, _e145, false);
-    uint _e149 = p_10.depth;
+    uint _e149 = p_9.depth;
     uint _e152 = frame.maxDepth;
     bool goesOn = pick(!(escaped_1), (_e149 != _e152), false);
-    vec3 _e156 = p_10.throughput;
+    vec3 _e156 = p_9.throughput;
     vec3 contribution = (((_e156 * toLight_6.xyz) * _e91.radiance) * lightWeight);
     bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
-    p_10.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e178 = p_10.throughput;
+    p_9.light = pick(lit_1, contribution, vec3(0.0));
+    vec3 _e178 = p_9.throughput;
     vec3 throughput = (_e178 * _e138.weight);
     float _e181 = max3_(throughput);
-    uint _e187 = p_10.depth;
+    uint _e187 = p_9.depth;
     float survival = pick((_e187 < rouletteDepth), 1.0, min((_e181 / 0.33333334), 0.95));
     float _e199 = max3_(throughput);
-    float _e204 = nextHash(p_10.sampler_);
-    p_10.alive = pick(pick(pick(pick(goesOn, (_e138.pdf > 0.0), false), !(leaks), false), (_e199 > 0.0), false), (_e204 < survival), false);
-    p_10.throughput = (throughput / vec3(survival));
-    uint _e212 = p_10.depth;
-    p_10.depth = (_e212 + 1u);
-    p_10.pdf = pick(_e138.delta, 0.0, _e138.pdf);
-    p_10.litSide = litSide;
-    p_10.total = _e87.total;
+    float _e204 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(pick(goesOn, (_e138.pdf > 0.0), false), !(leaks), false), (_e199 > 0.0), false), (_e204 < survival), false);
+    p_9.throughput = (throughput / vec3(survival));
+    uint _e212 = p_9.depth;
+    p_9.depth = (_e212 + 1u);
+    p_9.pdf = pick(_e138.delta, 0.0, _e138.pdf);
+    p_9.litSide = litSide;
+    p_9.total = _e87.total;
     bool _e222 = isFlat(shape_1);
     bool solid = !(_e222);
     uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
-    bool _e239 = p_10.alive;
-    Sampler _e254 = p_10.sampler_;
+    bool _e239 = p_9.alive;
+    Sampler _e254 = p_9.sampler_;
     uint _e255 = numberOfNext(_e254);
-    p_10.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e239, _e141, pick(solid, (dot(_e141, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e255);
+    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e239, _e141, pick(solid, (dot(_e141, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e255);
     return;
 }
 
-void extendPath(inout Path p_11) {
-    RayPair _e2 = p_11.rays;
+void extendPath(inout Path p_10) {
+    RayPair _e2 = p_10.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_11.radiance;
-    vec3 _e7 = p_11.light;
-    p_11.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_11.rays.lightDistance = -1.0;
-    bool _e17 = p_11.alive;
+    vec3 _e5 = p_10.radiance;
+    vec3 _e7 = p_10.light;
+    p_10.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_10.rays.lightDistance = -1.0;
+    bool _e17 = p_10.alive;
     if (_e17) {
-        meetSurface(p_11, _e3);
+        meetSurface(p_10, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_12) {
-    return pick(!(p_12.alive), (p_12.rays.lightDistance < 0.0), false);
+bool isOver(Path p_11) {
+    return pick(!(p_11.alive), (p_11.rays.lightDistance < 0.0), false);
 }
 
 void main() {

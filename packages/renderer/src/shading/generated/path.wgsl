@@ -303,13 +303,15 @@ const noShape = 0xffffffffu;
 
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  let surface = fetchSurface(shape);
-  var p = SurfacePoint(surface, layersOf(u32(surface.code), surface.eta.x), outward, outward, vec3f(0.0));
+  var surface = fetchSurface(shape);
+  var layers = layersOf(u32(surface.code), surface.eta.x);
+  var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
   
+  var grain = vec3f(0.0);
   
-  return p;
+  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
 }
 
 // Whether light may go through the surface.
@@ -647,6 +649,21 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers {
+  var l: Layers;
+  
+  return l;
+}
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+const noInstance = 0xffffffffu;
+
 struct SurfacePoint {
   surface: Surface,
   // All zero where it has none.
@@ -657,16 +674,6 @@ struct SurfacePoint {
   // Along the surface, where facets have a grain; else zero.
   grain: vec3f,
 }
-
-
-// All zero where there are none.
-fn layersOf(code: u32, eta: f32) -> Layers {
-  var l: Layers;
-  
-  return l;
-}
-
-const noInstance = 0xffffffffu;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k

@@ -241,6 +241,10 @@ struct SurfacePoint {
     vec3 shading;
     vec3 grain;
 };
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct MeshPoint {
     vec3 geometric;
     vec3 shading;
@@ -687,10 +691,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_15.x) > abs(p_15.y));
-    float radius_1 = pick(wide, p_15.x, p_15.y);
-    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_14 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_14.x) > abs(p_14.y));
+    float radius_1 = pick(wide, p_14.x, p_14.y);
+    float ratio_6 = (pick(wide, p_14.y, p_14.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -884,8 +888,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_9);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_8 = (dot(toCenter_1, normal_9) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_16 = ((t_8 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
+    vec3 p_15 = ((t_8 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_15, reciprocalU)), abs(dot(p_15, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
@@ -965,9 +969,9 @@ MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
 }
 
 float edge(vec2 a, vec2 b) {
-    float p_17 = (a.x * b.y);
+    float p_16 = (a.x * b.y);
     float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
+    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_16)));
 }
 
 TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
@@ -1224,8 +1228,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         uint _e244 = instance_1;
                         Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
                         vec3 _e249 = o;
-                        vec4 p_18 = vec4(_e249, 1.0);
-                        o = vec3(dot(_e248.toMeshX, p_18), dot(_e248.toMeshY, p_18), dot(_e248.toMeshZ, p_18));
+                        vec4 p_17 = vec4(_e249, 1.0);
+                        o = vec3(dot(_e248.toMeshX, p_17), dot(_e248.toMeshY, p_17), dot(_e248.toMeshZ, p_17));
                         vec3 _e261 = d_1;
                         vec3 _e265 = d_1;
                         vec3 _e269 = d_1;
@@ -1571,10 +1575,10 @@ Layers layersOf(uint code_3, float eta_1) {
 }
 
 vec3 fromOctahedral(uint code_4) {
-    vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
-    vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_19), z_1));
+    vec2 p_18 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_1 = ((1.0 - abs(p_18.x)) - abs(p_18.y));
+    vec2 folded = ((vec2(1.0) - abs(p_18.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_18, vec2(0.0))));
+    return normalize(vec3(pick((z_1 < 0.0), folded, p_18), z_1));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
@@ -1776,52 +1780,62 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
-    SurfacePoint p_10 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Layers layers = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent_1 = vec3(0.0);
     vec3 bitangent_1 = vec3(0.0);
+    vec3 grain_1 = vec3(0.0);
     vec3 _e4 = normalAt(rays_1, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
-    Layers _e10 = layersOf(uint(_e5.code), _e5.eta.x);
-    p_10 = SurfacePoint(_e5, _e10, _e4, _e4, vec3(0.0));
-    const bool _e22 = hasMeshes;
-    if (pick(_e22, (hit.triangle.instance != noInstance), false)) {
-        MeshPoint _e33 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        p_10.geometric = _e33.geometric;
-        p_10.shading = _e33.shading;
-        const bool _e39 = hasTextures;
-        if (_e39) {
-            vec3 _e45 = takeUpTextures(p_10.surface, p_10.layers, _e33.uv, _e33.color.xyz);
-            tangent_1 = _e33.tangent;
-            bitangent_1 = _e33.bitangent;
-            if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
-                vec3 _e69 = validNormal(_e33.geometric, rays_1.direction, (((_e45.x * _e33.tangent) + (_e45.y * _e33.bitangent)) + (_e45.z * _e33.normal)), _e33.shading);
-                p_10.shading = _e69;
+    surface = _e5;
+    float _e8 = surface.code;
+    float _e12 = surface.eta.x;
+    Layers _e13 = layersOf(uint(_e8), _e12);
+    layers = _e13;
+    normals = Normals(_e4, _e4);
+    const bool _e24 = hasMeshes;
+    if (pick(_e24, (hit.triangle.instance != noInstance), false)) {
+        MeshPoint _e35 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+        normals = Normals(_e35.geometric, _e35.shading);
+        const bool _e40 = hasTextures;
+        if (_e40) {
+            vec3 _e44 = takeUpTextures(surface, layers, _e35.uv, _e35.color.xyz);
+            tangent_1 = _e35.tangent;
+            bitangent_1 = _e35.bitangent;
+            if (any(notEqual(_e44, vec3(0.0, 0.0, 1.0)))) {
+                vec3 _e68 = validNormal(_e35.geometric, rays_1.direction, (((_e44.x * _e35.tangent) + (_e44.y * _e35.bitangent)) + (_e44.z * _e35.normal)), _e35.shading);
+                normals.shading = _e68;
             }
         }
-        vec3 _e71 = p_10.geometric;
-        vec3 _e77 = p_10.shading;
-        bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
-        vec3 _e85 = p_10.shading;
-        vec3 _e87 = p_10.geometric;
-        float _e90 = p_10.surface.code;
-        float _e95 = p_10.surface.eta.x;
-        bool _e96 = letsThrough(uint(_e90), _e95);
-        p_10.shading = pick(pick(_e96, !(agree), false), _e87, _e85);
+        vec3 _e70 = normals.geometric;
+        vec3 _e76 = normals.shading;
+        bool agree = ((dot(_e70, rays_1.direction) > 0.0) == (dot(_e76, rays_1.direction) > 0.0));
+        vec3 _e84 = normals.shading;
+        vec3 _e86 = normals.geometric;
+        float _e88 = surface.code;
+        float _e92 = surface.eta.x;
+        bool _e93 = letsThrough(uint(_e88), _e92);
+        normals.shading = pick(pick(_e93, !(agree), false), _e86, _e84);
     }
     const bool _e101 = hasLayers;
     if (_e101) {
-        float _e104 = p_10.layers.anisotropy;
-        if ((_e104 > 0.0)) {
-            vec3 _e109 = p_10.shading;
-            vec3 _e110 = tangent_1;
-            vec3 _e111 = bitangent_1;
-            vec2 _e114 = p_10.layers.grain;
-            vec3 _e115 = grainAt(_e109, _e110, _e111, _e114);
-            p_10.grain = _e115;
+        float _e103 = layers.anisotropy;
+        if ((_e103 > 0.0)) {
+            vec3 _e107 = normals.shading;
+            vec3 _e108 = tangent_1;
+            vec3 _e109 = bitangent_1;
+            vec2 _e111 = layers.grain;
+            vec3 _e112 = grainAt(_e107, _e108, _e109, _e111);
+            grain_1 = _e112;
         }
     }
-    SurfacePoint _e116 = p_10;
-    return _e116;
+    Surface _e113 = surface;
+    Layers _e114 = layers;
+    vec3 _e116 = normals.geometric;
+    vec3 _e118 = normals.shading;
+    vec3 _e119 = grain_1;
+    return SurfacePoint(_e113, _e114, _e116, _e118, _e119);
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -2154,11 +2168,11 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_7 * ratio_7)));
 }
 
-vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
+vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
     uint i_20 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_19 = p_11.rays.direction;
+    vec3 direction_19 = p_10.rays.direction;
     bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_19) > 0.0), false);
     int _e21 = emitterOf(s_7.code);
     found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
@@ -2172,14 +2186,14 @@ vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
             uint _e46 = i_20;
             Emitter _e47 = emitterAt(_e46, only_1);
             FarLight _e48 = farLight(_e47, direction_19);
-            float _e52 = shapePdf(_e47, p_11.rays.point, direction_19, hit_1.t, outward);
+            float _e52 = shapePdf(_e47, p_10.rays.point, direction_19, hit_1.t, outward);
             float density = pick(escaped, _e48.pdf, _e52);
-            float _e59 = probabilityOf(_e47, p_11.rays.point, p_11.litSide, p_11.total);
+            float _e59 = probabilityOf(_e47, p_10.rays.point, p_10.litSide, p_10.total);
             float pdf_3 = (density * _e59);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
             vec3 _e63 = found_8;
-            float _e65 = misWeight(p_11.pdf, pdf_3);
-            found_8 = (_e63 + (radiance * pick((p_11.pdf <= 0.0), 1.0, _e65)));
+            float _e65 = misWeight(p_10.pdf, pdf_3);
+            found_8 = (_e63 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e65)));
             uint _e74 = i_20;
             i_20 = (_e74 + 1u);
             const bool _e77 = hasSky;
@@ -2342,8 +2356,8 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_2, vec2 u_9) {
     float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
     float within_3 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_15.u) - b_2.point);
+    vec3 p_19 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_5 = ((pick(onX_1, p_19.xyz, pick(onY_1, p_19.zxy, p_19.yzx)) * e_15.u) - b_2.point);
     return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
 }
 
@@ -3355,17 +3369,17 @@ bool isFlat(uint i_22) {
     return (i_22 >= _e4);
 }
 
-void meetSurface(inout Path p_12, PairHit hit_2) {
-    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+void meetSurface(inout Path p_11, PairHit hit_2) {
+    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 hero_3 = vec3(1.0);
-    RayPair rays_2 = p_12.rays;
+    RayPair rays_2 = p_11.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
-    surface = _e10.surface;
-    float _e14 = surface.code;
-    float _e18 = surface.eta.x;
+    surface_1 = _e10.surface;
+    float _e14 = surface_1.code;
+    float _e18 = surface_1.eta.x;
     bool _e19 = letsThrough(uint(_e14), _e18);
     vec3 point_16 = (rays_2.point + (hit_2.t * rays_2.direction));
     vec3 outward_1 = _e10.shading;
@@ -3384,29 +3398,29 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     const bool _e50 = hasGlass;
     const bool _e52 = hasLayers;
     if (pick(_e50, true, _e52)) {
-        float _e55 = surface.code;
+        float _e55 = surface_1.code;
         bool _e57 = isThin(uint(_e55));
         bool inside_6 = pick(pick(pick(_e19, !(_e57), false), (_e48.z < 0.0), false), !(escaped_1), false);
-        vec3 _e67 = p_12.throughput;
-        vec3 _e69 = surface.absorption;
-        p_12.throughput = (_e67 * exp((-(_e69) * pick(inside_6, hit_2.t, 0.0))));
+        vec3 _e67 = p_11.throughput;
+        vec3 _e69 = surface_1.absorption;
+        p_11.throughput = (_e67 * exp((-(_e69) * pick(inside_6, hit_2.t, 0.0))));
     }
     const bool _e78 = hasLayers;
     if (_e78) {
-        vec3 _e80 = surface.emission;
+        vec3 _e80 = surface_1.emission;
         float _e85 = coatReflectance(_e10.layers.coat, abs(_e48.z));
-        surface.emission = (_e80 * (1.0 - _e85));
+        surface_1.emission = (_e80 * (1.0 - _e85));
     }
     Emitter _e90 = fetchEmitter(0u);
-    vec3 _e92 = p_12.radiance;
-    vec3 _e94 = p_12.throughput;
-    Path _e95 = p_12;
-    Surface _e96 = surface;
+    vec3 _e92 = p_11.radiance;
+    vec3 _e94 = p_11.throughput;
+    Path _e95 = p_11;
+    Surface _e96 = surface_1;
     vec3 _e98 = foundLight(_e95, hit_2, _e96, _e10.geometric, _e90);
-    p_12.radiance = (_e92 + (_e94 * _e98));
+    p_11.radiance = (_e92 + (_e94 * _e98));
     vec3 litSide = pick(_e19, vec3(0.0), normal_12);
-    vec3 _e105 = next3d(p_12.sampler_);
-    vec3 _e107 = next3d(p_12.sampler_);
+    vec3 _e105 = next3d(p_11.sampler_);
+    vec3 _e107 = next3d(p_11.sampler_);
     EmitterChoice _e109 = chooseEmitter(point_16, litSide, _e105.z);
     Emitter _e111 = emitterAt(_e109.index, _e90);
     LightSample _e113 = sampleEmitter(_e111, point_16, _e105.xy);
@@ -3414,18 +3428,18 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     const bool _e121 = hasLayers;
     if (_e121) {
         if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
-            vec3 _e128 = p_12.throughput;
-            float _e130 = nextHash(p_12.sampler_);
+            vec3 _e128 = p_11.throughput;
+            float _e130 = nextHash(p_11.sampler_);
             vec3 _e131 = heroColor(_e128, _e130);
             hero_3 = _e131;
         }
     }
-    Surface _e132 = surface;
+    Surface _e132 = surface_1;
     vec3 _e134 = hero_3;
     Outgoing _e135 = outgoing(_e132, _e10.layers, _e48, _e134);
-    Surface _e136 = surface;
+    Surface _e136 = surface_1;
     BsdfSample _e137 = sampleLobe(_e136, _e135, _e107);
-    Surface _e138 = surface;
+    Surface _e138 = surface_1;
     Basis _e139 = basis;
     vec3 _e141 = toLocal(_e139, _e113.direction);
     Pair _e143 = evaluatePair(_e138, _e135, _e141, _e137.direction);
@@ -3442,55 +3456,55 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     vec3 _e176 = toWorld(_e174, _e173.direction);
     bool _e180 = crosses(_e10.geometric, _e176, -(rays_2.direction));
     bool leaks = pick(opaque, _e180, false);
-    uint _e184 = p_12.depth;
+    uint _e184 = p_11.depth;
     uint _e187 = frame.maxDepth;
     bool goesOn = pick(!(escaped_1), (_e184 != _e187), false);
-    vec3 _e191 = p_12.throughput;
+    vec3 _e191 = p_11.throughput;
     vec3 contribution = (((_e191 * toLight_7.xyz) * _e113.radiance) * lightWeight);
     bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e113.radiance), vec3(0.0))), false);
-    p_12.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e213 = p_12.throughput;
+    p_11.light = pick(lit_1, contribution, vec3(0.0));
+    vec3 _e213 = p_11.throughput;
     vec3 throughput_1 = (_e213 * _e173.weight);
     float _e216 = max3_(throughput_1);
-    uint _e222 = p_12.depth;
+    uint _e222 = p_11.depth;
     float survival = pick((_e222 < rouletteDepth), 1.0, min((_e216 / 0.33333334), 0.95));
     float _e234 = max3_(throughput_1);
-    float _e239 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn, (_e173.pdf > 0.0), false), !(leaks), false), (_e234 > 0.0), false), (_e239 < survival), false);
-    p_12.throughput = (throughput_1 / vec3(survival));
-    uint _e247 = p_12.depth;
-    p_12.depth = (_e247 + 1u);
-    p_12.pdf = pick(_e173.delta, 0.0, _e173.pdf);
-    p_12.litSide = litSide;
-    p_12.total = _e109.total;
+    float _e239 = nextHash(p_11.sampler_);
+    p_11.alive = pick(pick(pick(pick(goesOn, (_e173.pdf > 0.0), false), !(leaks), false), (_e234 > 0.0), false), (_e239 < survival), false);
+    p_11.throughput = (throughput_1 / vec3(survival));
+    uint _e247 = p_11.depth;
+    p_11.depth = (_e247 + 1u);
+    p_11.pdf = pick(_e173.delta, 0.0, _e173.pdf);
+    p_11.litSide = litSide;
+    p_11.total = _e109.total;
     bool _e257 = isFlat(shape_1);
     bool solid = !(_e257);
     uint lightShape = pick((_e111.shape >= 0.0), uint(max(_e111.shape, 0.0)), noShape);
-    bool _e274 = p_12.alive;
-    Sampler _e289 = p_12.sampler_;
+    bool _e274 = p_11.alive;
+    Sampler _e289 = p_11.sampler_;
     uint _e290 = numberOfNext(_e289);
-    p_12.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e274, _e176, pick(solid, (dot(_e176, outward_1) < 0.0), false), _e113.direction, pick(solid, (dot(_e113.direction, outward_1) < 0.0), false), pick(lit_1, _e113.distance_, -1.0), lightShape, _e290);
+    p_11.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e274, _e176, pick(solid, (dot(_e176, outward_1) < 0.0), false), _e113.direction, pick(solid, (dot(_e113.direction, outward_1) < 0.0), false), pick(lit_1, _e113.distance_, -1.0), lightShape, _e290);
     return;
 }
 
-void extendPath(inout Path p_13) {
-    RayPair _e2 = p_13.rays;
+void extendPath(inout Path p_12) {
+    RayPair _e2 = p_12.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_13.radiance;
-    vec3 _e7 = p_13.light;
-    p_13.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_13.rays.lightDistance = -1.0;
-    bool _e17 = p_13.alive;
+    vec3 _e5 = p_12.radiance;
+    vec3 _e7 = p_12.light;
+    p_12.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_12.rays.lightDistance = -1.0;
+    bool _e17 = p_12.alive;
     if (_e17) {
-        meetSurface(p_13, _e3);
+        meetSurface(p_12, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_14) {
-    return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
+bool isOver(Path p_13) {
+    return pick(!(p_13.alive), (p_13.rays.lightDistance < 0.0), false);
 }
 
 void main() {

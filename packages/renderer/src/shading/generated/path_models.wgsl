@@ -315,32 +315,33 @@ const noShape = 0xffffffffu;
 
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  let surface = fetchSurface(shape);
-  var p = SurfacePoint(surface, layersOf(u32(surface.code), surface.eta.x), outward, outward, vec3f(0.0));
+  var surface = fetchSurface(shape);
+  var layers = layersOf(u32(surface.code), surface.eta.x);
+  var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
   if (hasMeshes & (hit.triangle.instance != noInstance)) {
     let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    p.geometric = m.geometric;
-    p.shading = m.shading;
+    normals = Normals(m.geometric, m.shading);
     if (hasTextures) {
-      let bump = takeUpTextures(&p.surface, &p.layers, m.uv, m.color.rgb);
+      let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
       tangent = m.tangent;
       bitangent = m.bitangent;
       if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-        p.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
       }
     }
     // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-    let agree = (dot(p.geometric, rays.direction) > 0.0) == (dot(p.shading, rays.direction) > 0.0);
-    p.shading = select(p.shading, p.geometric, letsThrough(u32(p.surface.code), p.surface.eta.x) & !agree);
+    let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
+    normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
   }
+  var grain = vec3f(0.0);
   if (hasLayers) {
-    if (p.layers.anisotropy > 0.0) {
-      p.grain = grainAt(p.shading, tangent, bitangent, p.layers.grain);
+    if (layers.anisotropy > 0.0) {
+      grain = grainAt(normals.shading, tangent, bitangent, layers.grain);
     }
   }
-  return p;
+  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
 }
 
 // Whether light may go through the surface.
@@ -727,18 +728,6 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
-struct SurfacePoint {
-  surface: Surface,
-  // All zero where it has none.
-  layers: Layers,
-  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
-  geometric: vec3f,
-  shading: vec3f,
-  // Along the surface, where facets have a grain; else zero.
-  grain: vec3f,
-}
-
-
 // All zero where there are none.
 fn layersOf(code: u32, eta: f32) -> Layers {
   var l: Layers;
@@ -750,7 +739,25 @@ fn layersOf(code: u32, eta: f32) -> Layers {
   return l;
 }
 
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
 const noInstance = 0xffffffffu;
+
+struct SurfacePoint {
+  surface: Surface,
+  // All zero where it has none.
+  layers: Layers,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+  // Along the surface, where facets have a grain; else zero.
+  grain: vec3f,
+}
+
 
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
