@@ -1,6 +1,7 @@
 /**
- * WESL modules → linked WGSL → GLSL ES 3.00, into packages/renderer/src/shading/generated, and the tests' own programs into
- * tests/browser/harness/generated. `--check` writes nothing and exits with 1 when a committed file is stale.
+ * WESL modules → linked WGSL → GLSL ES 3.00, into packages/renderer/src/shading/generated; the tests' own programs into
+ * tests/browser/harness/generated, a benchmark's into bench/gpu/traversal/generated. `--check` writes nothing and exits with 1 when a
+ * committed file is stale.
  */
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
@@ -19,8 +20,10 @@ import { withoutFeatures } from './without-features.ts';
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const source = join(repository, 'packages/renderer/src');
 const harness = join(repository, 'tests/browser/harness');
+const bench = join(repository, 'bench/gpu/traversal');
 const RENDERER_OUTPUT = 'packages/renderer/src/shading/generated';
 const TESTS_OUTPUT = 'tests/browser/harness/generated';
+const BENCH_OUTPUT = 'bench/gpu/traversal/generated';
 
 interface Program {
   readonly name: string;
@@ -66,6 +69,7 @@ const PROGRAMS: readonly Program[] = [
   },
   { name: 'film_error', root: 'film/film_error', entries: [{ entry: 'filmError', stage: 'fragment' }] },
   { name: 'aov_view', root: 'display/aov_view', entries: [{ entry: 'showAov', stage: 'fragment' }] },
+  { name: 'trace_rays', root: 'bench/trace_rays', entries: [], output: BENCH_OUTPUT },
   {
     name: 'camera_probe',
     root: 'tests/camera-probe',
@@ -123,7 +127,7 @@ function weslModules(): Record<string, string> {
     './shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
     './shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
-  return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...written };
+  return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...modulesIn(bench, 'bench/'), ...written };
 }
 
 /**

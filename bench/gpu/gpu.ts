@@ -20,6 +20,7 @@ import type { Film } from '../../tests/reference/blocks.ts';
 import { namesIn, readPicture, readScene } from '../../tests/reference/reading.ts';
 import { CUT } from '../../tests/reference/samples.ts';
 import { judge, LIMITS } from '../../tests/reference/statistics.ts';
+import { writeTable } from './write-table.ts';
 
 const SIZE = 256;
 /** Work before a film is timed, milliseconds: an idle GPU takes its time to clock up. */
@@ -108,26 +109,6 @@ async function errorWith(scene: Scene, name: string, count: number): Promise<num
   return relativeSquaredError(film, { width: SIZE, height: SIZE, mean, error: mean });
 }
 
-/** Between two marks in docs/benchmarks.md. */
-function writeTable(): void {
-  const file = resolve('docs/benchmarks.md');
-  const keys = [...new Set(rows.flatMap((row) => Object.keys(row)))];
-  const line = (cells: readonly unknown[]) => `| ${cells.join(' | ')} |`;
-  const table = [
-    line(keys),
-    line(keys.map(() => '---')),
-    ...rows.map((row) => line(keys.map((key) => row[key] ?? ''))),
-  ];
-  const head = `${new Date().toISOString().slice(0, 10)} · ${tracer.description} · ${SIZE} × ${SIZE}, ${samples} samples a pixel`;
-  const marked = /(<!-- npm run bench:gpu -- --write: start -->\n)[\s\S]*?(<!-- end -->)/;
-  const text = readFileSync(file, 'utf8');
-  if (!marked.test(text)) throw new Error(`${file} has no place for the table.`);
-  writeFileSync(
-    file,
-    text.replace(marked, (_, start, end) => `${start}\n${head}\n\n${table.join('\n')}\n\n${end}`),
-  );
-}
-
 const rows: Record<string, unknown>[] = [];
 for (const name of positionals.length > 0 ? positionals : namesIn(references)) {
   const scene = readScene(references, name);
@@ -163,5 +144,6 @@ for (const name of positionals.length > 0 ? positionals : namesIn(references)) {
 }
 console.table(rows);
 if (values.json) writeFileSync(values.json, JSON.stringify(rows, null, 1));
-if (values.write) writeTable();
+if (values.write)
+  writeTable('bench:gpu', `${tracer.description} · ${SIZE} × ${SIZE}, ${samples} samples a pixel`, rows);
 process.exit(rows.some(({ verdict }) => verdict !== undefined && verdict !== 'agrees') ? 1 : 0);

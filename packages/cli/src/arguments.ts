@@ -24,7 +24,25 @@ export interface OutputOptions extends CommonOptions {
   readonly exposure?: number;
   readonly aov?: readonly AovName[];
 }
-export interface RenderOptions extends OutputOptions {
+/** What of a scene is shown, and in what light. */
+export interface ChoiceOptions {
+  /** Name of a picture of all around. */
+  readonly env?: string;
+  /** Degrees about +Y. */
+  readonly envRotation?: number;
+  readonly envStrength?: number;
+  /** Name of one of the scene's other cameras, or "frame". */
+  readonly camera?: string;
+  /** Name of a clip, or "none". */
+  readonly clip?: string;
+  readonly variant?: string;
+}
+export interface ConvertOptions extends CommonOptions, ChoiceOptions {
+  readonly time: number;
+  readonly size: { readonly width: number; readonly height: number };
+  readonly spp: number;
+}
+export interface RenderOptions extends OutputOptions, ChoiceOptions {
   readonly output?: string;
   readonly spp?: number;
   readonly size: { readonly width: number; readonly height: number };
@@ -65,6 +83,7 @@ export interface BenchOptions extends CommonOptions {
 export interface Actions {
   render(scene: string, options: RenderOptions): Promise<void>;
   merge(parts: string[], options: MergeOptions): Promise<void>;
+  convert(scene: string, output: string, options: ConvertOptions): Promise<void>;
   compare(a: string, b: string, options: CommonOptions): Promise<void>;
   validate(scenes: string[], options: CommonOptions): Promise<void>;
   schema(options: { readonly output?: string }): Promise<void>;
@@ -88,9 +107,38 @@ const pictureOptions = (command: Command): Command =>
     )
     .addOption(new Option('--backend <name>', 'what traces').choices(['auto', ...BACKENDS]).default('auto'));
 
+const choiceOptions = (command: Command): Command =>
+  command
+    .addOption(new Option('--env <file>', 'light from a picture of all around: .hdr, .exr, .npy, .pfm'))
+    .addOption(new Option('--env-rotation <degrees>', 'turns it about +Y').argParser(real(-1e6, 1e6)))
+    .addOption(new Option('--env-strength <n>', 'factor on its light').argParser(real(0, 1e6)))
+    .addOption(new Option('--camera <name>', "one of the scene's other cameras; frame: one that shows everything"))
+    .addOption(new Option('--clip <name>', 'the clip that plays; none: none'))
+    .addOption(new Option('--variant <name>', 'other materials, by the name of the choice'));
+
+function addConvert(program: Command, actions: Actions): void {
+  const command = program.command('convert').description('write a scene in another format, and what that cannot say');
+  command
+    .argument('<scene>', 'a scene file, a model, or a built-in scene by its name')
+    .argument('<output>', '.glb, .xml (Mitsuba 3, with meshes and a program beside it) or .json')
+    .addOption(new Option('--time <s>', '.xml: seconds into the animation').argParser(real(-1e9, 1e9)).default(0))
+    .addOption(
+      new Option('--size <WxH>', '.xml: pixels')
+        .argParser(size(MOST_SIDE))
+        .default({ width: 1280, height: 720 }, '1280x720'),
+    )
+    .addOption(new Option('--spp <n>', '.xml: samples a pixel').argParser(whole(1, MOST_SAMPLES)).default(64));
+  choiceOptions(command).addOption(json());
+  command.action((scene: string, out: string, options: ConvertOptions) => actions.convert(scene, out, options));
+}
+
 function addRender(program: Command, actions: Actions): void {
-  const command = program.command('render').description('render a scene file (or a built-in scene by its name)');
-  command.argument('<scene>', 'scene.json, or cube-room, mirror-blocks, moving-shadows, materials').addOption(output());
+  const command = program
+    .command('render')
+    .description('render a scene file or a model (or a built-in scene by its name)');
+  command
+    .argument('<scene>', 'scene.json, model.glb, or cube-room, mirror-blocks, moving-shadows, materials')
+    .addOption(output());
   const option = (flags: string, about: string) => new Option(flags, about);
   command
     .addOption(option('--spp <n>', 'samples a pixel (default: 64)').argParser(whole(1, MOST_SAMPLES)))
@@ -122,6 +170,7 @@ function addRender(program: Command, actions: Actions): void {
         .argParser(real(0, 1e9))
         .default(60),
     );
+  choiceOptions(command);
   pictureOptions(command).addOption(json());
   command.action((scene: string, options: RenderOptions) => actions.render(scene, options));
 }
@@ -153,7 +202,7 @@ function addOthers(program: Command, actions: Actions): void {
     .action((options: { output?: string }) => actions.schema(options));
   program
     .command('info')
-    .description('what is in scene, picture and part files')
+    .description('what is in scenes, models, meshes, pictures and part files')
     .argument('<files...>', 'files')
     .addOption(json())
     .action((files: string[], options: CommonOptions) => actions.info(files, options));
@@ -193,6 +242,7 @@ export function createProgram(version: string, actions: Actions): Command {
   program.description('Renders, merges, checks and compares without a window.').version(version);
   program.exitOverride().showSuggestionAfterError().enablePositionalOptions();
   addRender(program, actions);
+  addConvert(program, actions);
   addOthers(program, actions);
   addBench(program, actions);
   // Subcommands made before an override would not have it.

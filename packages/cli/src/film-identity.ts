@@ -55,8 +55,9 @@ function hashedArrays(value: unknown): unknown {
 
 /** What only models have; not in the fingerprints of scenes without it. */
 function hashedModel({ nodes, skins, clips, clip, images, textures, shapes }: Scene): object[] {
-  if (!nodes) return [];
-  return [hashedArrays([nodes, skins, clips, clip, images, textures, shapes]) as object];
+  if (!nodes && !images && !clips) return [];
+  const pictures = images && Object.fromEntries(Object.entries(images).map(([name, { data }]) => [name, { data }]));
+  return [hashedArrays([nodes, skins, clips, clip, pictures, textures, shapes]) as object];
 }
 
 export function sceneHash(scene: Scene): string {

@@ -5,6 +5,7 @@ import { type Actions, createProgram, exitOfCommander } from './arguments.ts';
 import { serveRows } from './backends/cpu-worker.ts';
 import { bench } from './commands/bench.ts';
 import { compare } from './commands/compare.ts';
+import { convert } from './commands/convert.ts';
 import { doctor } from './commands/doctor.ts';
 import { info } from './commands/info.ts';
 import { merge } from './commands/merge.ts';
@@ -22,6 +23,7 @@ const withJson = ({ json }: { readonly json?: boolean }): Terminal => (terminal 
 const actions: Actions = {
   render: (scene, options) => render(scene, options, withJson(options)),
   merge: (parts, options) => merge(parts, options, withJson(options)),
+  convert: (scene, output, options) => convert(scene, output, options, withJson(options)),
   compare: (a, b, options) => compare(a, b, withJson(options)),
   validate: (scenes, options) => validate(scenes, withJson(options)),
   schema,

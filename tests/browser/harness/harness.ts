@@ -22,6 +22,7 @@ import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
+import { layerTextures } from './textures/layers.ts';
 import { lightCases, tiltedLight } from './textures/light.ts';
 import { probeLookups } from './textures/lookups.ts';
 import { texturedSights } from './textures/sights.ts';
@@ -44,6 +45,7 @@ export const harness = {
   layerFurnaces,
   layersFromBothEnds,
   layersOverSphere,
+  layerTextures,
   leaks,
   movedPicture,
   orderAndParts,

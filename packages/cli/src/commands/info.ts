@@ -2,10 +2,11 @@
 import { readFile } from 'node:fs/promises';
 import { type FloatPicture, formatOf, ImageError } from 'mirrorball/picture-files';
 import { type BadScene, BadSceneError, usage } from '../exit-codes.ts';
-import { countsOf, mapValues, meshFacts, meshFileFacts } from '../mesh-facts.ts';
+import { meshFileFacts } from '../mesh-facts.ts';
 import { readPart } from '../part-file.ts';
 import { isPart } from '../picture-file.ts';
 import { formatRanges } from '../sample-ranges.ts';
+import { sceneFacts } from '../scene-facts.ts';
 import { readScene } from '../scene-source.ts';
 import { percent, type Terminal } from '../terminal.ts';
 
@@ -22,7 +23,10 @@ export async function info(files: readonly string[], terminal: Terminal): Promis
     }
     terminal.event('info', { file, ...facts });
     terminal.result(file);
-    for (const [name, value] of Object.entries(facts)) terminal.result(`  ${name.padEnd(12)} ${told(value)}`);
+    for (const [name, value] of Object.entries(facts))
+      if (Array.isArray(value) && typeof value[0] === 'string' && value[0].length > 40)
+        for (const line of value) terminal.result(`  ${name.padEnd(12)} ${line}`);
+      else terminal.result(`  ${name.padEnd(12)} ${told(value)}`);
   }
   if (bad.length > 0) throw new BadSceneError(bad);
 }
@@ -32,7 +36,10 @@ const told = (value: unknown): string => (typeof value === 'object' ? JSON.strin
 async function factsOf(file: string): Promise<Facts | BadScene> {
   if (isPart(file)) return partFacts(file);
   const isMesh = /\.(ply|obj|stl)$/i.test(file);
-  if (!isMesh && !/\.(exr|png|pfm|npy|hdr)$/i.test(file)) return sceneFacts(file);
+  if (!isMesh && !/\.(exr|png|pfm|npy|hdr)$/i.test(file)) {
+    const source = await readScene(file);
+    return 'problems' in source ? source : sceneFacts(source);
+  }
   const bytes = await readFile(file).catch((error: Error) => {
     throw usage(`${file} cannot be read: ${error.message}`);
   });
@@ -63,27 +70,4 @@ async function partFacts(file: string): Promise<Facts> {
   const { scene, ...rest } = identity;
   const samples = formatRanges(film.ranges);
   return { kind: 'part file', title: texts.Title, samples, error: percent(film.error()), ...rest, scene };
-}
-
-async function sceneFacts(file: string): Promise<Facts | BadScene> {
-  const source = await readScene(file);
-  if ('problems' in source) return source;
-  const { name, description, sky, shapes, meshes, materials, lights, animation, camera, render } = source.scene;
-  const kinds: Record<string, number> = {};
-  for (const { type } of Object.values(shapes)) kinds[type] = (kinds[type] ?? 0) + 1;
-  const ends = animation.map(({ keys }) => keys.at(-1)!.time);
-  return {
-    kind: 'scene',
-    name,
-    description,
-    shapes: kinds,
-    materials: Object.keys(materials).length,
-    lights: Object.keys(lights).length,
-    tracks: animation.length,
-    seconds: Math.max(0, ...ends),
-    ...(meshes ? { meshes: mapValues(meshes, meshFacts), ...countsOf(meshes) } : {}),
-    ...(sky.map ? { sky: `${sky.image}, ${sky.map.width} × ${sky.map.height}` } : {}),
-    camera,
-    render,
-  };
 }

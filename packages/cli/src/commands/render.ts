@@ -21,6 +21,7 @@ import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
 import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
 import { noSavings, type Savings, startSavings } from '../savings.ts';
+import { checkChoices, chosen } from '../scene-choices.ts';
 import { isModel, requireSceneFile } from '../scene-source.ts';
 import { duration, percent, type Terminal } from '../terminal.ts';
 import { software } from '../version.ts';
@@ -44,8 +45,9 @@ export async function render(file: string, options: RenderOptions, terminal: Ter
   const area = areaOf(options);
   const frames = framesOf(options);
   await checkOutput(options, frames);
-  const scene = await requireSceneFile(file, terminal);
+  const scene = await chosen(await requireSceneFile(file, terminal), options, terminal);
   const settings = settingsOf(scene, options);
+  checkChoices(options, settings);
   const { untilError, untilTime } = options;
   const goal = { wanted: wantedOf(options), untilError, untilTime };
   checkErrorKnown(options.aov, goal.wanted);
@@ -135,9 +137,22 @@ async function partFor(
   }
   const film = new AccumulatedFilm(area.width * area.height);
   // A model's arrays have no place in a text.
-  const source: Record<string, string> = isModel(file) ? { Model: basename(file) } : { Scene: writeScene(scene) };
+  const source = sourceOf(scene, file);
   const texts = { Title: scene.name, Software: software, ...source };
   return { identity, film, texts, exposure: scene.render.exposure };
+}
+
+/** The scene as a text, or the name of the model that no text can hold. */
+function sourceOf(scene: Scene, file: string): Record<string, string> {
+  const model = { Model: basename(file) };
+  if (isModel(file)) return model;
+  try {
+    return { Scene: writeScene(scene) };
+  } catch (error) {
+    // With models of its own of which it shows a variant.
+    if (error instanceof TypeError) return model;
+    throw error;
+  }
 }
 
 /** How a picture got its samples. */

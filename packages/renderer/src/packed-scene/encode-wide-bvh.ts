@@ -4,7 +4,8 @@
  * what else was measured.
  *
  * A reference is a node's number, from 1 on since the root is nobody's child; or, with the highest bit, a leaf: 3 bits with the number of
- * primitives, 1 … 7, and 28 bits with the first one's place.
+ * triangles, 1 … 7, and 28 bits with the first one's place. A leaf of the tree over instances has the number 0 and names the instance.
+ * Where there is no child, its box is one that no ray enters.
  */
 import { type Bvh, firstChild, firstPlace, halfArea, leafCount, secondChild } from '../bvh/bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
@@ -16,6 +17,8 @@ export const MOST_IN_LEAF = 7;
 export const MOST_PRIMITIVES = 2 ** COUNT_SHIFT;
 /** Boxes grow by this share of the greatest coordinate: more than rounding does to a ray's distance from them. */
 const PADDING = 4e-7;
+/** Beyond all, on the wrong side; times 1e18, as for a ray along an axis, it is still a number. */
+const FAR = 1e19;
 
 export interface WideBvh {
   readonly words: Uint32Array<ArrayBuffer>;
@@ -73,7 +76,7 @@ export class WideEncoder {
   #empty(): number {
     this.nodeCount = 1;
     this.sources.fill(NONE, 0, WIDTH);
-    this.#words.fill(0, 0, NODE_WORDS);
+    this.#words.fill(0, CHILDREN, NODE_WORDS);
     return 0;
   }
 
@@ -100,7 +103,7 @@ export class WideEncoder {
   }
 
   #leaf(place: number, count: number): number {
-    return leafReference(this.#named ? this.#bvh.order[place]! : place, count);
+    return this.#named ? leafReference(this.#bvh.order[place]!, 0) : leafReference(place, count);
   }
 
   /** Two children, of which the largest that are no leaves are opened until there are four. Gives how many there are. */
@@ -146,8 +149,8 @@ export function writeBoxes(sources: Uint32Array, nodeCount: number, bvh: Bvh, fl
       const at = node * NODE_WORDS + k;
       const there = source !== NONE;
       for (let axis = 0; axis < 3; axis++) {
-        floats[at + LEAST + axis * WIDTH] = there ? bounds[6 * source + axis]! - padding : 0;
-        floats[at + GREATEST + axis * WIDTH] = there ? bounds[6 * source + 3 + axis]! + padding : 0;
+        floats[at + LEAST + axis * WIDTH] = there ? bounds[6 * source + axis]! - padding : FAR;
+        floats[at + GREATEST + axis * WIDTH] = there ? bounds[6 * source + 3 + axis]! + padding : -FAR;
       }
     }
 }

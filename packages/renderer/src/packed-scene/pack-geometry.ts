@@ -226,9 +226,9 @@ class GeometryOfScene implements PackedGeometry {
     return tree;
   }
 
-  /** One more to find the way back out of an instance. */
+  /** One more to find the way back out of an instance, and one at the bottom, where the ray ends. */
   get #stackNeed(): number {
-    return this.#encoder.stackNeed + 1 + this.#deepest;
+    return 1 + this.#encoder.stackNeed + 1 + this.#deepest;
   }
 
   /** False when it leads too deep. */

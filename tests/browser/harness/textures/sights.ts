@@ -25,13 +25,21 @@ function noise(seed: number, width: number, height: number, middle: readonly num
   return { width, height, rgba: Uint8Array.from({ length: 4 * width * height }, (_, i) => byte(i % 4)) };
 }
 
-/** Sheets side by side, one of them seen at grazing angles; of the last two one is mirrored, one stretched, turned and seen from behind. */
+/** Sheets side by side, one with holes, one behind one that is not there from behind, one of them seen at grazing angles; of the last two one is mirrored, one stretched, turned and seen from behind. */
 export const texturedScene: Scene = {
   ...testScene(
     {
       colored: { ...place(-2.4, 1.3), mesh: 'sheet', material: 'white' },
       textured: { ...place(0, 1.3), mesh: 'plain', material: 'textured' },
       glowing: { ...place(2.4, 1.3), mesh: 'plain', material: 'glowing' },
+      away: { ...place(2.4, 1.3), mesh: 'flat', material: 'oneSided', translation: [2, 1, 1.5], rotation: [0, 160, 0] },
+      towards: {
+        ...place(2.4, 1.3),
+        mesh: 'flat',
+        material: 'oneSided',
+        translation: [3, 2, 1.5],
+        scale: [0.5, -0.5, 1],
+      },
       bumpy: { ...place(-2.4, -1.3), mesh: 'plain', material: 'bumpy', rotation: [-60, 20, 0] },
       mirrored: { ...place(0, -1.3), mesh: 'sheet', material: 'bumpy', scale: [-1, 1, 0.7] },
       behind: { ...place(2.4, -1.3), mesh: 'flat', material: 'bumpy', rotation: [0, 150, 0], scale: [1, 0.8, 1.2] },
@@ -44,12 +52,15 @@ export const texturedScene: Scene = {
         textured: testMaterial({
           baseColor: [0.9, 0.8, 0.7],
           baseColorTexture: { texture: 'colors', uvSet: 1, offset: [0.3, 0.1], rotation: 25, scale: [0.7, 0.9] },
+          alphaMode: 'mask',
+          alphaCutoff: 0.4,
         }),
         glowing: testMaterial({
           baseColor: [0.1, 0.1, 0.1],
           emission: [0.9, 0.4, 0.2],
           emissionTexture: { texture: 'colors' },
         }),
+        oneSided: testMaterial({ baseColor: [0.2, 0.9, 0.2], doubleSided: false }),
         bumpy: testMaterial({
           type: 'metallicRoughness',
           baseColor: [0.5, 0.6, 0.7],

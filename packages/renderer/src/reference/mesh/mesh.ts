@@ -8,6 +8,7 @@ import { add, cross, dot, negate, normalize, scale, subtract } from '../../scene
 import type { PreparedMaterial } from '../prepare.ts';
 import type { Ray } from '../ray.ts';
 import { bentNormal } from './bent-normal.ts';
+import { type Presence, presenceOf } from './presence.ts';
 import { bumpOf, type MeshTextures, prepareTextures, texelOf, timesTexel } from './textured.ts';
 import { closestTriangle, type MeshHit, type MeshTree, treeOf } from './tree.ts';
 import { meshRay } from './triangle.ts';
@@ -20,21 +21,25 @@ export interface PreparedMesh {
   readonly back: Numbers;
   readonly material: PreparedMaterial;
   readonly textures: MeshTextures;
+  readonly presence: Presence | null;
 }
 
 export function prepareMesh(shape: MeshShape, material: PreparedMaterial, scene: Scene): PreparedMesh {
   const mesh = scene.meshes?.[shape.mesh]?.data;
   if (mesh === undefined) throw new TypeError(`The mesh "${shape.mesh}" has not been loaded.`);
   const textures = prepareTextures(scene, material);
-  return { type: 'mesh', mesh, tree: treeOf(mesh), back: invertAffine(placementOf(shape))!, material, textures };
+  const presence = presenceOf(mesh, material, textures.baseColor);
+  const back = invertAffine(placementOf(shape))!;
+  return { type: 'mesh', mesh, tree: treeOf(mesh), back, material, textures, presence };
 }
 
 /** The ray's rule of start: of the mesh that it leaves only the one triangle is left out, which is flat. */
 export function intersectMesh(prepared: PreparedMesh, ray: Ray, most: number): MeshHit | null {
-  const { mesh, tree, back } = prepared;
+  const { mesh, tree, back, presence } = prepared;
   const inside = meshRay(transformPoint(back, 0, ray.origin), transformDirection(back, 0, ray.direction));
   const leaving = ray.leaving === prepared ? ray.leavingTriangle : -1;
-  return closestTriangle(mesh, tree, inside, ray.tMin, most, leaving);
+  const isThere = presence ? (hit: MeshHit) => presence(hit, inside.direction) : undefined;
+  return closestTriangle(mesh, tree, inside, ray.tMin, most, leaving, isThere);
 }
 
 type Three = [number, number, number];

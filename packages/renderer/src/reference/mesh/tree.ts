@@ -94,7 +94,10 @@ export interface MeshHit extends TriangleHit {
   readonly triangle: number;
 }
 
-/** The first triangle that the ray meets between `least` and `most`, neither of them included, and that is not `leaving`. */
+/**
+ * The first triangle that the ray meets between `least` and `most`, neither of them included, that is not `leaving`, and of which
+ * `isThere` says so.
+ */
 export function closestTriangle(
   mesh: Mesh,
   { bounds, nodes, order }: MeshTree,
@@ -102,6 +105,7 @@ export function closestTriangle(
   least: number,
   most: number,
   leaving: number,
+  isThere: (hit: MeshHit) => boolean = () => true,
 ): MeshHit | null {
   const { indices, positions } = mesh;
   let closest: MeshHit | null = null;
@@ -121,7 +125,9 @@ export function closestTriangle(
       const at = 3 * triangle;
       const hit = intersectTriangle(ray, positions, 3 * indices[at]!, 3 * indices[at + 1]!, 3 * indices[at + 2]!);
       if (hit === null || !(hit.t > least && hit.t < nearest)) continue;
-      closest = { ...hit, triangle };
+      const met = { ...hit, triangle };
+      if (!isThere(met)) continue;
+      closest = met;
       nearest = hit.t;
     }
   }

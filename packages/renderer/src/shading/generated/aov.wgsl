@@ -628,6 +628,9 @@ const parallel = 1e-12;
 // Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
 @group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
 
+// References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
+const instances = 0x80000000u;
+
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;

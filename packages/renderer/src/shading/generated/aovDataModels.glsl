@@ -135,6 +135,21 @@ struct MeshRay {
     uint axis;
     vec3 shear;
 };
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
+};
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
 struct Instance {
     vec4 toMeshX;
     vec4 toMeshY;
@@ -147,19 +162,6 @@ struct Instance {
     uint vertexRows;
     uint vertexFlags;
     uint spare0_;
-};
-struct Triangle {
-    vec3 a;
-    uint vertexA;
-    vec3 b;
-    uint vertexB;
-    vec3 c;
-    uint vertexC;
-};
-struct TriangleHit {
-    float t;
-    vec2 weights;
-    bool front;
 };
 struct MaterialTextures {
     uint count;
@@ -258,19 +260,21 @@ struct Material {
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint placeMask = 268435455u;
+const uint beginning = 2415919101u;
+const uint instances = 2147483648u;
+const uint ending = 2415919103u;
 const uint noLeaf = 0u;
-const uint beginning = 4294967294u;
-const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
-const uint leaving = 4294967295u;
-const uint placeMask = 268435455u;
-const uint instanceRows = 5u;
+const uint leaves = 2415919104u;
+const uint countShift = 28u;
 const uint triangleRows = 3u;
 const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
-const uint countShift = 28u;
+const uint instanceRows = 5u;
+const uint leaving = 2415919102u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
 const uint materialTexturesRows = 1u;
@@ -331,9 +335,9 @@ const bool hasPlanes = true;
 
 const bool hasMeshes = false;
 
-uniform highp usampler2D geometry;
-
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+uniform highp usampler2D geometry;
 
 const bool hasOneSided = false;
 
@@ -507,9 +511,9 @@ Group nextGroup(inout Sampler s) {
     uint _e18 = s.place;
     uint _e19 = scramble(_e18, b_1);
     uint _e21 = s.sample_;
-    uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own), _e8);
+    uint _e30 = scramble((_e28 ^ own_1), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
     return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_1 >> 16u) | (b_1 << 16u)));
@@ -606,18 +610,18 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
 }
 
 PairHit meet(PairHit found, RayPair p, uint i_1, vec2 t) {
-    bool own_1 = (i_1 == p.shape);
-    float pathT = pick(pick(own_1, !(p.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_1, !(p.lightInwards), false), true, (i_1 == p.lightShape)), 1e30, t.y);
+    bool own_2 = (i_1 == p.shape);
+    float pathT = pick(pick(own_2, !(p.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_2, !(p.lightInwards), false), true, (i_1 == p.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
     return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_2 = (i_2 == p_1.shape);
-    float _e13 = intersectSphere(p_1.point, p_1.direction, _e3.center, _e3.radius, p_1.tMin, pick(own_2, p_1.inwards, false));
-    float _e21 = intersectSphere(p_1.point, p_1.lightDirection, _e3.center, _e3.radius, p_1.tMin, pick(own_2, p_1.lightInwards, false));
+    bool own_3 = (i_2 == p_1.shape);
+    float _e13 = intersectSphere(p_1.point, p_1.direction, _e3.center, _e3.radius, p_1.tMin, pick(own_3, p_1.inwards, false));
+    float _e21 = intersectSphere(p_1.point, p_1.lightDirection, _e3.center, _e3.radius, p_1.tMin, pick(own_3, p_1.lightInwards, false));
     PairHit _e23 = meet(found_1, p_1, i_2, vec2(_e13, _e21));
     return _e23;
 }
@@ -668,12 +672,12 @@ float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_
 PairHit meetBox(PairHit found_2, RayPair p_2, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_3 = (i_4 == p_2.shape);
+    bool own_4 = (i_4 == p_2.shape);
     vec3 _e11 = turned(_e4.a, (p_2.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_2.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_2.tMin, pick(own_3, p_2.inwards, false));
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_2.tMin, pick(own_4, p_2.inwards, false));
     vec3 _e23 = turned(_e4.a, p_2.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_2.tMin, pick(own_4, p_2.lightInwards, false));
     PairHit _e31 = meet(found_2, p_2, i_4, vec2(_e20, _e29));
     return _e31;
 }
@@ -724,43 +728,21 @@ vec4 planes(uint row, float inverse_, float offset_2) {
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
 }
 
-vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+vec4 enterChildren(uint node, SlabRay r, float t_1) {
     uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
-    vec4 _e45 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
-    vec4 _e52 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
-    vec4 _e60 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e45, _e52), _e60);
-    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
-    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
-}
-
-Instance fetchInstance(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    uvec4 _e12 = geometryRow((row_1 + 3u));
-    uvec4 _e15 = geometryRow((row_1 + 4u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_2) {
     return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_1, direction_7);
-    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 float edge(vec2 a, vec2 b) {
@@ -769,7 +751,7 @@ float edge(vec2 a, vec2 b) {
     return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
 }
 
-TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
     vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
     vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
@@ -780,17 +762,38 @@ TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
     float sum = ((_e35 + _e36) + _e37);
+    float side = pick((sum < 0.0), -1.0, 1.0);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float inverse_2 = (1.0 / pick((sum == 0.0), 1.0, sum));
-    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2), ((sum * ray_1.shear.z) > 0.0));
+    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
 }
 
-Triangle fetchTriangle(uint row_2) {
+Triangle fetchTriangle(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+Instance fetchInstance(uint row_2) {
     uvec4 _e3 = geometryRow((row_2 + 0u));
     uvec4 _e6 = geometryRow((row_2 + 1u));
     uvec4 _e9 = geometryRow((row_2 + 2u));
-    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+    uvec4 _e12 = geometryRow((row_2 + 3u));
+    uvec4 _e15 = geometryRow((row_2 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 uvec4 texelRow(uint i_8) {
@@ -931,50 +934,51 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint instance_1 = noInstance;
     uint nodes = 0u;
     uint triangles = 0u;
+    uint cover = 0u;
+    uint own = placeMask;
     SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
     MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
-    uint top = 0u;
-    uint cover = 0u;
-    uint doubted = noLeaf;
-    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
-    uint missing = noLeaf;
+    MeshHit doubted = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    uint top = 1u;
     uint current = 0u;
-    bool pops = false;
+    uint waiting = noLeaf;
+    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
-    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight = !((rays.most > 0.0));
     bool _e17 = toLight;
     most = pick(_e17, rays.lightMost, rays.most);
-    uint _e59 = frame.instanceCount;
-    bool alone = (_e59 == 1u);
-    uint first_1 = pick(alone, leafBit, beginning);
-    current = first_1;
-    uint _e68 = frame.instanceCount;
-    float _e71 = most;
-    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
-        MeshHit _e76 = found_5;
-        return _e76;
+    MeshHit _e45 = found_5;
+    doubted = _e45;
+    uint _e49 = frame.instanceCount;
+    bool alone = (_e49 == 1u);
+    uint first_1 = pick(alone, instances, beginning);
+    uint _e57 = frame.instanceCount;
+    float _e60 = most;
+    if (pick((_e57 == 0u), true, !((_e60 > 0.0)))) {
+        MeshHit _e65 = found_5;
+        return _e65;
     }
+    stack[0] = ending;
+    current = first_1;
     while(true) {
         while(true) {
-            pops = false;
-            uint _e79 = current;
-            if (((_e79 & leafBit) == 0u)) {
-                uint _e84 = nodes;
-                uint _e85 = current;
-                uint node_1 = (_e84 + (_e85 * nodeRows));
-                uvec4 _e91 = geometryRow((node_1 + childrenRow));
-                SlabRay _e92 = slabs;
-                float _e93 = most;
-                vec4 _e94 = enterChildren(node_1, _e92, _e91, _e93);
-                bool a_1 = (_e94.x < _e94.z);
-                bool b_2 = (_e94.y < _e94.w);
-                vec2 t0_2 = pick(a_1, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
-                uvec2 r0_ = pick(a_1, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
-                vec2 t1_1 = pick(b_2, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
-                uvec2 r1_ = pick(b_2, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+            uint _e74 = current;
+            if ((_e74 < instances)) {
+                uint _e77 = nodes;
+                uint _e78 = current;
+                uint node_1 = (_e77 + (_e78 * nodeRows));
+                uvec4 _e84 = geometryRow((node_1 + childrenRow));
+                SlabRay _e85 = slabs;
+                float _e86 = most;
+                vec4 _e87 = enterChildren(node_1, _e85, _e86);
+                bool a_1 = (_e87.x < _e87.z);
+                bool b_2 = (_e87.y < _e87.w);
+                vec2 t0_2 = pick(a_1, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                uvec2 r0_ = pick(a_1, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
+                vec2 t1_1 = pick(b_2, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                uvec2 r1_ = pick(b_2, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
                 bool c_3 = (t0_2.x < t1_1.x);
                 bool d_2 = (t0_2.y < t1_1.y);
                 vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
@@ -985,171 +989,178 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec2 tm = pick(e, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
                 uvec2 rm = pick(e, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
-                    uint _e184 = top;
-                    stack[_e184] = ra.x;
-                    uint _e188 = top;
-                    top = (_e188 + 1u);
+                    uint _e177 = top;
+                    stack[_e177] = ra.x;
+                    uint _e181 = top;
+                    top = (_e181 + 1u);
                 }
                 if ((tm.x < 1e30)) {
-                    uint _e194 = top;
-                    stack[_e194] = rm.x;
-                    uint _e198 = top;
-                    top = (_e198 + 1u);
+                    uint _e187 = top;
+                    stack[_e187] = rm.x;
+                    uint _e191 = top;
+                    top = (_e191 + 1u);
                 }
                 if ((tm.y < 1e30)) {
-                    uint _e204 = top;
-                    stack[_e204] = rm.y;
-                    uint _e208 = top;
-                    top = (_e208 + 1u);
+                    uint _e197 = top;
+                    stack[_e197] = rm.y;
+                    uint _e201 = top;
+                    top = (_e201 + 1u);
                 }
-                pops = (tb.y >= 1e30);
                 current = rb.y;
-            } else {
-                uint _e214 = instance_1;
-                uint _e217 = current;
-                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
-                    uint _e221 = current;
-                    bool toWorld = (_e221 >= beginning);
-                    uint _e224 = current;
-                    pops = (_e224 == leaving);
-                    uint _e227 = current;
-                    instance_1 = pick(toWorld, noInstance, (_e227 & placeMask));
-                    o = rays.origin;
-                    bool _e236 = toLight;
-                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld)) {
-                        uint _e243 = frame.instances;
-                        uint _e244 = instance_1;
-                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
-                        vec3 _e249 = o;
-                        vec4 p_12 = vec4(_e249, 1.0);
-                        o = vec3(dot(_e248.toMeshX, p_12), dot(_e248.toMeshY, p_12), dot(_e248.toMeshZ, p_12));
-                        vec3 _e261 = d_1;
-                        vec3 _e265 = d_1;
-                        vec3 _e269 = d_1;
-                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
-                        nodes = _e248.nodes;
-                        triangles = _e248.triangles;
-                        cover = _e248.cover;
-                        if (!(alone)) {
-                            uint _e277 = top;
-                            stack[_e277] = leaving;
-                            uint _e281 = top;
-                            top = (_e281 + 1u);
-                        }
-                    }
-                    current = 0u;
-                    vec3 _e284 = o;
-                    vec3 _e285 = d_1;
-                    SlabRay _e286 = slabRay(_e284, _e285);
-                    slabs = _e286;
-                    vec3 _e287 = o;
-                    vec3 _e288 = d_1;
-                    MeshRay _e289 = meshRay(_e287, _e288);
-                    ray_2 = _e289;
-                } else {
-                    uint _e290 = current;
-                    uint place_4 = (_e290 & placeMask);
-                    MeshRay _e293 = ray_2;
-                    uint _e294 = triangles;
-                    Triangle _e298 = fetchTriangle((_e294 + (place_4 * triangleRows)));
-                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
-                    uint _e300 = instance_1;
-                    bool own_4 = pick((_e300 == left.instance), (place_4 == left.triangle), false);
-                    float _e310 = most;
-                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_4), false);
-                    const bool _e317 = hasOneSided;
-                    if (_e317) {
-                        bool _e318 = nearer;
-                        uint _e320 = cover;
-                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
-                    }
-                    const bool _e328 = hasCutouts;
-                    if (_e328) {
-                        bool _e329 = nearer;
-                        uint _e330 = current;
-                        uint _e331 = missing;
-                        nearer = pick(_e329, (_e330 != _e331), false);
-                        missing = noLeaf;
-                        bool _e335 = nearer;
-                        uint _e336 = cover;
-                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
-                            uint _e342 = current;
-                            doubted = _e342;
-                            uint _e344 = instance_1;
-                            doubtedHit = MeshHit(_e299.t, _e344, place_4, _e299.weights, false);
-                            break;
-                        }
-                    }
-                    uint _e348 = current;
-                    current = ((_e348 + 1u) - 268435456u);
-                    uint _e353 = current;
-                    pops = (((_e353 >> countShift) & 7u) == 0u);
-                    bool _e360 = nearer;
-                    if (_e360) {
-                        bool _e361 = toLight;
-                        if (_e361) {
-                            found_5.blocked = true;
-                            break;
-                        }
-                        most = _e299.t;
-                        uint _e366 = instance_1;
-                        found_5 = MeshHit(_e299.t, _e366, place_4, _e299.weights, false);
-                    }
+                if ((tb.y >= 1e30)) {
+                    uint _e208 = top;
+                    top = (_e208 - 1u);
+                    uint _e211 = top;
+                    uint _e213 = stack[_e211];
+                    current = _e213;
                 }
             }
-            bool _e370 = pops;
-            if (_e370) {
-                uint _e371 = top;
-                if ((_e371 > 0u)) {
-                    uint _e375 = top;
-                    top = (_e375 - 1u);
-                    uint _e378 = top;
-                    uint _e380 = stack[_e378];
-                    current = _e380;
-                } else {
-                    bool _e381 = toLight;
-                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+            uint _e214 = waiting;
+            uint _e217 = current;
+            if (pick((_e214 == noLeaf), (_e217 >= leaves), false)) {
+                uint _e221 = current;
+                waiting = _e221;
+                uint _e223 = top;
+                top = (_e223 - 1u);
+                uint _e226 = top;
+                uint _e228 = stack[_e226];
+                current = _e228;
+            }
+            uint _e229 = waiting;
+            if ((_e229 != noLeaf)) {
+                uint _e232 = waiting;
+                uint place_4 = (_e232 & placeMask);
+                uint _e235 = waiting;
+                waiting = ((_e235 + 1u) - 268435456u);
+                uint _e240 = waiting;
+                uint _e242 = waiting;
+                waiting = pick((_e242 < leaves), noLeaf, _e240);
+                MeshRay _e246 = ray_2;
+                uint _e247 = triangles;
+                Triangle _e251 = fetchTriangle((_e247 + (place_4 * triangleRows)));
+                Crossing _e252 = crossTriangle(_e246, _e251);
+                float _e261 = most;
+                uint _e266 = own;
+                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_4 != _e266), false);
+                const bool _e271 = hasOneSided;
+                if (_e271) {
+                    bool _e272 = nearer;
+                    uint _e274 = cover;
+                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+                }
+                bool _e281 = nearer;
+                if (_e281) {
+                    float inverse_2 = (1.0 / _e252.sum);
+                    uint _e287 = instance_1;
+                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
+                    const bool _e293 = hasCutouts;
+                    uint _e294 = cover;
+                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
+                        doubted = met;
                         break;
                     }
-                    toLight = true;
-                    most = rays.lightMost;
-                    instance_1 = noInstance;
-                    current = first_1;
+                    bool _e300 = toLight;
+                    if (_e300) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = met.t;
+                    found_5 = met;
+                }
+            } else {
+                uint _e304 = current;
+                if ((_e304 >= instances)) {
+                    uint _e307 = current;
+                    if ((_e307 == ending)) {
+                        bool _e310 = toLight;
+                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                            break;
+                        }
+                        toLight = true;
+                        most = rays.lightMost;
+                        top = 1u;
+                        current = first_1;
+                    }
+                    uint _e319 = current;
+                    bool toWorld = (_e319 >= beginning);
+                    uint _e322 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e322 & placeMask));
+                    o = rays.origin;
+                    bool _e331 = toLight;
+                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld)) {
+                        uint _e338 = frame.instances;
+                        uint _e339 = instance_1;
+                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
+                        vec3 _e344 = o;
+                        vec4 p_12 = vec4(_e344, 1.0);
+                        o = vec3(dot(_e343.toMeshX, p_12), dot(_e343.toMeshY, p_12), dot(_e343.toMeshZ, p_12));
+                        vec3 _e356 = d_1;
+                        vec3 _e360 = d_1;
+                        vec3 _e364 = d_1;
+                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
+                        nodes = _e343.nodes;
+                        triangles = _e343.triangles;
+                        cover = _e343.cover;
+                        uint _e372 = instance_1;
+                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        if (!(alone)) {
+                            uint _e378 = top;
+                            stack[_e378] = leaving;
+                            uint _e382 = top;
+                            top = (_e382 + 1u);
+                        }
+                    }
+                    vec3 _e384 = o;
+                    vec3 _e385 = d_1;
+                    SlabRay _e386 = slabRay(_e384, _e385);
+                    slabs = _e386;
+                    vec3 _e387 = o;
+                    vec3 _e388 = d_1;
+                    MeshRay _e389 = meshRay(_e387, _e388);
+                    ray_2 = _e389;
+                    uint _e390 = current;
+                    bool goesOn = (_e390 == leaving);
+                    current = 0u;
+                    if (goesOn) {
+                        uint _e395 = top;
+                        top = (_e395 - 1u);
+                        uint _e398 = top;
+                        uint _e400 = stack[_e398];
+                        current = _e400;
+                    }
                 }
             }
         }
-        const bool _e391 = hasCutouts;
-        if (!(_e391)) {
+        const bool _e402 = hasCutouts;
+        if (!(_e402)) {
             break;
         }
-        uint _e393 = doubted;
-        if ((_e393 == noLeaf)) {
+        uint _e405 = doubted.instance;
+        if ((_e405 == noInstance)) {
             break;
         }
-        uint _e397 = doubtedHit.instance;
-        uint _e399 = doubtedHit.triangle;
-        vec2 _e401 = doubtedHit.weights;
-        bool _e403 = toLight;
-        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
-        uint _e407 = doubted;
-        missing = pick(_e406, noLeaf, _e407);
-        doubted = noLeaf;
-        bool _e411 = toLight;
-        if (pick(_e406, _e411, false)) {
+        uint _e409 = doubted.instance;
+        uint _e411 = doubted.triangle;
+        vec2 _e413 = doubted.weights;
+        bool _e415 = toLight;
+        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
+        bool _e419 = toLight;
+        if (pick(_e418, _e419, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e406) {
-            float _e416 = doubtedHit.t;
-            most = _e416;
-            MeshHit _e417 = doubtedHit;
-            found_5 = _e417;
+        if (_e418) {
+            float _e424 = doubted.t;
+            most = _e424;
+            MeshHit _e425 = doubted;
+            found_5 = _e425;
         }
+        doubted.instance = noInstance;
     }
-    MeshHit _e418 = found_5;
-    return _e418;
+    MeshHit _e428 = found_5;
+    return _e428;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1282,11 +1293,11 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
-    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+    float t_10 = pick(entering, _e5.near, _e5.far);
+    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 turnedBack(vec4 q_2, vec3 v_3) {
@@ -1416,9 +1427,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 normal_5 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
         vec3 smoothed = (turn * normal_5);
         float size_2 = dot(smoothed, smoothed);
-        float side_1 = pick((dot(smoothed, geometric_1) < 0.0), -1.0, 1.0);
+        float side_2 = pick((dot(smoothed, geometric_1) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_8.shading = pick(useful, (smoothed * (side_1 * inversesqrt(max(size_2, 1e-37)))), geometric_1);
+        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_1);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_8.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
@@ -1444,9 +1455,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e202 = fromOctahedral(_e58.tangent);
                 vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_8.normal = (smoothed * side_1);
-                p_8.tangent = ((turn * tangent_2) * side_1);
-                p_8.bitangent = ((turn * cross(normal_5, tangent_2)) * (hand * side_1));
+                p_8.normal = (smoothed * side_2);
+                p_8.tangent = ((turn * tangent_2) * side_2);
+                p_8.bitangent = ((turn * cross(normal_5, tangent_2)) * (hand * side_2));
             }
         }
     }
@@ -1560,9 +1571,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
     vec3 n_1 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
-    float side_2 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_2 * geometric), -(direction_9), (side_2 * n_1));
-    return (side_2 * _e21);
+    float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_1));
+    return (side_3 * _e21);
 }
 
 bool isDielectric(uint code_6) {
@@ -1588,10 +1599,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_6 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_12 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_12);
+    vec3 t_11 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_11);
     float hand_1 = pick(pick(own_6, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_11) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {

@@ -168,6 +168,7 @@ const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
 const uint conductor = 2u;
 const uint dielectric = 3u;
+const uint instances = 2147483648u;
 
 uniform highp sampler2D previousFirst;
 

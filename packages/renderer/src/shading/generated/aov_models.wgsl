@@ -650,29 +650,31 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var instance = noInstance;
   var nodes = 0u;
   var triangles = 0u;
+  // Of the present instance: its cover, and which of its triangles no ray meets.
+  var cover = 0u;
+  var own = placeMask;
   var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
   var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
-  var top = 0u;
-  // Of the present instance; the leaf whose triangle may not be there, what is known of it, and whether it turned out not to be there.
-  var cover = 0u;
-  var doubted = noLeaf;
-  var doubtedHit = MeshHit(0.0, noInstance, 0u, vec2f(0.0), false);
-  var missing = noLeaf;
+  // A triangle that may not be there.
+  var doubted = found;
   // The only instance needs no tree above it, and no way back.
   let alone = frame.instanceCount == 1u;
-  let first = select(beginning, leafBit, alone);
-  var current = first;
+  let first = select(beginning, instances, alone);
   if ((frame.instanceCount == 0u) | !(most > 0.0)) {
     return found;
   }
+  stack[0] = ending;
+  var top = 1u;
+  var current = first;
+  // A leaf waits while the ray goes on to the next node, so that each turn has work for both.
+  var waiting = noLeaf;
   // Once, and once more for each triangle that may not be there: it is looked at when all rays side by side have come as far.
   loop {
     loop {
-      var pops = false;
-      if ((current & leafBit) == 0u) {
+      if (current < instances) {
         let node = nodes + current * nodeRows;
         let r = geometryRow(node + childrenRow);
-        let t = enterChildren(node, slabs, r, most);
+        let t = enterChildren(node, slabs, most);
         // Farthest first onto the stack: a sorting network of five exchanges.
         let a = t.x < t.z;
         let b = t.y < t.w;
@@ -701,12 +703,53 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
           stack[top] = rm.y;
           top++;
         }
-        pops = tb.y >= 1e30;
         current = rb.y;
-      } else if ((instance == noInstance) | (current >= beginning)) {
+        if (tb.y >= 1e30) {
+          top--;
+          current = stack[top];
+        }
+      }
+      if ((waiting == noLeaf) & (current >= leaves)) {
+        waiting = current;
+        top--;
+        current = stack[top];
+      }
+      if (waiting != noLeaf) {
+        // One triangle a turn, so that lanes with short leaves do not wait.
+        let place = waiting & placeMask;
+        waiting = waiting + 1u - (1u << countShift);
+        waiting = select(waiting, noLeaf, waiting < leaves);
+        let hit = crossTriangle(ray, fetchTriangle(triangles + place * triangleRows));
+        var nearer = hit.within & (hit.depth > rays.least * hit.sum) & (hit.depth < most * hit.sum) & (place != own);
+        if (hasOneSided) {
+          nearer = nearer & (hit.front | ((cover & isOneSided) == 0u));
+        }
+        if (nearer) {
+          let inverse = 1.0 / hit.sum;
+          let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
+          if (hasCutouts & ((cover & coverRow) != 0u)) {
+            doubted = met;
+            break;
+          }
+          if (toLight) {
+            found.blocked = true;
+            break;
+          }
+          most = met.t;
+          found = met;
+        }
+      } else if (current >= instances) {
+        if (current == ending) {
+          if (toLight | !(rays.lightMost > 0.0)) {
+            break;
+          }
+          toLight = true;
+          most = rays.lightMost;
+          top = 1u;
+          current = first;
+        }
         // Into an instance, or back into the world.
         let toWorld = current >= beginning;
-        pops = current == leaving;
         instance = select(current & placeMask, noInstance, toWorld);
         var o = rays.origin;
         var d = select(rays.direction, rays.lightDirection, toLight);
@@ -719,76 +762,39 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
           nodes = i.nodes;
           triangles = i.triangles;
           cover = i.cover;
+          own = select(placeMask, left.triangle, instance == left.instance);
           if (!alone) {
             stack[top] = leaving;
             top++;
           }
         }
-        current = 0u;
         slabs = slabRay(o, d);
         ray = meshRay(o, d);
-      } else {
-        // One triangle of the leaf a turn, so that lanes with short leaves do not wait.
-        let place = current & placeMask;
-        let hit = intersectTriangle(ray, fetchTriangle(triangles + place * triangleRows));
-        let own = (instance == left.instance) & (place == left.triangle);
-        var nearer = (hit.t > rays.least) & (hit.t < most) & !own;
-        if (hasOneSided) {
-          nearer = nearer & (hit.front | ((cover & isOneSided) == 0u));
-        }
-        if (hasCutouts) {
-          nearer = nearer & (current != missing);
-          missing = noLeaf;
-          if (nearer & ((cover & coverRow) != 0u)) {
-            doubted = current;
-            doubtedHit = MeshHit(hit.t, instance, place, hit.weights, false);
-            break;
-          }
-        }
-        current = current + 1u - (1u << countShift);
-        pops = ((current >> countShift) & 7u) == 0u;
-        if (nearer) {
-          if (toLight) {
-            found.blocked = true;
-            break;
-          }
-          most = hit.t;
-          found = MeshHit(hit.t, instance, place, hit.weights, false);
-        }
-      }
-      if (pops) {
-        if (top > 0u) {
+        // The root of either tree, or what else there is to do in the world.
+        let goesOn = current == leaving;
+        current = 0u;
+        if (goesOn) {
           top--;
           current = stack[top];
-        } else {
-          if (toLight | !(rays.lightMost > 0.0)) {
-            break;
-          }
-          toLight = true;
-          most = rays.lightMost;
-          instance = noInstance;
-          current = first;
         }
       }
     }
     if (!hasCutouts) {
       break;
     }
-    if (doubted == noLeaf) {
+    if (doubted.instance == noInstance) {
       break;
     }
-    // The ray comes back to the triangle: which is then not nearer, or missing.
-    let there = isThere(doubtedHit.instance, doubtedHit.triangle, doubtedHit.weights, rays.number + u32(toLight));
-    missing = select(doubted, noLeaf, there);
-    doubted = noLeaf;
+    let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
     if (there & toLight) {
       found.blocked = true;
       break;
     }
     if (there) {
-      most = doubtedHit.t;
-      found = doubtedHit;
+      most = doubted.t;
+      found = doubted;
     }
+    doubted.instance = noInstance;
   }
   return found;
 }
@@ -868,6 +874,8 @@ struct MeshHit {
 }
 
 
+const placeMask = 0x0fffffffu;
+
 // What the slabs of boxes are worked out with.
 struct SlabRay {
   inverse: vec3f,
@@ -888,14 +896,19 @@ struct MeshRay {
 }
 
 
-// No reference, as a leaf's.
+// Among the instances, on the stack: a ray begins, in the world; here it leaves an instance; it ends.
+const beginning = 0x8ffffffdu;
+
+// References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
+const instances = 0x80000000u;
+
+// pack-geometry.ts refuses trees that need more. At the bottom lies `ending`.
+var<private> stack: array<u32, 64>;
+
+const ending = 0x8fffffffu;
+
+// A leaf that is none.
 const noLeaf = 0u;
-
-// A ray begins, in the world.
-const beginning = 0xfffffffeu;
-
-// References: encode-wide-bvh.ts.
-const leafBit = 0x80000000u;
 
 // `number`: of the ray.
 fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
@@ -925,23 +938,21 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
 }
 
+const leaves = 0x90000000u;
+
 // Rows of a node; from the rows of least to those of greatest places; and where the references are.
 const nodeRows = 7u;
 
 const childrenRow = 6u;
 
 // Where the ray enters each child, 1e30 where it does not.
-fn enterChildren(node: u32, r: SlabRay, children: vec4u, t: f32) -> vec4f {
+fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
   // The row of the far planes is the other one of the two.
   let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
   let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
   let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  let entered = select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
-  return select(vec4f(1e30), entered, children != vec4u(0u));
+  return select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
 }
-
-// pack-geometry.ts refuses trees that need more.
-var<private> stack: array<u32, 64>;
 
 const leastToGreatest = 3u;
 
@@ -952,29 +963,9 @@ fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
 // Rounding of the distances to a box, relative; of the box itself the encoder takes care.
 const slabRounding = 1.0 + 1e-6;
 
-// On the stack: here the ray leaves the instance.
-const leaving = 0xffffffffu;
+const countShift = 28u;
 
-const placeMask = 0x0fffffffu;
-
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
-}
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
-fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
+fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
   let a = turnedTo(ray.axis, triangle.a - ray.origin);
   let b = turnedTo(ray.axis, triangle.b - ray.origin);
   let c = turnedTo(ray.axis, triangle.c - ray.origin);
@@ -985,10 +976,10 @@ fn intersectTriangle(ray: MeshRay, triangle: Triangle) -> TriangleHit {
   let v = edge(pa, pc);
   let w = edge(pb, pa);
   let sum = u + v + w;
+  let side = select(1.0, -1.0, sum < 0.0);
   let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
-  let inverse = 1.0 / select(sum, 1.0, sum == 0.0);
-  let t = ray.shear.z * (u * a.z + v * b.z + w * c.z) * inverse;
-  return TriangleHit(select(-1.0, t, within & (sum != 0.0)), vec2f(v, w) * inverse, sum * ray.shear.z > 0.0);
+  let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
+  return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
 }
 
 fn fetchTriangle(row: u32) -> Triangle {
@@ -1003,13 +994,16 @@ const triangleRows = 3u;
 // Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
 override hasOneSided = false;
 
-override hasCutouts = false;
-
-const countShift = 28u;
-
 const isOneSided = 2147483648u;
 
+override hasCutouts = false;
+
 const coverRow = 2147483647u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
 
 fn edge(a: vec2f, b: vec2f) -> f32 {
   let p = a.x * b.y;
@@ -1017,9 +1011,13 @@ fn edge(a: vec2f, b: vec2f) -> f32 {
   return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
 }
 
-struct TriangleHit {
-  // Below 0: missed.
-  t: f32,
+// Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
+// is tested against need not.
+struct Crossing {
+  within: bool,
+  // Above 0 where `within`.
+  sum: f32,
+  depth: f32,
   // How much the second and third vertex count.
   weights: vec2f,
   // Whether it is met on the side from which its vertices go counter-clockwise.
@@ -1042,6 +1040,20 @@ struct Triangle {
   vertexC: u32,
 }
 
+
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+const leaving = 0x8ffffffeu;
 
 fn fetchMaterialTextures(row: u32) -> MaterialTextures {
   let r0 = texelRow(row + 0u);

@@ -303,6 +303,7 @@ const uint conductor = 2u;
 const uint diffuse0_ = 0u;
 const bool hasMeshes = false;
 const uint rouletteDepth = 5u;
+const uint instances = 2147483648u;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 

@@ -257,6 +257,9 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
+  // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
+  
+
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(normal, vec3f(0.0), isClear);
   let uLight = next3d(&(*p).sampler);
@@ -372,6 +375,9 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
   }
   return found;
 }
+
+// Triangle meshes, and such with shading normals of their own.
+const hasMeshes = false;
 
 fn next3d(s: ptr<function, Sampler>) -> vec3f {
   let g = nextGroup(s);
@@ -520,9 +526,6 @@ fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pai
   
   return pair;
 }
-
-// Triangle meshes, and such with shading normals of their own.
-const hasMeshes = false;
 
 // Whether one of two directions away from a surface points into it and the other out of it.
 fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
@@ -1993,7 +1996,10 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
-// pack-geometry.ts refuses trees that need more.
+// References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
+const instances = 0x80000000u;
+
+// pack-geometry.ts refuses trees that need more. At the bottom lies `ending`.
 var<private> stack: array<u32, 64>;
 
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for

@@ -142,6 +142,21 @@ struct MeshRay {
     uint axis;
     vec3 shear;
 };
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
+};
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
 struct Instance {
     vec4 toMeshX;
     vec4 toMeshY;
@@ -154,19 +169,6 @@ struct Instance {
     uint vertexRows;
     uint vertexFlags;
     uint spare0_;
-};
-struct Triangle {
-    vec3 a;
-    uint vertexA;
-    vec3 b;
-    uint vertexB;
-    vec3 c;
-    uint vertexC;
-};
-struct TriangleHit {
-    float t;
-    vec2 weights;
-    bool front;
 };
 struct MaterialTextures {
     uint count;
@@ -398,19 +400,21 @@ struct FacetLobe {
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint placeMask = 268435455u;
+const uint beginning = 2415919101u;
+const uint instances = 2147483648u;
+const uint ending = 2415919103u;
 const uint noLeaf = 0u;
-const uint beginning = 4294967294u;
-const uint leafBit = 2147483648u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
-const uint leaving = 4294967295u;
-const uint placeMask = 268435455u;
-const uint instanceRows = 5u;
+const uint leaves = 2415919104u;
+const uint countShift = 28u;
 const uint triangleRows = 3u;
 const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
-const uint countShift = 28u;
+const uint instanceRows = 5u;
+const uint leaving = 2415919102u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
 const uint materialTexturesRows = 1u;
@@ -470,9 +474,9 @@ const bool hasPlanes = true;
 
 const bool hasMeshes = false;
 
-uniform highp usampler2D geometry;
-
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+uniform highp usampler2D geometry;
 
 const bool hasOneSided = false;
 
@@ -676,9 +680,9 @@ Group nextGroup(inout Sampler s) {
     uint _e18 = s.place;
     uint _e19 = scramble(_e18, b_6);
     uint _e21 = s.sample_;
-    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own_1), _e8);
+    uint _e30 = scramble((_e28 ^ own_2), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
     return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_6 >> 16u) | (b_6 << 16u)));
@@ -811,18 +815,18 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
-    bool own_2 = (i_1 == p_1.shape);
-    float pathT = pick(pick(own_2, !(p_1.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_2, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+    bool own_3 = (i_1 == p_1.shape);
+    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
     return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_3 = (i_2 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_3, p_2.lightInwards, false));
+    bool own_4 = (i_2 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
     PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
     return _e23;
 }
@@ -873,12 +877,12 @@ float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_4 = (i_4 == p_3.shape);
+    bool own_5 = (i_4 == p_3.shape);
     vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.inwards, false));
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
     vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_4, p_3.lightInwards, false));
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
     PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
     return _e31;
 }
@@ -929,43 +933,21 @@ vec4 planes(uint row, float inverse_, float offset_2) {
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
 }
 
-vec4 enterChildren(uint node, SlabRay r, uvec4 children, float t_1) {
+vec4 enterChildren(uint node, SlabRay r, float t_1) {
     uvec3 far_2 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e17 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e25 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e34 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e17, _e25), max(_e34, vec4(0.0)));
-    vec4 _e45 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
-    vec4 _e52 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
-    vec4 _e60 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e45, _e52), _e60);
-    vec4 entered = mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
-    return mix(vec4(1e30), entered, notEqual(children, uvec4(0u)));
-}
-
-Instance fetchInstance(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    uvec4 _e12 = geometryRow((row_1 + 3u));
-    uvec4 _e15 = geometryRow((row_1 + 4u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
 }
 
 vec3 turnedTo(uint axis, vec3 v_2) {
     return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 float edge(vec2 a, vec2 b) {
@@ -974,7 +956,7 @@ float edge(vec2 a, vec2 b) {
     return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_16)));
 }
 
-TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
     vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
     vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
@@ -985,17 +967,38 @@ TriangleHit intersectTriangle(MeshRay ray_1, Triangle triangle) {
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
     float sum_2 = ((_e35 + _e36) + _e37);
+    float side = pick((sum_2 < 0.0), -1.0, 1.0);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float inverse_2 = (1.0 / pick((sum_2 == 0.0), 1.0, sum_2));
-    float t_10 = ((ray_1.shear.z * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z))) * inverse_2);
-    return TriangleHit(pick(pick(within_1, (sum_2 != 0.0), false), t_10, -1.0), (vec2(_e36, _e37) * inverse_2), ((sum_2 * ray_1.shear.z) > 0.0));
+    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side), depth, (vec2(_e36, _e37) * side), ((sum_2 * ray_1.shear.z) > 0.0));
 }
 
-Triangle fetchTriangle(uint row_2) {
+Triangle fetchTriangle(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+Instance fetchInstance(uint row_2) {
     uvec4 _e3 = geometryRow((row_2 + 0u));
     uvec4 _e6 = geometryRow((row_2 + 1u));
     uvec4 _e9 = geometryRow((row_2 + 2u));
-    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+    uvec4 _e12 = geometryRow((row_2 + 3u));
+    uvec4 _e15 = geometryRow((row_2 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
 uvec4 texelRow(uint i_8) {
@@ -1136,50 +1139,51 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint instance_1 = noInstance;
     uint nodes = 0u;
     uint triangles = 0u;
+    uint cover = 0u;
+    uint own = placeMask;
     SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
     MeshRay ray_2 = MeshRay(vec3(0.0), 0u, vec3(0.0));
-    uint top = 0u;
-    uint cover = 0u;
-    uint doubted = noLeaf;
-    MeshHit doubtedHit = MeshHit(0.0, 4294967295u, 0u, vec2(0.0), false);
-    uint missing = noLeaf;
+    MeshHit doubted = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    uint top = 1u;
     uint current = 0u;
-    bool pops = false;
+    uint waiting = noLeaf;
+    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
-    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight = !((rays.most > 0.0));
     bool _e17 = toLight;
     most = pick(_e17, rays.lightMost, rays.most);
-    uint _e59 = frame.instanceCount;
-    bool alone = (_e59 == 1u);
-    uint first_1 = pick(alone, leafBit, beginning);
-    current = first_1;
-    uint _e68 = frame.instanceCount;
-    float _e71 = most;
-    if (pick((_e68 == 0u), true, !((_e71 > 0.0)))) {
-        MeshHit _e76 = found_5;
-        return _e76;
+    MeshHit _e45 = found_5;
+    doubted = _e45;
+    uint _e49 = frame.instanceCount;
+    bool alone = (_e49 == 1u);
+    uint first_1 = pick(alone, instances, beginning);
+    uint _e57 = frame.instanceCount;
+    float _e60 = most;
+    if (pick((_e57 == 0u), true, !((_e60 > 0.0)))) {
+        MeshHit _e65 = found_5;
+        return _e65;
     }
+    stack[0] = ending;
+    current = first_1;
     while(true) {
         while(true) {
-            pops = false;
-            uint _e79 = current;
-            if (((_e79 & leafBit) == 0u)) {
-                uint _e84 = nodes;
-                uint _e85 = current;
-                uint node_1 = (_e84 + (_e85 * nodeRows));
-                uvec4 _e91 = geometryRow((node_1 + childrenRow));
-                SlabRay _e92 = slabs;
-                float _e93 = most;
-                vec4 _e94 = enterChildren(node_1, _e92, _e91, _e93);
-                bool a_3 = (_e94.x < _e94.z);
-                bool b_7 = (_e94.y < _e94.w);
-                vec2 t0_2 = pick(a_3, vec2(_e94.z, _e94.x), vec2(_e94.x, _e94.z));
-                uvec2 r0_ = pick(a_3, uvec2(_e91.z, _e91.x), uvec2(_e91.x, _e91.z));
-                vec2 t1_1 = pick(b_7, vec2(_e94.w, _e94.y), vec2(_e94.y, _e94.w));
-                uvec2 r1_ = pick(b_7, uvec2(_e91.w, _e91.y), uvec2(_e91.y, _e91.w));
+            uint _e74 = current;
+            if ((_e74 < instances)) {
+                uint _e77 = nodes;
+                uint _e78 = current;
+                uint node_1 = (_e77 + (_e78 * nodeRows));
+                uvec4 _e84 = geometryRow((node_1 + childrenRow));
+                SlabRay _e85 = slabs;
+                float _e86 = most;
+                vec4 _e87 = enterChildren(node_1, _e85, _e86);
+                bool a_3 = (_e87.x < _e87.z);
+                bool b_7 = (_e87.y < _e87.w);
+                vec2 t0_2 = pick(a_3, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                uvec2 r0_ = pick(a_3, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
+                vec2 t1_1 = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                uvec2 r1_ = pick(b_7, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
                 bool c_3 = (t0_2.x < t1_1.x);
                 bool d_2 = (t0_2.y < t1_1.y);
                 vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
@@ -1190,171 +1194,178 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
                 uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
-                    uint _e184 = top;
-                    stack[_e184] = ra.x;
-                    uint _e188 = top;
-                    top = (_e188 + 1u);
+                    uint _e177 = top;
+                    stack[_e177] = ra.x;
+                    uint _e181 = top;
+                    top = (_e181 + 1u);
                 }
                 if ((tm.x < 1e30)) {
-                    uint _e194 = top;
-                    stack[_e194] = rm.x;
-                    uint _e198 = top;
-                    top = (_e198 + 1u);
+                    uint _e187 = top;
+                    stack[_e187] = rm.x;
+                    uint _e191 = top;
+                    top = (_e191 + 1u);
                 }
                 if ((tm.y < 1e30)) {
-                    uint _e204 = top;
-                    stack[_e204] = rm.y;
-                    uint _e208 = top;
-                    top = (_e208 + 1u);
+                    uint _e197 = top;
+                    stack[_e197] = rm.y;
+                    uint _e201 = top;
+                    top = (_e201 + 1u);
                 }
-                pops = (tb.y >= 1e30);
                 current = rb.y;
-            } else {
-                uint _e214 = instance_1;
-                uint _e217 = current;
-                if (pick((_e214 == noInstance), true, (_e217 >= beginning))) {
-                    uint _e221 = current;
-                    bool toWorld_1 = (_e221 >= beginning);
-                    uint _e224 = current;
-                    pops = (_e224 == leaving);
-                    uint _e227 = current;
-                    instance_1 = pick(toWorld_1, noInstance, (_e227 & placeMask));
-                    o = rays.origin;
-                    bool _e236 = toLight;
-                    d_1 = pick(_e236, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld_1)) {
-                        uint _e243 = frame.instances;
-                        uint _e244 = instance_1;
-                        Instance _e248 = fetchInstance((_e243 + (_e244 * instanceRows)));
-                        vec3 _e249 = o;
-                        vec4 p_17 = vec4(_e249, 1.0);
-                        o = vec3(dot(_e248.toMeshX, p_17), dot(_e248.toMeshY, p_17), dot(_e248.toMeshZ, p_17));
-                        vec3 _e261 = d_1;
-                        vec3 _e265 = d_1;
-                        vec3 _e269 = d_1;
-                        d_1 = vec3(dot(_e248.toMeshX.xyz, _e261), dot(_e248.toMeshY.xyz, _e265), dot(_e248.toMeshZ.xyz, _e269));
-                        nodes = _e248.nodes;
-                        triangles = _e248.triangles;
-                        cover = _e248.cover;
-                        if (!(alone)) {
-                            uint _e277 = top;
-                            stack[_e277] = leaving;
-                            uint _e281 = top;
-                            top = (_e281 + 1u);
-                        }
-                    }
-                    current = 0u;
-                    vec3 _e284 = o;
-                    vec3 _e285 = d_1;
-                    SlabRay _e286 = slabRay(_e284, _e285);
-                    slabs = _e286;
-                    vec3 _e287 = o;
-                    vec3 _e288 = d_1;
-                    MeshRay _e289 = meshRay(_e287, _e288);
-                    ray_2 = _e289;
-                } else {
-                    uint _e290 = current;
-                    uint place_4 = (_e290 & placeMask);
-                    MeshRay _e293 = ray_2;
-                    uint _e294 = triangles;
-                    Triangle _e298 = fetchTriangle((_e294 + (place_4 * triangleRows)));
-                    TriangleHit _e299 = intersectTriangle(_e293, _e298);
-                    uint _e300 = instance_1;
-                    bool own_5 = pick((_e300 == left.instance), (place_4 == left.triangle), false);
-                    float _e310 = most;
-                    nearer = pick(pick((_e299.t > rays.least), (_e299.t < _e310), false), !(own_5), false);
-                    const bool _e317 = hasOneSided;
-                    if (_e317) {
-                        bool _e318 = nearer;
-                        uint _e320 = cover;
-                        nearer = pick(_e318, pick(_e299.front, true, ((_e320 & isOneSided) == 0u)), false);
-                    }
-                    const bool _e328 = hasCutouts;
-                    if (_e328) {
-                        bool _e329 = nearer;
-                        uint _e330 = current;
-                        uint _e331 = missing;
-                        nearer = pick(_e329, (_e330 != _e331), false);
-                        missing = noLeaf;
-                        bool _e335 = nearer;
-                        uint _e336 = cover;
-                        if (pick(_e335, ((_e336 & coverRow) != 0u), false)) {
-                            uint _e342 = current;
-                            doubted = _e342;
-                            uint _e344 = instance_1;
-                            doubtedHit = MeshHit(_e299.t, _e344, place_4, _e299.weights, false);
-                            break;
-                        }
-                    }
-                    uint _e348 = current;
-                    current = ((_e348 + 1u) - 268435456u);
-                    uint _e353 = current;
-                    pops = (((_e353 >> countShift) & 7u) == 0u);
-                    bool _e360 = nearer;
-                    if (_e360) {
-                        bool _e361 = toLight;
-                        if (_e361) {
-                            found_5.blocked = true;
-                            break;
-                        }
-                        most = _e299.t;
-                        uint _e366 = instance_1;
-                        found_5 = MeshHit(_e299.t, _e366, place_4, _e299.weights, false);
-                    }
+                if ((tb.y >= 1e30)) {
+                    uint _e208 = top;
+                    top = (_e208 - 1u);
+                    uint _e211 = top;
+                    uint _e213 = stack[_e211];
+                    current = _e213;
                 }
             }
-            bool _e370 = pops;
-            if (_e370) {
-                uint _e371 = top;
-                if ((_e371 > 0u)) {
-                    uint _e375 = top;
-                    top = (_e375 - 1u);
-                    uint _e378 = top;
-                    uint _e380 = stack[_e378];
-                    current = _e380;
-                } else {
-                    bool _e381 = toLight;
-                    if (pick(_e381, true, !((rays.lightMost > 0.0)))) {
+            uint _e214 = waiting;
+            uint _e217 = current;
+            if (pick((_e214 == noLeaf), (_e217 >= leaves), false)) {
+                uint _e221 = current;
+                waiting = _e221;
+                uint _e223 = top;
+                top = (_e223 - 1u);
+                uint _e226 = top;
+                uint _e228 = stack[_e226];
+                current = _e228;
+            }
+            uint _e229 = waiting;
+            if ((_e229 != noLeaf)) {
+                uint _e232 = waiting;
+                uint place_4 = (_e232 & placeMask);
+                uint _e235 = waiting;
+                waiting = ((_e235 + 1u) - 268435456u);
+                uint _e240 = waiting;
+                uint _e242 = waiting;
+                waiting = pick((_e242 < leaves), noLeaf, _e240);
+                MeshRay _e246 = ray_2;
+                uint _e247 = triangles;
+                Triangle _e251 = fetchTriangle((_e247 + (place_4 * triangleRows)));
+                Crossing _e252 = crossTriangle(_e246, _e251);
+                float _e261 = most;
+                uint _e266 = own;
+                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_4 != _e266), false);
+                const bool _e271 = hasOneSided;
+                if (_e271) {
+                    bool _e272 = nearer;
+                    uint _e274 = cover;
+                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+                }
+                bool _e281 = nearer;
+                if (_e281) {
+                    float inverse_2 = (1.0 / _e252.sum);
+                    uint _e287 = instance_1;
+                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
+                    const bool _e293 = hasCutouts;
+                    uint _e294 = cover;
+                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
+                        doubted = met;
                         break;
                     }
-                    toLight = true;
-                    most = rays.lightMost;
-                    instance_1 = noInstance;
-                    current = first_1;
+                    bool _e300 = toLight;
+                    if (_e300) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = met.t;
+                    found_5 = met;
+                }
+            } else {
+                uint _e304 = current;
+                if ((_e304 >= instances)) {
+                    uint _e307 = current;
+                    if ((_e307 == ending)) {
+                        bool _e310 = toLight;
+                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                            break;
+                        }
+                        toLight = true;
+                        most = rays.lightMost;
+                        top = 1u;
+                        current = first_1;
+                    }
+                    uint _e319 = current;
+                    bool toWorld_1 = (_e319 >= beginning);
+                    uint _e322 = current;
+                    instance_1 = pick(toWorld_1, noInstance, (_e322 & placeMask));
+                    o = rays.origin;
+                    bool _e331 = toLight;
+                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld_1)) {
+                        uint _e338 = frame.instances;
+                        uint _e339 = instance_1;
+                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
+                        vec3 _e344 = o;
+                        vec4 p_17 = vec4(_e344, 1.0);
+                        o = vec3(dot(_e343.toMeshX, p_17), dot(_e343.toMeshY, p_17), dot(_e343.toMeshZ, p_17));
+                        vec3 _e356 = d_1;
+                        vec3 _e360 = d_1;
+                        vec3 _e364 = d_1;
+                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
+                        nodes = _e343.nodes;
+                        triangles = _e343.triangles;
+                        cover = _e343.cover;
+                        uint _e372 = instance_1;
+                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        if (!(alone)) {
+                            uint _e378 = top;
+                            stack[_e378] = leaving;
+                            uint _e382 = top;
+                            top = (_e382 + 1u);
+                        }
+                    }
+                    vec3 _e384 = o;
+                    vec3 _e385 = d_1;
+                    SlabRay _e386 = slabRay(_e384, _e385);
+                    slabs = _e386;
+                    vec3 _e387 = o;
+                    vec3 _e388 = d_1;
+                    MeshRay _e389 = meshRay(_e387, _e388);
+                    ray_2 = _e389;
+                    uint _e390 = current;
+                    bool goesOn = (_e390 == leaving);
+                    current = 0u;
+                    if (goesOn) {
+                        uint _e395 = top;
+                        top = (_e395 - 1u);
+                        uint _e398 = top;
+                        uint _e400 = stack[_e398];
+                        current = _e400;
+                    }
                 }
             }
         }
-        const bool _e391 = hasCutouts;
-        if (!(_e391)) {
+        const bool _e402 = hasCutouts;
+        if (!(_e402)) {
             break;
         }
-        uint _e393 = doubted;
-        if ((_e393 == noLeaf)) {
+        uint _e405 = doubted.instance;
+        if ((_e405 == noInstance)) {
             break;
         }
-        uint _e397 = doubtedHit.instance;
-        uint _e399 = doubtedHit.triangle;
-        vec2 _e401 = doubtedHit.weights;
-        bool _e403 = toLight;
-        bool _e406 = isThere(_e397, _e399, _e401, (rays.number + uint(_e403)));
-        uint _e407 = doubted;
-        missing = pick(_e406, noLeaf, _e407);
-        doubted = noLeaf;
-        bool _e411 = toLight;
-        if (pick(_e406, _e411, false)) {
+        uint _e409 = doubted.instance;
+        uint _e411 = doubted.triangle;
+        vec2 _e413 = doubted.weights;
+        bool _e415 = toLight;
+        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
+        bool _e419 = toLight;
+        if (pick(_e418, _e419, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e406) {
-            float _e416 = doubtedHit.t;
-            most = _e416;
-            MeshHit _e417 = doubtedHit;
-            found_5 = _e417;
+        if (_e418) {
+            float _e424 = doubted.t;
+            most = _e424;
+            MeshHit _e425 = doubted;
+            found_5 = _e425;
         }
+        doubted.instance = noInstance;
     }
-    MeshHit _e418 = found_5;
-    return _e418;
+    MeshHit _e428 = found_5;
+    return _e428;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1467,11 +1478,11 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
-    vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
-    return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+    float t_10 = pick(entering, _e5.near, _e5.far);
+    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 turnedBack(vec4 q_2, vec3 v_3) {
@@ -1601,9 +1612,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 normal_10 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
         vec3 smoothed = (turn * normal_10);
         float size_2 = dot(smoothed, smoothed);
-        float side_1 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
+        float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_9.shading = pick(useful, (smoothed * (side_1 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
+        p_9.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_9.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
@@ -1629,9 +1640,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e202 = fromOctahedral(_e58.tangent);
                 vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_9.normal = (smoothed * side_1);
-                p_9.tangent = ((turn * tangent_2) * side_1);
-                p_9.bitangent = ((turn * cross(normal_10, tangent_2)) * (hand * side_1));
+                p_9.normal = (smoothed * side_2);
+                p_9.tangent = ((turn * tangent_2) * side_2);
+                p_9.bitangent = ((turn * cross(normal_10, tangent_2)) * (hand * side_2));
             }
         }
     }
@@ -1745,9 +1756,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
     vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
-    float side_2 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_2 * geometric), -(direction_9), (side_2 * n_4));
-    return (side_2 * _e21);
+    float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_4));
+    return (side_3 * _e21);
 }
 
 bool isDielectric(uint code_6) {
@@ -1773,10 +1784,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_12 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_12);
+    vec3 t_11 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_11);
     float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_11) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -1839,10 +1850,10 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
 }
 
 Basis basisAbout(vec3 n_1) {
-    float side_3 = pick((n_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (side_3 + n_1.z));
+    float side_4 = pick((n_1.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (side_4 + n_1.z));
     float b_9 = ((n_1.x * n_1.y) * a_5);
-    return Basis(vec3((1.0 + (((side_3 * n_1.x) * n_1.x) * a_5)), (side_3 * b_9), (-(side_3) * n_1.x)), vec3(b_9, (side_3 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+    return Basis(vec3((1.0 + (((side_4 * n_1.x) * n_1.x) * a_5)), (side_4 * b_9), (-(side_4) * n_1.x)), vec3(b_9, (side_4 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
 }
 
 Basis basisAlong(vec3 n_2, vec3 x_10) {
@@ -2129,8 +2140,8 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_6) {
     const bool _e65 = hasQuadLights;
     if (_e65) {
         float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_3)) / max(e_11.area, 1e-30));
-        float side_4 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_4 > 0.0), ((side_4 + e_11.reach) / grown), 0.0);
+        float side_5 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_11.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
@@ -2163,8 +2174,8 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
     return _e23;
 }
 
-float misWeight(float own, float other) {
-    float ratio_7 = (other / own);
+float misWeight(float own_1, float other) {
+    float ratio_7 = (other / own_1);
     return (1.0 / (1.0 + (ratio_7 * ratio_7)));
 }
 
@@ -2448,10 +2459,10 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 cell_3 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_13 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_13), mix(_e6.b.w, _e6.d.w, t_13));
+    float t_12 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_12), mix(_e6.b.w, _e6.d.w, t_12));
     bool isLower_1 = ((2.0 * cell_3.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_13)), (cell_3.y + (t_13 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_12)), (cell_3.y + (t_12 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_9.x) - _e85));
@@ -2461,7 +2472,7 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_12), sine_5);
     return EnvironmentSample(direction_21, _e119);
 }
 
@@ -2554,8 +2565,8 @@ bool isConductor(uint code_10) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_5 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_5 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_6 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_6 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 vec2 ellipticAlpha(float alpha, float strength) {
@@ -2704,10 +2715,10 @@ Stack stackOf(Surface s_14, Layers l_4, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_6 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_6));
+    float side_7 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_7));
     bool isSolid = (l_4.solid > 0.0);
-    bool inside_3 = pick(isSolid, (side_6 < 0.0), false);
+    bool inside_3 = pick(isSolid, (side_7 < 0.0), false);
     float _e22 = dispersedIndex(l_4.ior, l_4.dispersion, hero_1);
     float ratio_8 = pick(isSolid, pick(inside_3, (1.0 / _e22), _e22), 1.0);
     bool flat_ = pick(pick(isSolid, (l_4.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
@@ -2732,7 +2743,7 @@ Stack stackOf(Surface s_14, Layers l_4, vec3 given, vec3 hero_1) {
     }
     vec3 _e98 = more;
     float _e99 = sheen;
-    o_3 = Stack(l_4, wo_8, side_6, hero_1, ratio_8, inside_3, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    o_3 = Stack(l_4, wo_8, side_7, hero_1, ratio_8, inside_3, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
     Stack _e106 = o_3;
     vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
     float _e111 = sheen;
@@ -2860,9 +2871,9 @@ vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_20) {
 }
 
 vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_21) {
-    float side_7 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_7), max(alpha_5, 0.001), o_5.bound, u_21);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_7);
+    float side_8 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_8), max(alpha_5, 0.001), o_5.bound, u_21);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_8);
 }
 
 vec3 conductorFresnel(float cosine_10, vec3 eta_4, vec3 k_1) {
@@ -3007,11 +3018,11 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_23) {
     vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
     vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
     vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected_1.xy, -(reflected_1.z)));
-    vec3 met = pick(crossing_1, beyond_2, reflected_1);
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
-    float _e76 = throughCover(o_8, abs(met.z), crossing_1);
+    vec3 met_1 = pick(crossing_1, beyond_2, reflected_1);
+    bool lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
+    float _e76 = throughCover(o_8, abs(met_1.z), crossing_1);
     vec3 weight_1 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_1 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_1 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
     float _e122 = drawn.pdf;
     drawn.pdf = pick(lost, 0.0, _e122);
     if (!(isFacet)) {
@@ -3257,13 +3268,13 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         vec2 alpha_16 = pick(_e42, vec2(o_13.coatAlpha), o_13.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_2 = max(alpha_16, vec2(0.001));
-        vec3 met_1 = pick(bends, wi_4, facing);
-        vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_13.ratio, 1.0)));
+        vec3 met_2 = pick(bends, wi_4, facing);
+        vec3 m_4 = (wo_12 + (met_2 * pick(bends, o_13.ratio, 1.0)));
         float m2_3 = max(dot(m_4, m_4), 1e-20);
         vec3 h_11 = (m_4 * inversesqrt(m2_3));
         float oh_3 = dot(wo_12, h_11);
-        float ih_1 = dot(met_1, h_11);
-        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_1.z) >= 0.0), false);
+        float ih_1 = dot(met_2, h_11);
+        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_2.z) >= 0.0), false);
         float _e81 = ellipticDensity(h_11, wide_2);
         float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e81), 0.0));
         float _e89 = ellipticStretched(wo_12, wide_2);
@@ -3418,72 +3429,77 @@ void meetSurface(inout Path p_11, PairHit hit_2) {
     Surface _e96 = surface_1;
     vec3 _e98 = foundLight(_e95, hit_2, _e96, _e10.geometric, _e90);
     p_11.radiance = (_e92 + (_e94 * _e98));
+    const bool _e102 = hasMeshes;
+    if (pick(_e102, escaped_1, false)) {
+        p_11.alive = false;
+        return;
+    }
     vec3 litSide = pick(_e19, vec3(0.0), normal_12);
-    vec3 _e105 = next3d(p_11.sampler_);
-    vec3 _e107 = next3d(p_11.sampler_);
-    EmitterChoice _e109 = chooseEmitter(point_16, litSide, _e105.z);
-    Emitter _e111 = emitterAt(_e109.index, _e90);
-    LightSample _e113 = sampleEmitter(_e111, point_16, _e105.xy);
-    float lightPdf = (_e113.pdf * _e109.probability);
-    const bool _e121 = hasLayers;
-    if (_e121) {
+    vec3 _e110 = next3d(p_11.sampler_);
+    vec3 _e112 = next3d(p_11.sampler_);
+    EmitterChoice _e114 = chooseEmitter(point_16, litSide, _e110.z);
+    Emitter _e116 = emitterAt(_e114.index, _e90);
+    LightSample _e118 = sampleEmitter(_e116, point_16, _e110.xy);
+    float lightPdf = (_e118.pdf * _e114.probability);
+    const bool _e126 = hasLayers;
+    if (_e126) {
         if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
-            vec3 _e128 = p_11.throughput;
-            float _e130 = nextHash(p_11.sampler_);
-            vec3 _e131 = heroColor(_e128, _e130);
-            hero_3 = _e131;
+            vec3 _e133 = p_11.throughput;
+            float _e135 = nextHash(p_11.sampler_);
+            vec3 _e136 = heroColor(_e133, _e135);
+            hero_3 = _e136;
         }
     }
-    Surface _e132 = surface_1;
-    vec3 _e134 = hero_3;
-    Outgoing _e135 = outgoing(_e132, _e10.layers, _e48, _e134);
-    Surface _e136 = surface_1;
-    BsdfSample _e137 = sampleLobe(_e136, _e135, _e107);
-    Surface _e138 = surface_1;
-    Basis _e139 = basis;
-    vec3 _e141 = toLocal(_e139, _e113.direction);
-    Pair _e143 = evaluatePair(_e138, _e135, _e141, _e137.direction);
-    const bool _e145 = hasMeshes;
-    bool opaque = pick(_e145, !(_e19), false);
-    bool _e152 = crosses(_e10.geometric, _e113.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e152, false);
-    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e143.toLight);
-    bool alone_1 = pick(_e113.delta, true, pick((_e111.shape < 0.0), (_e113.distance_ < 1e30), false));
-    float _e168 = misWeight(lightPdf, toLight_7.w);
-    float lightWeight = (pick(alone_1, 1.0, _e168) / lightPdf);
-    BsdfSample _e173 = completed(_e137, _e143.toSample);
-    Basis _e174 = basis;
-    vec3 _e176 = toWorld(_e174, _e173.direction);
-    bool _e180 = crosses(_e10.geometric, _e176, -(rays_2.direction));
-    bool leaks = pick(opaque, _e180, false);
-    uint _e184 = p_11.depth;
-    uint _e187 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e184 != _e187), false);
-    vec3 _e191 = p_11.throughput;
-    vec3 contribution = (((_e191 * toLight_7.xyz) * _e113.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e113.radiance), vec3(0.0))), false);
+    Surface _e137 = surface_1;
+    vec3 _e139 = hero_3;
+    Outgoing _e140 = outgoing(_e137, _e10.layers, _e48, _e139);
+    Surface _e141 = surface_1;
+    BsdfSample _e142 = sampleLobe(_e141, _e140, _e112);
+    Surface _e143 = surface_1;
+    Basis _e144 = basis;
+    vec3 _e146 = toLocal(_e144, _e118.direction);
+    Pair _e148 = evaluatePair(_e143, _e140, _e146, _e142.direction);
+    const bool _e150 = hasMeshes;
+    bool opaque = pick(_e150, !(_e19), false);
+    bool _e157 = crosses(_e10.geometric, _e118.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e157, false);
+    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e148.toLight);
+    bool alone_1 = pick(_e118.delta, true, pick((_e116.shape < 0.0), (_e118.distance_ < 1e30), false));
+    float _e173 = misWeight(lightPdf, toLight_7.w);
+    float lightWeight = (pick(alone_1, 1.0, _e173) / lightPdf);
+    BsdfSample _e178 = completed(_e142, _e148.toSample);
+    Basis _e179 = basis;
+    vec3 _e181 = toWorld(_e179, _e178.direction);
+    bool _e185 = crosses(_e10.geometric, _e181, -(rays_2.direction));
+    bool leaks = pick(opaque, _e185, false);
+    uint _e189 = p_11.depth;
+    uint _e192 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e189 != _e192), false);
+    vec3 _e196 = p_11.throughput;
+    vec3 contribution = (((_e196 * toLight_7.xyz) * _e118.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e118.radiance), vec3(0.0))), false);
     p_11.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e213 = p_11.throughput;
-    vec3 throughput_1 = (_e213 * _e173.weight);
-    float _e216 = max3_(throughput_1);
-    uint _e222 = p_11.depth;
-    float survival = pick((_e222 < rouletteDepth), 1.0, min((_e216 / 0.33333334), 0.95));
-    float _e234 = max3_(throughput_1);
-    float _e239 = nextHash(p_11.sampler_);
-    p_11.alive = pick(pick(pick(pick(goesOn, (_e173.pdf > 0.0), false), !(leaks), false), (_e234 > 0.0), false), (_e239 < survival), false);
+    vec3 _e218 = p_11.throughput;
+    vec3 throughput_1 = (_e218 * _e178.weight);
+    float _e221 = max3_(throughput_1);
+    uint _e227 = p_11.depth;
+    float survival = pick((_e227 < rouletteDepth), 1.0, min((_e221 / 0.33333334), 0.95));
+    float _e239 = max3_(throughput_1);
+    float _e244 = nextHash(p_11.sampler_);
+    p_11.alive = pick(pick(pick(pick(goesOn_1, (_e178.pdf > 0.0), false), !(leaks), false), (_e239 > 0.0), false), (_e244 < survival), false);
     p_11.throughput = (throughput_1 / vec3(survival));
-    uint _e247 = p_11.depth;
-    p_11.depth = (_e247 + 1u);
-    p_11.pdf = pick(_e173.delta, 0.0, _e173.pdf);
+    uint _e252 = p_11.depth;
+    p_11.depth = (_e252 + 1u);
+    p_11.pdf = pick(_e178.delta, 0.0, _e178.pdf);
     p_11.litSide = litSide;
-    p_11.total = _e109.total;
-    bool _e257 = isFlat(shape_1);
-    bool solid = !(_e257);
-    uint lightShape = pick((_e111.shape >= 0.0), uint(max(_e111.shape, 0.0)), noShape);
-    bool _e274 = p_11.alive;
-    Sampler _e289 = p_11.sampler_;
-    uint _e290 = numberOfNext(_e289);
-    p_11.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e274, _e176, pick(solid, (dot(_e176, outward_1) < 0.0), false), _e113.direction, pick(solid, (dot(_e113.direction, outward_1) < 0.0), false), pick(lit_1, _e113.distance_, -1.0), lightShape, _e290);
+    p_11.total = _e114.total;
+    bool _e262 = isFlat(shape_1);
+    bool solid = !(_e262);
+    uint lightShape = pick((_e116.shape >= 0.0), uint(max(_e116.shape, 0.0)), noShape);
+    bool _e279 = p_11.alive;
+    Sampler _e294 = p_11.sampler_;
+    uint _e295 = numberOfNext(_e294);
+    p_11.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e279, _e181, pick(solid, (dot(_e181, outward_1) < 0.0), false), _e118.direction, pick(solid, (dot(_e118.direction, outward_1) < 0.0), false), pick(lit_1, _e118.distance_, -1.0), lightShape, _e295);
     return;
 }
 
