@@ -1,9 +1,10 @@
 import { expect, test } from 'vitest';
 import { testMaterial, testScene } from '../../../../tests/fixtures/scenes.ts';
 import { pathFeatures } from '../integrator/path/path-features.ts';
+import { isClear, isLayered, isSolid } from '../scene/layered.ts';
 import { stillMoment } from '../scene/motion.ts';
 import type { Material, Shape } from '../scene/scene.ts';
-import { isClear, isLayered, isSolid, layerValues } from './layer-values.ts';
+import { layerValues } from './layer-values.ts';
 import { fieldOffset, TABLE_WIDTH, tableColumn } from './layout.ts';
 import { emittersOf } from './pack-emitters.ts';
 import { packPathScene } from './pack-path-scene.ts';

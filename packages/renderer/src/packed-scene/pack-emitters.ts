@@ -3,9 +3,9 @@
  * (more emissive shapes than a loop should run over) still shines, and is found by rays that happen to meet it.
  */
 import { emissionOf, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
+import { isLayered } from '../scene/layered.ts';
 import type { Color, DirectionalLight, LampShape, Light, QuadLight, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
-import { isLayered } from './layer-values.ts';
 import { packEnvironment } from './pack-environment.ts';
 import type { StructValues } from './write-struct.ts';
 

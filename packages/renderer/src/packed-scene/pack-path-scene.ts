@@ -2,11 +2,12 @@
 
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
+import { isLayered } from '../scene/layered.ts';
 import type { Moment } from '../scene/motion.ts';
 import { meshShapes } from '../scene/placed.ts';
 import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { geometryOf, texturesOf } from './geometry-packer.ts';
-import { isLayered, layerValues } from './layer-values.ts';
+import { layerValues } from './layer-values.ts';
 import { COVER } from './layout.ts';
 import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';

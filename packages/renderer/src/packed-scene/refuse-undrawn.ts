@@ -2,10 +2,11 @@
  * What a scene model may say and no kernel draws yet: a normal map of a clear coat's own, and textures on other shapes than meshes. A picture
  * without them would be a wrong one, so that such a scene is refused; docs/gltf.md has the list.
  */
+
+import { isClear, isLayered } from '../scene/layered.ts';
 import type { MaterialLayers } from '../scene/material-layers.ts';
 import type { Material, Scene, Shape } from '../scene/scene.ts';
 import type { NormalTextureUse } from '../scene/textures.ts';
-import { isClear, isLayered } from './layer-values.ts';
 import { UntraceableSceneError } from './refuse-meshes.ts';
 import { mayBeMissing } from './texture-slots.ts';
 

@@ -1,7 +1,7 @@
 /** Material → the Surface struct: what the path integrator's BSDFs read. */
 import { emissionOf } from '../scene/lamps.ts';
+import { isClear, isSolid } from '../scene/layered.ts';
 import type { Color, Material, MaterialType } from '../scene/scene.ts';
-import { isClear, isSolid } from './layer-values.ts';
 import type { StructValues } from './write-struct.ts';
 
 const KINDS: readonly MaterialType[] = ['diffuse', 'metallicRoughness', 'conductor', 'dielectric'];

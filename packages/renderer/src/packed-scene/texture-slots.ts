@@ -1,9 +1,10 @@
 /** What materials use textures for: which of their properties, and how the image is meant. */
+
+import { isLayered } from '../scene/layered.ts';
 import type { MaterialLayers } from '../scene/material-layers.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Material } from '../scene/scene.ts';
 import type { NormalTextureUse, TextureUse } from '../scene/textures.ts';
-import { isLayered } from './layer-values.ts';
 import { TEXTURE_SLOTS } from './layout.ts';
 
 /** What a material uses one texture for. `isColor`: its image is sRGB. */

@@ -1,10 +1,11 @@
 /** Layered materials as rows of a scene table, packed as scenes are. */
 
-import { isLayered, layerValues } from '../../../../packages/renderer/src/packed-scene/layer-values.ts';
+import { layerValues } from '../../../../packages/renderer/src/packed-scene/layer-values.ts';
 import { TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { writeRow } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
 import { surfaceValues } from '../../../../packages/renderer/src/packed-scene/surface-values.ts';
 import { type Block, createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { isLayered } from '../../../../packages/renderer/src/scene/layered.ts';
 import sheenWesl from '../../../../packages/renderer/src/shading/bsdf/layers/sheen.wesl?raw';
 import { materialOf } from '../../../fixtures/layers/as-material.ts';
 import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';

@@ -3,11 +3,11 @@
  * draws the same picture more slowly.
  */
 
-import { isLayered } from '../../packed-scene/layer-values.ts';
 import { EMITTER_KIND, emittersOf } from '../../packed-scene/pack-emitters.ts';
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
+import { isLayered } from '../../scene/layered.ts';
 import { meshShapes } from '../../scene/placed.ts';
 import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
