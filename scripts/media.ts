@@ -50,9 +50,9 @@ function materials(shoot: Shooter): Promise<Picture> {
     scene: 'materials',
     time: 0,
     width: 640,
-    height: 240,
+    height: 300,
     filmSamples: 64,
-    camera: { verticalFov: 23.5 },
+    camera: { verticalFov: 30 },
   });
 }
 

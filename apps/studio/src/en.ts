@@ -105,6 +105,7 @@ export const en = {
   status: 'Figures of the last frame',
   unitFps: 'fps',
   unitMs: 'ms',
+  unitSample: 'sample',
   unitSamples: 'samples',
   unitMrays: 'Mrays/s',
   unitError: 'error',

@@ -1,3 +1,4 @@
+import { builtInScenes } from 'mirrorball';
 import { Dialog } from './controls/dialog.tsx';
 import { type Dictionary, dictionary } from './i18n.ts';
 import { helpOpen } from './state.ts';
@@ -5,7 +6,7 @@ import { helpOpen } from './state.ts';
 const keyRows = (t: Dictionary): readonly (readonly [readonly string[], string])[] => [
   [[t.keyNames.space], t.keys.play],
   [['.'], t.keys.step],
-  [['1', '2', '3'], t.keys.scene],
+  [builtInScenes.map((_, i) => String(i + 1)), t.keys.scene],
   [['[', ']'], t.keys.reflections],
   [['C'], t.keys.compare],
   [[t.keyNames.arrows, 'A', 'D'], t.keys.orbit],

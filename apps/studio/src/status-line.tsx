@@ -9,6 +9,9 @@ export function figure(value: number): string {
   return value.toFixed(digits);
 }
 
+/** Whole frames a second; where there are few, tenths too. */
+export const frequency = (fps: number): string => (fps === 0 || fps >= 9.95 ? fps.toFixed(0) : fps.toFixed(1));
+
 /** Like a clock: 0:07, 12:05, 1:02:05. */
 export function duration(seconds: number): string {
   const whole = Math.floor(seconds);
@@ -29,14 +32,16 @@ function progressOf(now: FrameStats | null, t: Dictionary): readonly (readonly [
 /** The figures of the last frame. Not announced: it changes four times a second. */
 export function StatusLine() {
   const t = dictionary.value;
-  const now: FrameStats | null = stats.value;
+  // Nothing has been drawn before there is a film.
+  const now: FrameStats | null = stats.value?.filmWidth ? stats.value : null;
   const converges = integrator.value === 'path' && shownView.value === 'picture' && now?.backend !== 'cpu';
   const items: readonly (readonly [string, string, string])[] = [
-    ['fps', now ? String(Math.round(now.fps)) : '–', t.unitFps],
+    ['fps', now ? frequency(now.fps) : '–', t.unitFps],
     ['ms', now ? figure(now.frameMs) : '–', t.unitMs],
-    ['samples', now ? String(now.samples) : '–', t.unitSamples],
+    ['samples', now ? String(now.samples) : '–', now?.samples === 1 ? t.unitSample : t.unitSamples],
     ...(converges ? progressOf(now, t) : []),
-    ['mrays', now ? figure(now.mraysPerSecond) : '–', t.unitMrays],
+    // As many rays as the settings allow: paths that end early have fewer.
+    ['mrays', now ? `≤ ${figure(now.mraysPerSecond)}` : '–', t.unitMrays],
   ];
   return (
     <section id="status" class={converges ? 'status converging' : 'status'} aria-label={t.status} aria-live="off">

@@ -103,6 +103,7 @@ export const zhCN: Dictionary = {
   status: '上一帧的渲染数据',
   unitFps: '帧/秒',
   unitMs: '毫秒',
+  unitSample: '次采样',
   unitSamples: '次采样',
   unitMrays: '百万光线/秒',
   unitError: '误差',

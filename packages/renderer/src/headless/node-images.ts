@@ -1,13 +1,20 @@
 /** `mirrorball/node-images`: images of models where there is no browser. */
 import { type ImageDecoder, pngDecoder, withKtx2 } from '../gltf/images/decoder.ts';
+import { readImageHead } from '../gltf/images/image-head.ts';
 import { GLTF_LIMITS } from '../gltf/limits.ts';
 
 const JPEG_LIMITS = { maxResolutionInMP: GLTF_LIMITS.imageSide ** 2 / 1e6, maxMemoryUsageInMB: 4096 };
+
+/** Eight pixels square take two bits at least in each scan of each channel. */
+const MOST_PIXELS_A_BYTE = 256;
 
 const withJpeg: ImageDecoder = {
   canDecode: (type) => type === 'image/jpeg' || pngDecoder.canDecode(type),
   decode: async (bytes, type) => {
     if (type !== 'image/jpeg') return pngDecoder.decode(bytes, type);
+    const head = readImageHead(bytes);
+    if (head === null || head.width * head.height > bytes.length * MOST_PIXELS_A_BYTE)
+      throw new Error('it has too few bytes for as many pixels as it claims');
     const { decode } = await import('jpeg-js');
     const options = { useTArray: true, formatAsRGBA: true, tolerantDecoding: false, ...JPEG_LIMITS } as const;
     const { width, height, data } = decode(bytes, options);

@@ -23,6 +23,9 @@ interface BasisFile {
   delete(): void;
 }
 
+/** More pixels a byte than any picture has: what claims more is damaged, and nothing of its size is made. */
+const MOST_PIXELS_A_BYTE = 4096;
+
 /** basist::transcoder_texture_format::cTFRGBA32. */
 const RGBA32 = 13;
 
@@ -36,8 +39,32 @@ async function start(): Promise<Basis> {
   return module;
 }
 
+/**
+ * What the file claims before the transcoder sees it, whose memory never shrinks: one image without depth, layers or faces
+ * (KHR_texture_basisu), levels that lie in the file, and no more content than blocks have (KTX 2.0, 3 and 4).
+ */
+function isSound(bytes: Uint8Array): boolean {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < LEVELS_AT) return false;
+  const field = (at: number): number => view.getUint32(at, true);
+  const [width, height, depth, layers, faces, levels] = [20, 24, 28, 32, 36, 40].map(field) as [number, number, number, number, number, number]; // biome-ignore format: fields in a row
+  const side = Math.max(width, height);
+  if (depth > 0 || layers > 1 || faces !== 1 || levels < 1 || levels > Math.log2(side) + 1) return false;
+  if (width * height > bytes.length * MOST_PIXELS_A_BYTE || bytes.length < LEVELS_AT + 24 * levels) return false;
+  for (let level = 0; level < levels; level++) {
+    const [offset, length, unpacked] = [0, 8, 16].map((at) => Number(view.getBigUint64(LEVELS_AT + 24 * level + at, true))) as [number, number, number]; // biome-ignore format: fields in a row
+    const blocks = Math.ceil((width >> level || 1) / 4) * Math.ceil((height >> level || 1) / 4);
+    if (offset + length > bytes.length || unpacked > blocks * 16) return false;
+  }
+  const [shared, sharedLength] = [56 + 8, 56 + 16].map((at) => Number(view.getBigUint64(at, true))) as [number, number];
+  return shared + sharedLength <= bytes.length;
+}
+/** The head's length, behind which the table of levels lies. */
+const LEVELS_AT = 80;
+
 /** The largest level of the first image. Its size should be looked at first (image-head.ts). */
 export async function decodeKtx2(bytes: Uint8Array): Promise<ImagePixels> {
+  if (!isSound(bytes)) throw new Error('it is no KTX2 file with a Basis Universal image, or damaged');
   basis ??= start();
   const { KTX2File } = await basis;
   const file = new KTX2File(bytes);
