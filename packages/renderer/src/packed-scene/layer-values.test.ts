@@ -107,6 +107,6 @@ test('a plane that light should go through, and textures of layers, are refused 
     cloth: plastic({ sheen: { color: [1, 1, 1], roughness: 1, colorTexture: { texture: 'weave' } } }),
   };
   expect(() => packPathScene(stillMoment(testScene({ a: ball('cloth') }, {}, { materials })), [0, 0, 5])).toThrow(
-    'sheen.colorTexture',
+    'has sheen, and the shape "a" is a sphere',
   );
 });
