@@ -5,12 +5,13 @@ import { deflateSync } from 'node:zlib';
 import { shaderText } from './shader-text.mjs';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
+const studio = fileURLToPath(new URL('../apps/studio/src/', import.meta.url));
 const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
 
 /**
  * @typedef {object} Part
  * @property {string} name
- * @property {string} importer the one file that asks for it, from the renderer's sources on
+ * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
  */
@@ -22,67 +23,93 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  */
 const PARTS = [
   {
+    name: 'chinese',
+    importer: join(studio, 'said-in-chinese.ts'),
+    asked: './chinese-tables.ts',
+    entry: join(studio, 'chinese-tables.ts'),
+  },
+  {
+    name: 'opening',
+    importer: join(studio, 'opening/open-in-worker.ts'),
+    asked: './start-job.ts',
+    entry: join(studio, 'opening/start-job.ts'),
+  },
+  {
     name: 'still',
-    importer: 'cpu-renderer.ts',
+    importer: join(source, 'cpu-renderer.ts'),
     asked: './reference/reference-renderer.ts',
     entry: join(source, 'reference/reference-renderer.ts'),
   },
   {
     name: 'meshes',
-    importer: 'packed-scene/geometry-packer.ts',
+    importer: join(source, 'packed-scene/geometry-packer.ts'),
     asked: './pack-geometry.ts',
     entry: join(source, 'packed-scene/pack-geometry.ts'),
   },
   {
     name: 'model-shaders',
-    importer: 'shading/program-text.ts',
+    importer: join(source, 'shading/program-text.ts'),
     asked: './model-shaders.ts',
     entry: join(source, 'shading/model-shaders.ts'),
   },
   {
     name: 'mesh-files',
-    importer: 'scene-file/load-meshes.ts',
+    importer: join(source, 'scene-file/load-meshes.ts'),
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
   },
   {
     name: 'images',
-    importer: 'scene-file/load-files.ts',
+    importer: join(source, 'scene-file/load-files.ts'),
     asked: './load-images.ts',
     entry: join(source, 'scene-file/load-images.ts'),
   },
   {
     name: 'models',
-    importer: 'scene-file/load-files.ts',
+    importer: join(source, 'scene-file/load-files.ts'),
     asked: './load-models.ts',
     entry: join(source, 'scene-file/load-models.ts'),
   },
-  { name: 'gltf', importer: 'gltf/index.ts', asked: './read-gltf.ts', entry: join(source, 'gltf/read-gltf.ts') },
+  {
+    name: 'mesh-files',
+    importer: join(source, 'open/mesh-scene.ts'),
+    asked: '../mesh-file/mesh-file.ts',
+    entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
+  {
+    name: 'gltf',
+    importer: join(source, 'gltf/index.ts'),
+    asked: './read-gltf.ts',
+    entry: join(source, 'gltf/read-gltf.ts'),
+  },
   {
     name: 'ktx2',
-    importer: 'gltf/images/decoder.ts',
+    importer: join(source, 'gltf/images/decoder.ts'),
     asked: './ktx2-decoder.ts',
     entry: join(source, 'gltf/images/ktx2-decoder.ts'),
   },
   {
     name: 'draco',
-    importer: 'gltf/decoders.ts',
+    importer: join(source, 'gltf/decoders.ts'),
     asked: './draco-decoder.ts',
     entry: join(source, 'gltf/draco-decoder.ts'),
   },
   {
     name: 'meshopt',
-    importer: 'gltf/decoders.ts',
+    importer: join(source, 'gltf/decoders.ts'),
     asked: 'meshoptimizer/decoder',
     entry: join(modules, 'meshoptimizer/meshopt_decoder.mjs'),
   },
   {
     name: 'tangents',
-    importer: 'gltf/mesh/tangents.ts',
+    importer: join(source, 'gltf/mesh/tangents.ts'),
     asked: 'meshoptimizer/tangents',
     entry: join(modules, 'meshoptimizer/meshopt_tangents.js'),
   },
 ];
+
+/** What answers workers that ask for parts, which there are in a page of one file only. */
+const ANSWERING = join(studio, 'opening/answer-parts.ts').replaceAll('\\', '/');
 
 /** Where the loader in the page comes from. */
 const LOADER = 'virtual:load-part';
@@ -94,17 +121,15 @@ const LOADER = 'virtual:load-part';
  *   for which the page's own script does not wait;
  * - `file`: an import of a file beside the module, mirrorball-gltf.js and so on.
  *
- * Parts that nothing of the page asks for are left out, and so are those named in `without`, which only `ktx2` may be: then the code that
- * asks for it knows.
+ * Parts that nothing of the page asks for are left out. Workers ask the page for parts: see `answerParts` in the loader below.
  * @param {'text' | 'file'} as
- * @param {{ without?: readonly 'ktx2'[] }} [options]
  * @returns {import('vite').Plugin}
  */
-export function lazyParts(as, { without = [] } = {}) {
+export function lazyParts(as) {
   /** @type {Map<string, string>} name → code of what is written */
   const written = new Map();
   return {
-    ...partImports(as, written, without),
+    ...partImports(as, written),
     generateBundle: {
       order: 'post',
       handler(_, bundle) {
@@ -124,10 +149,9 @@ const fileOf = (/** @type {string} */ name) => `mirrorball-${name}.js`;
  * What the page and its parts have in common: imports of parts are replaced, and those that are asked for are built.
  * @param {'text' | 'file'} as
  * @param {Map<string, string>} written
- * @param {readonly string[]} without
  * @returns {import('vite').Plugin}
  */
-function partImports(as, written, without) {
+function partImports(as, written) {
   return {
     name: 'lazy-parts',
     apply: 'build',
@@ -144,6 +168,7 @@ function partImports(as, written, without) {
       order: 'pre',
       handler(id) {
         if (id === `\0${LOADER}`) return LOADER_CODE;
+        if (as === 'text' && id === ANSWERING) return `export { answerParts } from '${LOADER}';`;
         return id.endsWith('.wasm?url&inline') ? byteText(id) : null;
       },
     },
@@ -152,10 +177,7 @@ function partImports(as, written, without) {
       handler(code, id) {
         const parts = partsAskedBy(id);
         if (parts.length === 0) return null;
-        const text = parts.reduce(
-          (before, part) => (without.includes(part.name) ? withoutPart(before, part) : replaced(before, part, as)),
-          code,
-        );
+        const text = parts.reduce((before, part) => replaced(before, part, as), code);
         return { code: as === 'text' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
       },
     },
@@ -163,9 +185,9 @@ function partImports(as, written, without) {
       // Not what tree shaking has left out.
       const used = Object.entries(chunk.modules).filter(([, { renderedLength }]) => renderedLength > 0);
       for (const part of used.flatMap(([id]) => partsAskedBy(id))) {
-        if (written.has(part.name) || without.includes(part.name)) continue;
+        if (written.has(part.name)) continue;
         written.set(part.name, '');
-        written.set(part.name, await buildPart(part, as, written, without));
+        written.set(part.name, await buildPart(part, as, written));
       }
       return null;
     },
@@ -175,22 +197,18 @@ function partImports(as, written, without) {
 /** @param {string} id */
 function partsAskedBy(id) {
   const file = id.split('?')[0]?.replaceAll('\\', '/');
-  return PARTS.filter(({ importer }) => file === `${source.replaceAll('\\', '/')}${importer}`);
+  return PARTS.filter(({ importer }) => file === importer.replaceAll('\\', '/'));
 }
+
+/** What asks for it. @param {Part} part */
+const callOf = (part) => new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`, 'g');
 
 /** @param {string} code @param {Part} part @param {'text' | 'file'} as */
 function replaced(code, part, as) {
-  const call = new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`);
+  const call = callOf(part);
   if (!call.test(code))
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);
   return code.replace(call, as === 'text' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
-}
-
-/** The code says by a constant whether the part is at hand. @param {string} code @param {Part} part */
-function withoutPart(code, part) {
-  const flag = `const HAS_${part.name.toUpperCase()} = true`;
-  if (!code.includes(flag)) throw new Error(`${part.importer} has no ${flag} any more: see scripts/lazy-parts.mjs.`);
-  return code.replace(flag, flag.replace('true', 'false'));
 }
 
 /** A letter for each byte: compression finds what repeats in it, which base64 hides. A third smaller. */
@@ -199,15 +217,21 @@ function byteText(/** @type {string} */ id) {
   return `export default ${JSON.stringify(bytes.toString('latin1'))};`;
 }
 
-/** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written @param {readonly string[]} without */
-async function buildPart(part, as, written, without) {
+/** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written */
+async function buildPart(part, as, written) {
   // Not above: build-studio.mjs takes a name from here before the packages are installed.
   const { build } = await import('vite');
   const result = await build({
     configFile: false,
     root: dirname(part.entry),
     logLevel: 'error',
-    plugins: [shaderText(), partImports(as, written, without)],
+    plugins: [shaderText(), partImports(as, written)],
+    // A worker in a part is text in it, and a classic one: from a file a browser starts no other.
+    worker: {
+      format: 'iife',
+      plugins: () => [partImports(as, written)],
+      rolldownOptions: { output: { codeSplitting: false } },
+    },
     build: {
       write: false,
       target: 'es2022',
@@ -258,21 +282,43 @@ function cutOut(html) {
   return { script, rest: html.slice(0, start) + html.slice(end) };
 }
 
-/** Runs in the page, and, as parts may need parts, in parts. */
+/** Runs in the page, in parts, as they may need parts, and in workers, which see no page and ask it by a message. */
 const LOADER_CODE = `
 const text = (name) => document.getElementById('part-' + name);
 const parsed = () => new Promise((resolve) => {
   if (document.readyState !== 'loading') resolve();
   else addEventListener('DOMContentLoaded', resolve, { once: true });
 });
-async function load(name) {
+async function unpacked(name) {
   if (!text(name)) await parsed();
   const element = text(name);
   if (!element) throw new Error('This page has been cut off: its part "' + name + '" is missing.');
   // The end tag may still be under way.
   if (!element.nextSibling) await parsed();
   const bytes = Uint8Array.from(atob(element.textContent), (letter) => letter.charCodeAt(0));
-  const code = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).blob();
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).blob();
+}
+const asked = (name) => new Promise((resolve, reject) => {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = ({ data }) => {
+    port1.close();
+    if (data.code) resolve(data.code);
+    else reject(new Error(data.problem));
+  };
+  postMessage({ part: name }, [port2]);
+});
+export function answerParts(worker) {
+  worker.addEventListener('message', async ({ data, ports }) => {
+    if (!data || typeof data.part !== 'string') return;
+    try {
+      ports[0].postMessage({ code: await unpacked(data.part) });
+    } catch (error) {
+      ports[0].postMessage({ problem: error.message });
+    }
+  });
+}
+async function load(name) {
+  const code = await (typeof document === 'undefined' ? asked(name) : unpacked(name));
   const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
   try {
     return await import(/* @vite-ignore */ url);

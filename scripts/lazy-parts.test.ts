@@ -15,7 +15,7 @@ const folder = mkdtempSync(join(tmpdir(), 'lazy-parts-'));
 writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
 afterAll(() => rmSync(folder, { recursive: true }));
 
-async function buildPage(name: string, script: string, options?: { without: ['ktx2'] }): Promise<string> {
+async function buildPage(name: string, script: string): Promise<string> {
   const root = join(folder, name);
   mkdirSync(root);
   writeFileSync(join(root, 'main.ts'), script);
@@ -27,7 +27,7 @@ async function buildPage(name: string, script: string, options?: { without: ['kt
     configFile: false,
     root,
     logLevel: 'error',
-    plugins: [viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text', options)],
+    plugins: [viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
     build: { outDir: join(root, 'dist'), target: 'es2022', modulePreload: false },
   });
   return readFileSync(join(root, 'dist/index.html'), 'utf8');
@@ -42,16 +42,6 @@ test('in a page the parts are text behind the script, which does not wait for th
   const parts = [...page.matchAll(/<script type="text\/plain" id="part-(\w+)">([^<]*)<\/script>/g)];
   expect(parts.map(([, name]) => name).sort()).toEqual(['draco', 'gltf', 'ktx2', 'meshopt', 'tangents']);
   for (const [, , text] of parts) expect(inflateSync(Buffer.from(text!, 'base64')).toString()).toMatch(/export\s*\{/);
-});
-
-test('the transcoder of KTX2 can be left out', async () => {
-  const page = await buildPage(
-    'less',
-    `import { importGltf } from ${JSON.stringify(gltf)};\nconsole.log(importGltf);`,
-    { without: ['ktx2'] },
-  );
-  const parts = [...page.matchAll(/ id="part-(\w+)"/g)].map(([, name]) => name);
-  expect(parts.sort()).toEqual(['draco', 'gltf', 'meshopt', 'tangents']);
 });
 
 test('a page that reads no models has no parts and stays as it was', async () => {

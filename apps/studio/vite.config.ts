@@ -8,7 +8,7 @@ import { shaderText } from '../../scripts/shader-text.mjs';
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
-  plugins: [shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text', { without: ['ktx2'] })],
+  plugins: [shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { outDir: 'dist', emptyOutDir: true, target: 'es2022', modulePreload: false, reportCompressedSize: true },
 });

@@ -1,26 +1,8 @@
-import { fileURLToPath } from 'node:url';
-import type { Page } from '@playwright/test';
+import { seriousProblems } from './axe.ts';
 import { expect, test } from './fixtures.ts';
 import { choose, coarse, expectPicture, fewSamples, group, rendererState, scenes, soon, unfold } from './studio.ts';
 
 const address = { backend: 'webgl2', query: { ...coarse, paused: 1 } } as const;
-const axePath = fileURLToPath(import.meta.resolve('axe-core/axe.min.js'));
-
-interface AxeViolation {
-  readonly id: string;
-  readonly impact: string | null;
-  readonly nodes: readonly { readonly html: string }[];
-}
-/** What axe calls serious or critical, in words that say where. */
-async function seriousProblems(page: Page): Promise<string[]> {
-  await page.addScriptTag({ path: axePath });
-  const violations = await page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: AxeViolation[] }> } };
-    return (await axe.run()).violations.map(({ id, impact, nodes }) => ({ id, impact, html: nodes[0]?.html ?? '' }));
-  });
-  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-  return serious.map(({ id, html }) => `${id}: ${html.slice(0, 200)}`);
-}
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds no serious problem (${colorScheme})`, async ({ page, openStudio }) => {
@@ -45,7 +27,7 @@ test.describe('in Chinese', () => {
     await expectPicture(page);
     await test.step('what is wrong with a scene file is said in Chinese, and once', async () => {
       const buffer = Buffer.from(JSON.stringify({ version: 1, name: 'x', camera: { eye: [0, 1, 5], target: 7 } }));
-      await page.locator('input[type=file]').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
+      await page.locator('#scene-file').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
       const dialog = page.getByRole('dialog', { name: '无法打开 x.json' });
       await expect(dialog).toContainText('在 /camera/target 处：找到 7，应为由三个数组成的列表');
       for (const problem of await dialog.getByRole('listitem').all())
@@ -59,6 +41,7 @@ test.describe('in Chinese', () => {
       const text = await page.getByRole('complementary').innerText();
       const words = text.match(/[A-Za-z]{3,}/g) ?? [];
       const names = ['Mirrorball', 'WebGPU', 'WebGL', 'CPU', 'English', 'json', 'scene', 'fps', 'ACES', 'AgX'];
+      names.push('glTF', 'GLB', 'OBJ', 'PLY', 'STL', 'zip', 'hdr', 'exr');
       expect(words.filter((word) => !names.includes(word))).toEqual([]);
     });
 

@@ -39,7 +39,15 @@ test('all can be done by keyboard', async ({ page, openStudio }) => {
       await page.keyboard.press('Enter');
     }
     const stops = await tabStops(page);
-    const wanted = ['Hide controls', 'Scene', 'Open a scene file…', 'Reflections', 'Samples per light', 'Exposure'];
+    const wanted = [
+      'Hide controls',
+      'Scene',
+      'Open files…',
+      'Open a folder…',
+      'Reflections',
+      'Samples per light',
+      'Exposure',
+    ];
     wanted.push('Tone mapping');
     wanted.push('Side by side', 'Play', 'Step 1/60 s', 'Time', 'Speed', 'Reset view', 'Keys and gestures');
     wanted.push('Drawn by', 'Resolution scale', 'Target', 'Lower resolution in motion when slow', 'Language', 'Theme');

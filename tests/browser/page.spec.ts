@@ -224,7 +224,7 @@ test('a scene file opens; a broken one lists its problems and changes nothing', 
   await openStudio({ backend: 'webgl2', query: { ...coarse, paused: 1 } });
   await fewSamples(page);
   const file = (name: string, text: string) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
-  const input = page.locator('input[type=file]');
+  const input = page.locator('#scene-file');
   await input.setInputFiles(
     file('broken.json', '{ "version": 1, "shapes": { "ball": { "type": "sphere", "radius": -1 } } }'),
   );
@@ -248,7 +248,7 @@ test('a scene opens with its map of the sky when both files come together, and s
     mimeType: 'application/octet-stream',
     buffer: Buffer.from(content),
   });
-  const input = page.locator('input[type=file]');
+  const input = page.locator('#scene-file');
   await input.setInputFiles([file('sky.json', scene)]);
   const dialog = page.getByRole('dialog', { name: /sky\.json/ });
   await expect(dialog).toContainText('sky.npy together with the scene');

@@ -1,9 +1,12 @@
-import { batch, signal } from '@preact/signals';
-import type { Problem, Scene } from 'mirrorball';
+import { batch, effect, signal } from '@preact/signals';
+import { frameScene, type Problem, type Renderer, type Scene, type SceneParts, withParts } from 'mirrorball';
+import { builtInScene } from './built-in-scenes.ts';
+import { polar } from './camera-controls.ts';
 import { stopMotion } from './camera-motion.ts';
 import { comparisonModes } from './comparison.ts';
 import { dismiss, notify, reasonOf } from './notices.ts';
-import { builtInScene, readSceneFile, sortFiles } from './scene-files.ts';
+import { cancelOpening } from './opening/under-way.ts';
+import type { Shown } from './state.ts';
 import * as state from './state.ts';
 
 /** What a person can do, whether by the panel, the keys or a dropped file. */
@@ -12,7 +15,7 @@ import * as state from './state.ts';
 export const refusedFile = signal<{ name: string; problems: readonly Problem[] } | null>(null);
 
 /** Makes a scene the one on show, with its own render settings, view and start. */
-export function takeScene(next: { id: string; scene: Scene; fileName?: string }): void {
+export function takeScene(next: Shown): void {
   batch(() => {
     state.shown.value = next;
     state.reflections.value = next.scene.render.maxReflections;
@@ -26,33 +29,60 @@ export function takeScene(next: { id: string; scene: Scene; fileName?: string })
   });
 }
 
-function show(next: { id: string; scene: Scene; fileName?: string }): void {
+/** Rejects, and leaves everything as it is, when the scene cannot be drawn. */
+export async function show(next: Shown): Promise<void> {
+  const renderer = await firstRenderer();
+  await renderer.prepare(next.scene);
   stopMotion();
-  const renderer = state.renderer.peek();
-  const shownNow = renderer?.setScene(next.scene);
-  renderer?.resetCamera();
+  const drawn = renderer.setScene(next.scene);
+  // What it does not take it refuses at once.
+  if (renderer.scene !== next.scene) return drawn;
   takeScene(next);
   dismiss('file');
-  shownNow?.catch((error: unknown) => notify('file', (t) => t.noticeSceneFailed(reasonOf(error))));
+  drawn.catch((error: unknown) => notify('file', (t) => t.noticeSceneFailed(reasonOf(error))));
+}
+
+/** At its start the page may be without one for a moment. */
+function firstRenderer(): Promise<Renderer> {
+  return new Promise((resolve) => {
+    const stop = effect(() => {
+      const renderer = state.renderer.value;
+      if (renderer) queueMicrotask(() => stop());
+      if (renderer) resolve(renderer);
+    });
+  });
 }
 
 export function chooseScene(id: string): void {
-  show(builtInScene(id));
+  cancelOpening();
+  const { scene } = builtInScene(id);
+  show({ id, scene, original: scene }).catch((error: unknown) => notify('file', (t) => t.noticeSceneFailed(reasonOf(error)))); // biome-ignore format: one line
 }
 
-/** Opens a scene file, with those that it names; when it is broken, says all that is wrong and leaves the scene as it is. */
-export async function openSceneFiles(files: readonly File[]): Promise<void> {
-  const { scene: file, others } = sortFiles(files);
-  if (!file) return;
+/** Another choice of what the scene on show has: the view, the time and the settings stay as they are. */
+export function changeScene(parts: SceneParts): void {
+  const now = state.shown.peek();
+  const renderer = state.renderer.peek();
+  if (!now || !renderer?.scene) return;
   try {
-    const read = await readSceneFile(file, others);
-    if (read.ok) {
-      show({ id: 'file', scene: read.scene, fileName: file.name });
-      if (read.notes.length > 0) notify('file', () => read.notes.join(' '));
-    } else refusedFile.value = { name: file.name, problems: read.problems };
+    replaceScene(renderer, { ...now, scene: withParts(renderer.scene, parts) }, parts);
   } catch (error) {
-    notify('file', (t) => t.fileUnreadable(file.name, reasonOf(error)));
+    notify('file', (t) => t.noticeSceneFailed(reasonOf(error)));
   }
+}
+
+/** As `changeScene`, for a scene that has been made of the one on show. */
+export function replaceScene(renderer: Renderer, next: Shown, parts: SceneParts = {}): void {
+  const { camera, time } = renderer;
+  const keepsView = state.viewMoved.peek() && parts.camera === undefined;
+  const drawn = renderer.setScene(next.scene);
+  drawn.catch((error: unknown) => notify('file', (t) => t.noticeSceneFailed(reasonOf(error))));
+  if (renderer.scene !== next.scene) return;
+  renderer.set(state.wantedSettings.peek());
+  if (keepsView) renderer.camera = camera;
+  else state.viewMoved.value = false;
+  renderer.time = parts.clip === undefined ? time : 0;
+  state.shown.value = next;
 }
 
 export function changeReflections(by: number): void {
@@ -89,6 +119,25 @@ export function resetView(): void {
   state.viewMoved.value = false;
 }
 
+/** Everything into the picture, from the side from which it is seen now. */
+export function frameView(): void {
+  const renderer = state.renderer.peek();
+  if (!renderer?.scene) return;
+  stopMotion();
+  const { camera } = renderer;
+  const { yaw, pitch } = polar(camera);
+  const perspective = (camera.projection ?? 'perspective') === 'perspective';
+  const framed = frameScene(renderer.scene, renderer.time, {
+    azimuth: yaw,
+    elevation: pitch,
+    ...(perspective && { verticalFov: Math.min(camera.verticalFov, 120) }),
+  });
+  if (framed === null) return;
+  const { aperture = 0 } = camera;
+  renderer.camera = perspective ? { ...framed, aperture } : framed;
+  state.viewMoved.value = true;
+}
+
 export async function toggleFullScreen(): Promise<void> {
   try {
     if (document.fullscreenElement) await document.exitFullscreen();
@@ -101,5 +150,6 @@ export async function toggleFullScreen(): Promise<void> {
 /** Seconds after which the scene's slowest track starts over: how far the time slider reaches. */
 export function sceneDuration(scene: Scene): number {
   const ends = scene.animation.map(({ keys, repeat }) => (keys.at(-1)?.time ?? 0) * (repeat === 'ping-pong' ? 2 : 1));
+  if (scene.clip !== undefined) ends.push(scene.clips?.[scene.clip]?.duration ?? 0);
   return Math.max(...ends, 0) || 10;
 }

@@ -4,6 +4,7 @@ import { DropTarget, followDrops } from './drop-target.tsx';
 import { Help } from './help.tsx';
 import { NoticeList } from './notice-list.tsx';
 import { notify, reasonOf } from './notices.ts';
+import { OpeningCard } from './opening/opening-card.tsx';
 import { Panel } from './panel/panel.tsx';
 import { ProblemsDialog } from './problems-dialog.tsx';
 import { StatusLine } from './status-line.tsx';
@@ -18,6 +19,7 @@ function App() {
       <Dividers />
       <StatusLine />
       <NoticeList />
+      <OpeningCard />
       <Panel />
       <Help />
       <ProblemsDialog />

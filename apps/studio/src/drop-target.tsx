@@ -1,10 +1,11 @@
-import { openSceneFiles } from './actions.ts';
 import { dictionary } from './i18n.ts';
+import { droppedFiles } from './opening/given-files.ts';
+import { openFiles } from './opening/open.ts';
 import { dragOver } from './state.ts';
 
 const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
 
-/** Lets a scene file be dropped anywhere on the page, with the files that it names. */
+/** Lets files and folders be dropped anywhere on the page. */
 export function followDrops(): void {
   addEventListener('dragover', (event) => {
     if (!holdsFiles(event)) return;
@@ -18,7 +19,7 @@ export function followDrops(): void {
     if (!holdsFiles(event)) return;
     event.preventDefault();
     dragOver.value = false;
-    void openSceneFiles([...(event.dataTransfer?.files ?? [])]);
+    void openFiles(droppedFiles(event.dataTransfer));
   });
 }
 

@@ -14,7 +14,8 @@ const keyRows = (t: Dictionary): readonly (readonly [readonly string[], string])
   [['+', '−', 'W', 'S'], t.keys.dolly],
   [['O'], t.keys.focus],
   [['R'], t.keys.reset],
-  [['F'], t.keys.fullScreen],
+  [['F'], t.keys.frame],
+  [['X'], t.keys.fullScreen],
   [['P'], t.keys.panel],
   [['H', '?'], t.keys.help],
 ];

@@ -2,10 +2,10 @@ import { batch } from '@preact/signals';
 import type { Renderer, Scene } from 'mirrorball';
 import { takeScene } from './actions.ts';
 import { mountApp } from './app.tsx';
+import { builtInScene, sceneIds } from './built-in-scenes.ts';
 import { dictionary, startLanguage } from './i18n.ts';
 import { notify, reasonOf } from './notices.ts';
 import { followPointers } from './pointer-gestures.ts';
-import { builtInScene, sceneIds } from './scene-files.ts';
 import { drawnImageSamples, followRenderer, followState, openSession } from './session.ts';
 import { followKeys } from './shortcuts.ts';
 import { followStageSize } from './stage.ts';
@@ -52,13 +52,14 @@ function start(): void {
 }
 
 /** The lens becomes the scene's own, so that it stays when the view is moved and taken back. */
-function throughLens<Shown extends { readonly scene: Scene }>(shown: Shown, given: UrlParameters): Shown {
+function throughLens(shown: { readonly id: string; readonly scene: Scene }, given: UrlParameters): state.Shown {
   const { camera } = shown.scene;
   const lens = {
     ...(given.aperture !== null && { aperture: given.aperture }),
     ...(given.focus !== null && { focusDistance: given.focus }),
   };
-  return { ...shown, scene: { ...shown.scene, camera: { ...camera, ...lens } } };
+  const scene = { ...shown.scene, camera: { ...camera, ...lens } };
+  return { ...shown, scene, original: scene };
 }
 
 /** On a page this low, such as a phone on its side, the panel would hide too much: it starts folded. */

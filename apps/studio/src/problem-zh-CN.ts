@@ -149,6 +149,24 @@ const allowedForms: readonly Form[] = [
   [/^a text that ends with a double quote on its own line$/, () => '在同一行内以双引号结束的文本'],
   [/^one of (\\.*)$/, (escapes) => `${escapes} 之一`],
   [/^JSON text that this browser can read$/, () => '浏览器能够读取的 JSON 文本'],
+  [
+    /^a \.glb or \.gltf model, .* with one of these$/,
+    () => '.glb 或 .gltf 模型，.ply、.obj 或 .stl 文件，scene.json，或含有其中之一的 .zip',
+  ],
+  [/^a whole \.zip archive$/, () => '完整的 .zip 压缩包'],
+  [/^a file that can be read$/, () => '能够读取的文件'],
+  [/^files that come together$/, () => '一起打开的全部文件'],
+  [/^the name of a file in the folder of the glTF file or below$/, () => 'glTF 文件所在的文件夹或其子文件夹中的文件名'],
+  [/^a whole (image\/\S+)$/, (type) => `完整的 ${type} 图片`],
+  [/^what can be$/, () => '能够绘制的场景'],
+  [/^a glTF 2\.0 file$|^a glTF file, version "2\.0"$/, () => 'glTF 2.0 文件'],
+  [/^a GLB, or JSON as UTF-8$/, () => 'GLB，或 UTF-8 编码的 JSON'],
+  [/^a GLB of at least (\d+) bytes$/, (least) => `不少于 ${least} 字节的 GLB`],
+  [/^the (\d+) bytes that its head tells$/, (bytes) => `文件头所说的 ${bytes} 字节`],
+  [/^at most (\S+)(?: bytes| of them)?$/, (most) => `不超过 ${most}`],
+  [/^an object$/, () => '一个对象'],
+  [/^JSON, here (.*)$/, (expected) => `JSON，此处应为${allowedInChinese(expected)}`],
+  [/^extensions that Mirrorball knows: (.*)$/, (names) => `Mirrorball 支持的扩展：${names}`],
 ];
 
 const foundForms: readonly Form[] = [
@@ -189,6 +207,24 @@ const foundForms: readonly Form[] = [
   [/^nothing more at line (\d+), column (\d+)$/, (line, column) => `第 ${line} 行第 ${column} 列已到结尾`],
   [/^(".*") at line (\d+), column (\d+)$/, (text, line, column) => `第 ${line} 行第 ${column} 列的 ${text}`],
   [/^the same key again, in line (\d+)$/, (line) => `第 ${line} 行又有同样的键`],
+  [/^no file$/, () => '空的文件夹或压缩包'],
+  [/^a file of another kind$/, () => '其他类型的文件'],
+  [/^(\d+) files of other kinds$/, (count) => `${count} 个其他类型的文件`],
+  [/^an archive that cannot be opened: (.*)$/, (reason) => `无法打开的压缩包（${reason}）`],
+  [/^a file that cannot be read \((.*)\)$/, (reason) => `无法读取的文件（${reason}）`],
+  [/^the file (".*"), which cannot be read \(it is missing: .*\)$/, (file) => `缺少的文件 ${file}，请把它一起打开`],
+  [/^the file (".*"), which cannot be read \((.*)\)$/, (file, reason) => `无法读取的文件 ${file}（${reason}）`],
+  [/^the file (".*"), which has not been given$/, (file) => `缺少的文件 ${file}`],
+  [/^the image (".*"), which cannot be decoded \((.*)\)$/, (name, reason) => `无法解码的图片 ${name}（${reason}）`],
+  [/^what cannot be drawn here$/, () => '此处无法绘制的内容'],
+  [/^bytes that are no text$/, () => '不是文本的内容'],
+  [/^bytes that are no image$/, () => '不是图片的内容'],
+  [/^(\d+) bytes, so it is cut off$/, (bytes) => `${bytes} 字节，文件被截断`],
+  [/^(\d+) bytes$/, (bytes) => `${bytes} 字节`],
+  [/^(\d+) bytes, where there are (\d+)$/, (claimed, there) => `声称 ${claimed} 字节，实际只有 ${there} 字节`],
+  [/^something that cannot be read \((.*)\)$/, (reason) => `无法读取的内容（${reason}）`],
+  [/^the extension (".*"), without which it cannot be read$/, (name) => `必需的扩展 ${name}`],
+  [/^no version$/, () => '没有版本号'],
 ];
 
 function translate(phrase: string, forms: readonly Form[]): string {
@@ -205,10 +241,37 @@ export const allowedInChinese = (allowed: string): string => translate(allowed, 
 /** Between Chinese and anything else stands a space. */
 const spaced = (phrase: string): string => (/^[!-~]/.test(phrase) ? ` ${phrase}` : phrase);
 
+const drawingForms: readonly Form[] = [
+  [
+    /^The (meshes|textures) of this scene need (.*); this device has room for (.*) \((.*)\)\.$/,
+    (what, need, room, limit) =>
+      `场景的${what === 'meshes' ? '网格' : '贴图'}需要 ${need}，而此设备最多容纳 ${room}（${limit}）。`,
+  ],
+  [
+    /^The material (".*") has (.*), which this version reads and does not draw yet\.$/,
+    (name, what) => `材质 ${name} 含有 ${what}，当前版本能够读取，但还不能绘制。`,
+  ],
+  [
+    /^The mesh (".*") has colours at its vertices, .*$/,
+    (name) => `网格 ${name} 带有顶点颜色，当前版本能够读取，但还不能绘制。`,
+  ],
+  [
+    /^The shape (".*") is a mesh; on a GPU only the path integrator .*$/,
+    (name) => `形体 ${name} 是三角形网格，GPU 上只有路径追踪能够绘制（"render": { "integrator": "path" }）。`,
+  ],
+  [
+    /^A ray may have to remember (\d+) nodes .* remember (\d+)\.$/,
+    (need, room) => `网格的加速结构过深，需要记住 ${need} 个节点，最多只能记住 ${room} 个。`,
+  ],
+];
+const drawingInChinese = (message: string): string => translate(message, drawingForms);
+
 /** One sentence that says where, what was found and what may stand there. */
 export function problemInChinese({ path, found, allowed, message }: Problem): string {
   const beyond = /^(\d+) more$/.exec(found);
   if (beyond) return `……另有 ${beyond[1]} 个问题。`;
+  // What draws it says why in a sentence of its own.
+  if (found === 'what cannot be drawn here') return `此处无法绘制：${drawingInChinese(message)}`;
   const place = path === '' ? '文件中' : `在 ${path} 处`;
   const what = found === 'nothing' ? '缺少内容' : `找到${spaced(foundInChinese(found))}`;
   const meant = /Did you mean (".+")\?$/.exec(message);

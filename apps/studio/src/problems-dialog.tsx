@@ -40,7 +40,7 @@ export function ProblemsDialog() {
     </button>
   );
   return (
-    <Dialog id="problems" title={t.problemsTitle(file?.name ?? '')} open={file !== null} onClose={close} actions={copy}>
+    <Dialog id="problems" title={t.problemsTitle(file?.name ?? '')} open={file} onClose={close} actions={copy}>
       <p>{t.problemsIntro}</p>
       <ol class="problems">
         {problems.map((problem, i) => (

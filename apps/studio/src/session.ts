@@ -3,6 +3,7 @@ import { type Backend, type Camera, createRenderer, type FrameStats, focusOf, ty
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { createCanvas, describePicture } from './stage.ts';
 import {
+  compiling,
   integrator,
   lens,
   playing,
@@ -203,6 +204,7 @@ export function followRenderer(): void {
     if (!now || document.hidden) return;
     batch(() => {
       stats.value = { ...now.stats };
+      compiling.value = now.compiling;
       time.value = now.time;
       if (now.scene) takeLens(now.camera);
     });

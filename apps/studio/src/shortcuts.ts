@@ -1,7 +1,7 @@
 import * as actions from './actions.ts';
+import { sceneIds } from './built-in-scenes.ts';
 import { type HeldMove, holdMove, releaseMove, stopMotion } from './camera-motion.ts';
 import { focusHere } from './focus.ts';
-import { sceneIds } from './scene-files.ts';
 import { helpOpen, panelOpen } from './state.ts';
 
 /** The keyboard. Keys that a control uses itself stay with the control. */
@@ -14,7 +14,8 @@ const once: Readonly<Record<string, () => void>> = {
   '[': () => actions.changeReflections(-1),
   ']': () => actions.changeReflections(1),
   c: actions.nextComparison,
-  f: () => void actions.toggleFullScreen(),
+  f: actions.frameView,
+  x: () => void actions.toggleFullScreen(),
   o: focusHere,
   r: actions.resetView,
   p: () => (panelOpen.value = !panelOpen.peek()),

@@ -2,6 +2,7 @@ import { computed, signal } from '@preact/signals';
 import type {
   Backend,
   FrameStats,
+  ImportReport,
   Integrator,
   Renderer,
   RendererSettings,
@@ -18,14 +19,33 @@ import { framingFor } from './framing.ts';
 export const renderer = signal<Renderer | null>(null);
 /** Whether what draws makes one picture, and does not play. */
 export const isStill = computed(() => renderer.value?.backend === 'cpu');
-/** The scene on show and its id: a built-in scene's, or 'file'. */
-export const shown = signal<{ id: string; scene: Scene; fileName?: string } | null>(null);
+export interface Shown {
+  /** A built-in scene's, or 'file'. */
+  readonly id: string;
+  readonly scene: Scene;
+  /** As it was opened, before anything of it was chosen otherwise. */
+  readonly original: Scene;
+  readonly fileName?: string;
+  /** Of a file: what was not taken as it stands, and how much there is. */
+  readonly report?: ImportReport;
+  /** Of a file: what its meshes, trees and pictures take. */
+  readonly bytes?: number;
+}
+/** The scene on show. */
+export const shown = signal<Shown | null>(null);
+/** Whether it has meshes, which only paths find on a GPU. */
+export const hasTriangles = computed(() =>
+  Object.values(shown.value?.scene.shapes ?? {}).some(({ type }) => type === 'mesh'),
+);
 /** Whether the view is the person's own and no longer the scene's. */
 export const viewMoved = signal(false);
 /** The backend being started to take over, if any. */
 export const switchingTo = signal<Backend | null>(null);
 /** Figures of the last frame, taken four times a second. */
 export const stats = signal<FrameStats | null>(null);
+
+/** Whether what draws waits for its program, and a sketch or the picture before stands in. Taken with the figures. */
+export const compiling = signal(false);
 
 /** The lens of the camera in use, and where it is sharp; taken with the figures. */
 export const lens = signal({ aperture: 0, focus: 0, panorama: false });

@@ -34,11 +34,14 @@ ${FUNCTIONS.map(wgslOf).join('\n')}
 @group(0) @binding(2) var<storage, read> bvh_position: array<vec3f>;
 @group(0) @binding(7) var<storage, read> rays: array<vec4f>;
 @group(0) @binding(8) var<storage, read_write> hits: array<vec2f>;
-@compute @workgroup_size(64) fn traceRays(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
-  let i = id.y * groups.x * 64u + id.x;
-  if (i >= arrayLength(&hits)) { return; }
-  let hit = bvhIntersectFirstHit(&bvh_index, &bvh_position, &bvh, Ray(rays[2u * i].xyz, rays[2u * i + 1u].xyz));
-  hits[i] = vec2f(select(1e30, hit.dist, hit.didHit), bitcast<f32>(select(0xffffffffu, hit.indices.w, hit.didHit)));
+@compute @workgroup_size(64) fn traceRays(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let first = (group.y * groups.x + group.x) * 256u + thread;
+  for (var k = 0u; k < 4u; k++) {
+    let i = first + k * 64u;
+    if (i >= arrayLength(&hits)) { return; }
+    let hit = bvhIntersectFirstHit(&bvh_index, &bvh_position, &bvh, Ray(rays[2u * i].xyz, rays[2u * i + 1u].xyz));
+    hits[i] = vec2f(select(1e30, hit.dist, hit.didHit), bitcast<f32>(select(0xffffffffu, hit.indices.w, hit.didHit)));
+  }
 }`;
 
 /** Rows of three, with room for a fourth as arrays of vectors have it in WGSL. */

@@ -2,7 +2,7 @@
 
 export interface Contestant {
   readonly name: string;
-  /** With an entry `traceRays` of 64 threads a group, which reads rays from binding 7 and writes hits to binding 8. */
+  /** With an entry `traceRays` of 64 threads a group and 4 rays a thread, which reads rays from binding 7 and writes hits to binding 8. */
   readonly wgsl: string;
   /** By binding. */
   readonly uniforms: Readonly<Record<number, Uint32Array<ArrayBuffer>>>;
@@ -12,12 +12,15 @@ export interface Contestant {
 /** Two numbers each: a distance, and the bits of a triangle's place. */
 export type Hits = Float32Array<ArrayBuffer>;
 
-const GROUP = 64;
+/** Rays of a group. */
+const GROUP = 256;
 /** Groups in a row of a dispatch. */
 const MOST_GROUPS = 16384;
 /** Dispatches of one timing, and timings of which the shortest counts. */
 const DISPATCHES = 4;
 const ROUNDS = 6;
+/** Work before anything is timed, milliseconds: an idle GPU takes its time to clock up. */
+const WARM_UP = 500;
 
 export async function openDevice(gpu: GPU): Promise<{ device: GPUDevice; description: string }> {
   const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
@@ -123,6 +126,8 @@ export async function race(
     await racer.run(input, output, 1);
     hits.push(await readBack(device, output));
   }
+  for (const start = performance.now(); performance.now() - start < WARM_UP; )
+    for (const racer of racers) await racer.run(input, output, DISPATCHES);
   const times = racers.map(() => Infinity);
   for (let round = 0; round < ROUNDS; round++)
     for (const [i, racer] of racers.entries())

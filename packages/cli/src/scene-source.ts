@@ -2,8 +2,8 @@
 import { readFile, stat } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { builtInScenes } from 'mirrorball/built-in';
+import { isModelName, MOST_FILE_BYTES, openModel } from 'mirrorball/open';
 import type { Scene } from 'mirrorball/scene';
-import { loadFiles, parseScene } from 'mirrorball/scene-file';
 import { type BadScene, BadSceneError, usage } from './exit-codes.ts';
 import type { Terminal } from './terminal.ts';
 
@@ -15,46 +15,31 @@ export interface GoodScene {
 }
 export type SceneSource = GoodScene | BadScene;
 
-/** Models by other programs: a scene and notes of all that was not taken as it stands. */
-const MODEL = /\.(glb|gltf)$/i;
+/** Models that say all of a scene, and that scene files can name. */
+export const isModel = (file: string): boolean => /\.(glb|gltf)$/i.test(file);
 
-export const isModel = (file: string): boolean => MODEL.test(file);
-
-async function readModel(file: string): Promise<SceneSource> {
-  const bytes = await readFile(file).catch((error: Error) => {
-    throw usage(`The model ${file} cannot be read: ${error.message}`);
-  });
-  const { importGltf } = await import('mirrorball/gltf');
-  const { nodeDecoder } = await import('mirrorball/node-images');
-  const name = basename(file).replace(MODEL, '');
-  const result = await importGltf(bytes, {
-    name,
-    readFile: (beside) => readBeside(file, beside),
-    decoder: nodeDecoder(),
-  });
-  if (!result.ok) return { file, problems: result.problems };
-  return { file, scene: result.scene, notes: result.report.entries.map(({ message }) => message) };
+/** What the file holds, whatever kind it is of; null when it is no file. */
+async function bytesOf(file: string): Promise<Uint8Array | null> {
+  try {
+    return await readFile(file);
+  } catch (error) {
+    if (builtInScenes.some(({ id }) => id === file)) return null;
+    throw usage(`The ${isModelName(file) ? 'model' : 'scene'} ${file} cannot be read: ${(error as Error).message}`);
+  }
 }
 
 /** Rejects only when the file cannot be read at all. A file goes before a built-in scene of its name. */
 export async function readScene(file: string): Promise<SceneSource> {
-  if (isModel(file)) return readModel(file);
-  let text: string;
-  try {
-    text = await readFile(file, 'utf8');
-  } catch (error) {
-    const builtIn = builtInScenes.find(({ id }) => id === file);
-    if (builtIn) return { file, scene: builtIn.scene, notes: [] };
-    throw usage(`The scene ${file} cannot be read: ${(error as Error).message}`);
-  }
-  const parsed = parseScene(text);
-  if (!parsed.ok) return { file, problems: parsed.problems };
-  const loaded = await loadFiles(parsed.scene, (name) => readBeside(file, name));
-  return loaded.ok ? { file, scene: loaded.scene, notes: loaded.notes } : { file, problems: loaded.problems };
+  const bytes = await bytesOf(file);
+  if (bytes === null) return { file, scene: builtInScenes.find(({ id }) => id === file)!.scene, notes: [] };
+  const { nodeDecoder } = await import('mirrorball/node-images');
+  const opened = await openModel(bytes, basename(file), {
+    readFile: (name) => readBeside(file, name),
+    decoder: nodeDecoder(),
+  });
+  if (!opened.ok) return { file, problems: opened.problems };
+  return { file, scene: opened.scene, notes: opened.report.entries.map(({ message }) => message) };
 }
-
-/** A file that is larger than this has more texels or triangles than anybody can use, bytes. */
-const MOST_FILE_BYTES = 2 ** 30;
 
 /** A file that a scene names, by its path from the scene's folder. */
 async function readBeside(sceneFile: string, name: string): Promise<Uint8Array> {

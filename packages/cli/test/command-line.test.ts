@@ -30,6 +30,20 @@ const SMALL = '--size 24x16 --light-samples 4';
 beforeAll(() => writeFileSync(inFolder('bad.json'), '{"version":2,"name":"Bad","materials":{"a":{"roughness":7}}}'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
+describe('files of triangles', () => {
+  test('are scenes by themselves, with the materials that lie beside them', async () => {
+    mkdirSync(inFolder('parts'));
+    writeFileSync(inFolder('parts/cube.ply'), writePly(cubeMesh()));
+    writeFileSync(inFolder('parts/thing.obj'), 'mtllib thing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n');
+    expect(await mirrorball('validate parts/cube.ply')).toMatchObject({ code: 0 });
+    const bare = await mirrorball('validate parts/thing.obj');
+    expect(bare).toMatchObject({ code: 0 });
+    writeFileSync(inFolder('parts/thing.mtl'), 'newmtl red\nKd x\n');
+    const broken = await mirrorball('validate parts/thing.obj');
+    expect(broken).toMatchObject({ code: 4, stderr: expect.stringContaining('/thing.mtl/line 2') });
+  });
+});
+
 describe('a sky with an image', () => {
   const skyScene = (image: string) =>
     JSON.stringify({

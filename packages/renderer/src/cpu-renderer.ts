@@ -3,6 +3,7 @@ import { NO_FIGURES } from './frame-figures.ts';
 import type { StillStart } from './reference/progressive.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Scene } from './scene/scene.ts';
+import { requireScene } from './scene-file/require-scene.ts';
 import { openStillScreen, type ShowStill } from './still-screen.ts';
 import { View } from './view.ts';
 
@@ -25,6 +26,7 @@ export class CpuRenderer implements Renderer {
   readonly backend = 'cpu';
   /** It has no path tracing, whatever the settings ask for. */
   readonly drawnBy = 'classic';
+  readonly compiling = false;
   readonly canvas: HTMLCanvasElement;
   speed = 1;
   playing = false;
@@ -88,6 +90,11 @@ export class CpuRenderer implements Renderer {
   }
   set(settings: Partial<RendererSettings>): void {
     this.#view.set(settings);
+  }
+
+  /** Its tracer builds what it needs in its own worker. */
+  async prepare(scene: Scene): Promise<void> {
+    requireScene(scene);
   }
 
   async setScene(scene: Scene): Promise<void> {

@@ -27,6 +27,13 @@ export class EnvironmentTexture {
     this.#held = packed;
   }
 
+  /** Gives the memory back, and forgets the map. */
+  release(): void {
+    this.#texture?.destroy();
+    this.#texture = null;
+    this.#held = null;
+  }
+
   /** Throws when it holds nothing yet. */
   get texture(): TableTexture {
     if (!this.#texture) throw new Error('No map of the sky has been given.');

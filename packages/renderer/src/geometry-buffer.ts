@@ -65,6 +65,15 @@ export class GeometryBuffer {
     this.#moving = { geometry, revision };
   }
 
+  /** Gives the memory back, and forgets the meshes. */
+  release(): void {
+    this.#buffer?.destroy();
+    this.#buffer = null;
+    this.#meshes = [];
+    this.#movingRows = -1;
+    this.#moving = null;
+  }
+
   /** Throws when it holds nothing yet. */
   get buffer(): DataBuffer {
     if (!this.#buffer) throw new Error('No geometry has been given.');

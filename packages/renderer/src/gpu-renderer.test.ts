@@ -43,6 +43,7 @@ class FakeDevice implements Device {
     this.counts.textures++;
     return { width, height, write: () => {}, destroy: () => this.counts.textures-- };
   }
+  checkData() {}
   createData(rows: number) {
     this.counts.buffers++;
     return { rows, write: () => {}, destroy: () => this.counts.buffers-- };

@@ -1,11 +1,15 @@
 import { FrameController } from './frame-controller.ts';
 import { FrameFigures } from './frame-figures.ts';
 import { type Device, DeviceError } from './gpu/device.ts';
-import { refuseMeshes } from './packed-scene/refuse-meshes.ts';
+import { areMeshesReady, prepareMeshes } from './packed-scene/geometry-packer.ts';
+import type { Preparation } from './packed-scene/pack-in-worker.ts';
+import { packPathScene } from './packed-scene/pack-path-scene.ts';
+import { hasMeshes, refuseMeshes } from './packed-scene/refuse-meshes.ts';
 import { refuseUndrawn } from './packed-scene/refuse-undrawn.ts';
 import { Painter } from './painter.ts';
 import { readShown } from './read-film.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
+import { Motion } from './scene/motion.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
 import { requireScene } from './scene-file/require-scene.ts';
 import { Stages } from './stages.ts';
@@ -36,6 +40,8 @@ export class GpuRenderer implements Renderer {
   #lastTick: number | null = null;
   #lastChange = 0;
   #work = 0;
+  /** Counts the scenes that have been asked for. */
+  #sceneTurn = 0;
   /** Why nothing can be drawn any more. */
   #gone: string | null = null;
 
@@ -85,6 +91,9 @@ export class GpuRenderer implements Renderer {
   get stats() {
     return this.#figures.stats;
   }
+  get compiling() {
+    return this.#view.scene !== null && this.#painter !== null && !this.#painter.stages.has(this.#view.subject);
+  }
   get scene() {
     return this.#view.scene;
   }
@@ -119,16 +128,32 @@ export class GpuRenderer implements Renderer {
     return this.#frameRequest !== 0;
   }
 
+  async prepare(scene: Scene, preparation?: Preparation): Promise<void> {
+    await prepareMeshes(drawable(scene), preparation);
+  }
+
   async setScene(scene: Scene): Promise<void> {
-    const good = requireScene(scene);
-    if (good.render.integrator === 'classic') refuseMeshes(good);
-    else refuseUndrawn(good);
+    const good = drawable(scene);
+    const turn = ++this.#sceneTurn;
+    if (!areMeshesReady(good)) {
+      await prepareMeshes(good);
+      // Another one has been asked for meanwhile.
+      if (turn !== this.#sceneTurn) return;
+    }
+    if (hasMeshes(good)) this.#tryOut(good);
     this.#view.setScene(good);
     this.#workChanged();
     const wanted = this.#view.revision;
     const { canvas } = this;
     while (this.running && canvas.width * canvas.height > 0 && (this.#painter?.shownFilm ?? -1) < wanted)
       await nextFrame();
+  }
+
+  /** Throws now what would otherwise end the drawing later: meshes for which the device has no room, trees that kernels cannot go down. */
+  #tryOut(scene: Scene): void {
+    const { geometry, textures } = packPathScene(new Motion(scene).at(0), scene.camera.eye);
+    if (geometry) this.#device.checkData(geometry.rows, 'meshes');
+    if (textures) this.#device.checkData(textures.rows, 'textures');
   }
 
   set(settings: Partial<RendererSettings>): void {
@@ -290,6 +315,14 @@ export class GpuRenderer implements Renderer {
     this.#painter = null;
     this.#device.destroy();
   }
+}
+
+/** The scene, if there is a picture of it. */
+function drawable(scene: Scene): Scene {
+  const good = requireScene(scene);
+  if (good.render.integrator === 'classic') refuseMeshes(good);
+  else refuseUndrawn(good);
+  return good;
 }
 
 const reasonOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

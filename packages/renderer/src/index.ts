@@ -4,6 +4,8 @@ export { depthAt } from './depth-at.ts';
 export type { ViewName } from './display/views.ts';
 export * from './gltf/index.ts';
 export { DeviceError } from './gpu/device.ts';
+export * from './open/index.ts';
+export { adoptScene, buffersOf, type PreparedScene, prepareScene } from './packed-scene/prepared-scene.ts';
 export { UntraceableSceneError } from './packed-scene/refuse-meshes.ts';
 export { createRenderer } from './renderer.ts';
 export type * from './renderer-types.ts';

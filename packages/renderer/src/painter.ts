@@ -6,6 +6,7 @@
 import { FilmRecord } from './film/film-record.ts';
 import type { FrameController } from './frame-controller.ts';
 import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
+import { loadGeometryPacker } from './packed-scene/geometry-packer.ts';
 import { hasMeshes } from './packed-scene/refuse-meshes.ts';
 import { contentOf, isAov } from './programs.ts';
 import type { FrameStats } from './renderer-types.ts';
@@ -78,9 +79,8 @@ export class Painter {
     const { canvas } = this.#easel;
     if (canvas.width === 0 || canvas.height === 0) return;
     this.#keepPicture();
-    // The preview knows no meshes; until there is a program that does the canvas keeps what it shows.
-    if (!this.#complete && hasMeshes(this.#easel.view.subject.scene))
-      return this.stages.ready(this.#easel.view.subject);
+    // The preview knows no meshes; until there is a program that does a sketch stands in.
+    if (this.#needsSketch) return this.#waitForProgram();
     this.#turn();
     const size = this.#reserve(reduced);
     if (this.#outdated(size)) this.#begin(size);
@@ -91,6 +91,8 @@ export class Painter {
 
   /** While a frame takes its time: a resized canvas is not left blank, and exposure follows the hand. */
   refresh(): void {
+    // What was begun for the scene before may take its time too.
+    if (this.#needsSketch) this.#sketch();
     if (this.#canvasCleared() || this.#shownLook !== lookOf(this.#easel.view)) this.#show();
   }
 
@@ -131,6 +133,31 @@ export class Painter {
     if (this.#parked && this.#parked.world !== world) this.#discardParked();
     this.stages.begin(this.#shot(), width, height);
     this.#record = new FilmRecord({ revision, world, complete: this.#complete, time });
+  }
+
+  get #needsSketch(): boolean {
+    return !this.#complete && hasMeshes(this.#easel.view.subject.scene);
+  }
+
+  /** Compiling begins when a first sketch is shown, as some drivers let nothing else happen meanwhile. */
+  async #waitForProgram(): Promise<void> {
+    const { stages } = this;
+    const { view } = this.#easel;
+    await loadGeometryPacker();
+    const isPicture = !isAov(contentOf(view.settings));
+    const compiled = stages.hasSketch || !isPicture ? stages.ready(view.subject) : null;
+    this.#sketch();
+    await compiled;
+  }
+
+  /** Works on a sketch for a moment, unless it is no picture that is wanted. */
+  #sketch(): void {
+    const { view, canvas } = this.#easel;
+    const { width, height } = canvas;
+    const { camera, settings } = view;
+    if (isAov(contentOf(settings))) return;
+    const wish = () => ({ moment: view.momentNow(), camera, framing: settings.framing, width, height });
+    if (this.stages.sketch(`${view.revision} ${width} ${height}`, wish)) this.#show();
   }
 
   #shot(): Shot {

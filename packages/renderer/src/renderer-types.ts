@@ -1,5 +1,6 @@
 import type { ViewName } from './display/views.ts';
 import type { PixelFilter } from './packed-scene/pack-filter.ts';
+import type { Preparation } from './packed-scene/pack-in-worker.ts';
 import type { Camera, Integrator, Scene, ToneMapping } from './scene/scene.ts';
 
 /** What draws: a GPU interface, or the double-precision tracer in a worker that makes one still picture. */
@@ -116,11 +117,21 @@ export interface Renderer {
    */
   readonly drawnBy: Integrator;
   readonly stats: FrameStats;
+  /** Whether the picture waits for its program; until then a coarser one, a sketch or the one before is shown. */
+  readonly compiling: boolean;
   readonly scene: Scene | null;
   /** The camera in use: the scene's own, possibly animated, until it is set; `resetCamera` goes back to the scene's. */
   camera: Camera;
   resetCamera(): void;
-  /** Shows this scene from now on, at time 0 with the scene's own render settings. Resolves when its first frame is drawn (or at once when stopped). */
+  /**
+   * Does ahead what takes long before a scene can be shown: trees over its meshes, in a worker. Rejects as `setScene` would, and with the
+   * signal's reason when that is aborted. What was prepared stays so as long as the meshes exist.
+   */
+  prepare(scene: Scene, preparation?: Preparation): Promise<void>;
+  /**
+   * Shows this scene from now on, at time 0 with the scene's own render settings. A scene that is not prepared is prepared first, and until then
+   * the one before stays. Resolves when its first frame is drawn (or at once when stopped), or when another scene has been given meanwhile.
+   */
   setScene(scene: Scene): Promise<void>;
   set(settings: Partial<RendererSettings>): void;
   /** Draws from now on, one frame per animation frame while something changes or refines. */

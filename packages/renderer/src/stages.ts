@@ -14,7 +14,7 @@ import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { drawPath, groupsOf, MOST_GROUPS } from './integrator/path/path.ts';
 import type { ProgramPlan } from './integrator/path/path-programs.ts';
-import { geometryPackerLoaded, loadGeometryPacker } from './packed-scene/geometry-packer.ts';
+import { geometryPacker, loadGeometryPacker } from './packed-scene/geometry-packer.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
@@ -25,6 +25,7 @@ import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
 import type { Moment } from './scene/motion.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
+import { Sketcher, type SketchWish } from './sketcher.ts';
 import { TexelBuffer } from './texel-buffer.ts';
 
 /** One state of the world, as the film is to hold it. */
@@ -66,6 +67,7 @@ export class Stages {
   #pass: Pass;
   #content: Content | null = null;
   #shown: Sight | null = null;
+  readonly #sketcher: Sketcher;
   /** When the device finished the work before, for timing what overlaps. */
   #lastFinish = 0;
   #pending = false;
@@ -93,6 +95,7 @@ export class Stages {
     this.#frame = device.createUniforms(structSize('Frame'));
     this.#environment = new EnvironmentTexture(device);
     this.#geometry = new GeometryBuffer(device);
+    this.#sketcher = new Sketcher(device);
     this.#texels = new TexelBuffer(device);
   }
 
@@ -133,7 +136,7 @@ export class Stages {
 
   /** Whether the film of this subject gets what it asks for and not the preview's samples. */
   has(subject: Subject): boolean {
-    return this.#programs.get(subject) !== undefined && (geometryPackerLoaded() || !hasMeshes(subject.scene));
+    return this.#programs.get(subject) !== undefined && (geometryPacker() !== null || !hasMeshes(subject.scene));
   }
 
   /** Compiles the subject's program, and what shows it, once. Call it when the first picture is on its way. */
@@ -192,9 +195,13 @@ export class Stages {
         : packScene(scene, camera.eye, options);
     const before = this.#packed;
     this.#packed = packed;
+    // The classic integrator uses none of them, and a model that has been left would stay in memory.
     if (packed.environment) this.#environment.hold(packed.environment);
+    else this.#environment.release();
     if (packed.geometry) this.#geometry.hold(packed.geometry);
+    else this.#geometry.release();
     if (packed.textures) this.#texels.hold(packed.textures);
+    else this.#texels.release();
     if (!this.#table || this.#table.height < packed.rows) {
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
@@ -278,6 +285,7 @@ export class Stages {
 
   #complete(count: number, submitted: () => void): void {
     this.#pending = false;
+    this.#sketcher.release();
     this.film.swap(count);
     this.#shown = this.#sight();
     submitted();
@@ -308,8 +316,24 @@ export class Stages {
     this.#warm.add(pass);
   }
 
-  /** Puts the newest whole picture on the canvas; false when there is none. */
+  /**
+   * Works for a moment on a sketch of what no program can draw yet; `show` then shows it. `key` tells one picture from another. Returns
+   * whether there is a new one.
+   */
+  sketch(key: string, wish: () => SketchWish): boolean {
+    return this.#sketcher.step(key, wish);
+  }
+  get hasSketch(): boolean {
+    return this.#sketcher.sketch !== null;
+  }
+
+  /** Puts the newest sketch or whole picture on the canvas; false when there is none. */
   show(look: Look): boolean {
+    const { sketch } = this.#sketcher;
+    if (sketch) {
+      this.#display.show(sketch.film.layers[0]!, sketch.width, sketch.height, look);
+      return true;
+    }
     // A film just begun has no picture yet; then there is the one laid aside.
     const picture = this.film.picture ?? this.#parked?.picture;
     if (!picture) return false;

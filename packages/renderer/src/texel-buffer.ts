@@ -31,6 +31,13 @@ export class TexelBuffer {
     this.#buffer.write(0, uses.u32);
   }
 
+  /** Gives the memory back, and forgets the images. */
+  release(): void {
+    this.#buffer?.destroy();
+    this.#buffer = null;
+    this.#images = [];
+  }
+
   /** Throws when it holds nothing yet. */
   get buffer(): DataBuffer {
     if (!this.#buffer) throw new Error('No textures have been given.');

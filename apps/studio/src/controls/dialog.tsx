@@ -6,7 +6,8 @@ import { Button } from './button.tsx';
 interface DialogProps {
   readonly id: string;
   readonly title: string;
-  readonly open: boolean;
+  /** What it is open for, another thing each time, or true; null or false: it is closed. */
+  readonly open: unknown;
   readonly onClose: () => void;
   readonly actions?: ComponentChildren;
   readonly children: ComponentChildren;
@@ -15,16 +16,22 @@ interface DialogProps {
 /** A modal dialog with a heading, a body that scrolls, and a way out by button, Escape or a click beside it. */
 export function Dialog({ id, title, open, onClose, actions, children }: DialogProps) {
   const element = useRef<HTMLDialogElement>(null);
+  const shown = useRef<unknown>(null);
   useEffect(() => {
-    if (open && !element.current?.open) element.current?.showModal();
-    if (!open && element.current?.open) element.current.close();
+    if (!open) return element.current?.close();
+    if (!element.current?.open) element.current?.showModal();
+    shown.current = open;
   }, [open]);
+  // A browser tells that a dialog is closed some frames later, when it may be open again, or about to be, for something else.
+  const closed = (): void => {
+    if (!element.current?.open && shown.current === open) onClose();
+  };
   const clicked = (event: MouseEvent): void => {
     if (event.target === element.current) onClose();
   };
   return (
     // biome-ignore lint/a11y/useKeyWithClickEvents: the keyboard's way out is Escape, which closes a dialog by itself.
-    <dialog id={id} ref={element} aria-labelledby={`${id}-title`} onClose={onClose} onClick={clicked}>
+    <dialog id={id} ref={element} aria-labelledby={`${id}-title`} onClose={closed} onClick={clicked}>
       <div class="dialog-frame">
         <header>
           <h2 id={`${id}-title`}>{title}</h2>
@@ -32,7 +39,7 @@ export function Dialog({ id, title, open, onClose, actions, children }: DialogPr
         </header>
         {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable to be scrolled by keys. */}
         <section class="dialog-body" tabIndex={0} aria-labelledby={`${id}-title`}>
-          {open && children}
+          {open ? children : null}
         </section>
         {actions && <footer>{actions}</footer>}
       </div>

@@ -2,7 +2,17 @@ import { useSignal } from '@preact/signals';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { comparing, exposure, integrator, lightSamples, maxDepth, reflections, toneMapping } from '../state.ts';
+import {
+  comparing,
+  exposure,
+  hasTriangles,
+  integrator,
+  isStill,
+  lightSamples,
+  maxDepth,
+  reflections,
+  toneMapping,
+} from '../state.ts';
 import { Section } from './section.tsx';
 
 const toneMappings = ['none', 'aces', 'agx', 'neutral'] as const;
@@ -22,6 +32,7 @@ export function LightSection() {
         options={integrators.map((value) => ({ value, label: t.integratorNames[value] }))}
         value={integrator.value}
         onChange={(kind) => (integrator.value = kind)}
+        idle={hasTriangles.value && !isStill.value ? t.classicHasNoMeshes : null}
       />
       <Slider
         id="exposure"

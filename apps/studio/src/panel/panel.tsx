@@ -3,7 +3,9 @@ import { Button } from '../controls/button.tsx';
 import { dictionary, sceneName } from '../i18n.ts';
 import { isPhone, panelOpen, sheetHeight, shown } from '../state.ts';
 import { ComparisonSection } from './comparison-section.tsx';
+import { EnvironmentSection } from './environment-section.tsx';
 import { LightSection } from './light-section.tsx';
+import { ModelSection } from './model-section.tsx';
 import { MotionSection, PlayButton } from './motion-section.tsx';
 import { PageSection } from './page-section.tsx';
 import { QualitySection } from './quality-section.tsx';
@@ -28,7 +30,9 @@ export function Panel() {
       {isPhone.value ? <SheetHead /> : <CardHead />}
       <div id="panel-body" class="panel-body" hidden={!open}>
         <SceneSection />
+        <ModelSection />
         <LightSection />
+        <EnvironmentSection />
         <ComparisonSection />
         <MotionSection />
         <ViewSection />

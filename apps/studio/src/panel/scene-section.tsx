@@ -1,24 +1,22 @@
 import { useRef } from 'preact/hooks';
-import { chooseScene, openSceneFiles } from '../actions.ts';
+import { chooseScene } from '../actions.ts';
+import { builtInScene, sceneIds } from '../built-in-scenes.ts';
 import { Button } from '../controls/button.tsx';
 import { Choice } from '../controls/choice.tsx';
 import { dictionary, sceneName } from '../i18n.ts';
-import { builtInScene, sceneIds } from '../scene-files.ts';
+import { chosenFiles } from '../opening/given-files.ts';
+import { openFiles } from '../opening/open.ts';
 import { shown } from '../state.ts';
 import { Section } from './section.tsx';
 
+/** A phone's browser has no folders to choose, and nothing to drag from. */
+const isDesk = matchMedia('(pointer: fine)').matches;
+
 export function SceneSection() {
   const t = dictionary.value;
-  const picker = useRef<HTMLInputElement>(null);
   const options = sceneIds.map((id) => ({ value: id, label: sceneName(id, builtInScene(id).scene.name) }));
   const now = shown.value;
   if (now?.id === 'file') options.push({ value: 'file', label: now.scene.name || now.fileName || 'scene.json' });
-
-  const picked = (input: HTMLInputElement): void => {
-    void openSceneFiles([...(input.files ?? [])]);
-    // So that the same files can be chosen again once they are mended.
-    input.value = '';
-  };
   return (
     <Section id="scene" title={t.scene}>
       <Choice
@@ -29,20 +27,40 @@ export function SceneSection() {
         onChange={(id) => id !== 'file' && chooseScene(id)}
         stacked
       />
+      <div class="buttons">
+        <Picker id="scene-file" label={t.openFile} />
+        {isDesk && <Picker id="scene-folder" label={t.openFolder} folder />}
+      </div>
+      {isDesk && <p class="idle">{t.openHint}</p>}
+    </Section>
+  );
+}
+
+/** A button that opens the browser's own dialog. Any file may be chosen: what cannot be opened is told why. */
+function Picker({ id, label, folder = false }: { id: string; label: string; folder?: boolean }) {
+  const picker = useRef<HTMLInputElement>(null);
+  const picked = (input: HTMLInputElement): void => {
+    void openFiles(chosenFiles(input.files ?? []));
+    // So that the same files can be chosen again once they are mended.
+    input.value = '';
+  };
+  return (
+    <>
       <input
         ref={picker}
-        id="scene-file"
+        id={id}
         type="file"
-        accept=".json,application/json,.hdr,.exr,.npy,.pfm,.ply,.obj,.stl"
         multiple
-        aria-label={t.openFile}
+        // @ts-expect-error: not in the types, though in all browsers
+        webkitdirectory={folder}
+        aria-label={label}
         tabIndex={-1}
         hidden
         onChange={(event) => picked(event.currentTarget)}
       />
-      <Button id="open-file" icon="open" onClick={() => picker.current?.click()}>
-        {t.openFile}
+      <Button id={folder ? 'open-folder' : 'open-file'} icon="open" onClick={() => picker.current?.click()}>
+        {label}
       </Button>
-    </Section>
+    </>
   );
 }

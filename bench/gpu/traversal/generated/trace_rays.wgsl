@@ -5,14 +5,20 @@
 // Distance and the triangle's place: 1e30 and 0xffffffff where it meets none.
 @group(0) @binding(8) var<storage, read_write> hits: array<vec2f>;
 
-@compute @workgroup_size(64) fn traceRays(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
-  let i = id.y * groups.x * 64u + id.x;
-  if (i >= arrayLength(&hits)) {
-    return;
+// A thread traces several rays, as it does in a path; those beside it trace their neighbours.
+const raysOfThread = 4u;
+
+@compute @workgroup_size(64) fn traceRays(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let first = (group.y * groups.x + group.x) * 64u * raysOfThread + thread;
+  for (var k = 0u; k < raysOfThread; k++) {
+    let i = first + k * 64u;
+    if (i >= arrayLength(&hits)) {
+      return;
+    }
+    let direction = rays[2u * i + 1u].xyz;
+    let hit = traverse(MeshRays(rays[2u * i].xyz, direction, direction, 0.0, 1e30, -1.0, 0u), LeftTriangle(noInstance, 0u));
+    hits[i] = vec2f(hit.t, bitcast<f32>(select(hit.triangle, noInstance, hit.instance == noInstance)));
   }
-  let direction = rays[2u * i + 1u].xyz;
-  let hit = traverse(MeshRays(rays[2u * i].xyz, direction, direction, 0.0, 1e30, -1.0, 0u), LeftTriangle(noInstance, 0u));
-  hits[i] = vec2f(hit.t, bitcast<f32>(select(hit.triangle, noInstance, hit.instance == noInstance)));
 }
 
 fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
@@ -100,9 +106,11 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         if (nearer) {
           let inverse = 1.0 / hit.sum;
           let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
-          if (hasCutouts & ((cover & coverRow) != 0u)) {
-            doubted = met;
-            break;
+          if (hasCutouts) {
+            if ((cover & coverRow) != 0u) {
+              doubted = met;
+              break;
+            }
           }
           if (toLight) {
             found.blocked = true;

@@ -1,15 +1,13 @@
 /** The parts of a file as one scene. */
 import { frameScene } from '../scene/framing.ts';
-import { triangleCount, vertexCount } from '../scene/mesh.ts';
+import { MODEL_RENDER, studioSky } from '../scene/model-view.ts';
 import { nodeTransforms, worldOf } from '../scene/node-transforms.ts';
 import type { Clip, SampledTrack, SceneNode, Skin } from '../scene/nodes.ts';
 import { placedCamera } from '../scene/placed.ts';
-import type { Camera, Light, MeshShape, RenderSettings, Scene, Sky, Vec3 } from '../scene/scene.ts';
-import { studioEnvironment } from '../scene/studio-environment.ts';
+import type { Camera, Light, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { addScaled, dot, length, subtract } from '../scene/vec3.ts';
 import type { Cameras } from './cameras.ts';
 import type { NamedThings } from './reading.ts';
-import type { SceneCounts } from './report.ts';
 import type { Shapes } from './shapes.ts';
 import type { TextureReader } from './textures.ts';
 import type { GltfOptions } from './types.ts';
@@ -25,15 +23,6 @@ export interface Parts extends Shapes {
   readonly textures: TextureReader;
 }
 
-/** glTF is made for a path tracer's materials, and its viewers for this tone mapping. */
-const RENDER: RenderSettings = {
-  integrator: 'path',
-  maxReflections: 5,
-  lightSamples: 9,
-  maxDepth: -1,
-  exposure: 0,
-  toneMapping: 'neutral',
-};
 /** Where nothing has an end: a metre around the origin. */
 const ANYWHERE: Camera = { eye: [0, 1, 4], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 30 };
 const BLACK: Sky = { horizon: [0, 0, 0], zenith: [0, 0, 0] };
@@ -62,7 +51,7 @@ export function assemble(parts: Parts, options: GltfOptions): Scene {
     shapes: shapes.things as unknown as Scene['shapes'],
     lights: lights.things,
     animation: [],
-    render: RENDER,
+    render: MODEL_RENDER,
   };
   return withView({ ...scene, sky: skyFor(scene, options) }, options);
 }
@@ -106,29 +95,8 @@ function doubled(clips: Readonly<Record<string, Clip>>, camera: string): Record<
 function skyFor(scene: Scene, { environment = 'auto' }: GltfOptions): Sky {
   const isLit = Object.keys(scene.lights).length > 0 || Object.values(scene.materials).some(shines);
   if (environment === 'none' || (environment === 'auto' && isLit)) return BLACK;
-  const map = studioEnvironment();
-  return { horizon: [0.2, 0.2, 0.2], zenith: [0.34, 0.34, 0.34], map };
+  return studioSky();
 }
 
 const shines = ({ emission, emissionStrength = 1 }: Scene['materials'][string]): boolean =>
   emissionStrength * Math.max(...emission) > 0;
-
-export function countsOf(scene: Scene): SceneCounts {
-  const count = (things: object | undefined): number => Object.keys(things ?? {}).length;
-  const meshes = Object.values(scene.meshes ?? {}).map(({ data }) => data!);
-  const placed = Object.values(scene.shapes) as unknown as MeshShape[];
-  return {
-    triangles: meshes.reduce((sum, mesh) => sum + triangleCount(mesh), 0),
-    vertices: meshes.reduce((sum, mesh) => sum + vertexCount(mesh), 0),
-    meshes: meshes.length,
-    placements: placed.reduce((sum, { instances }) => sum + (instances ? instances.length / 12 : 1), 0),
-    nodes: count(scene.nodes),
-    materials: count(scene.materials),
-    textures: count(scene.textures),
-    images: count(scene.images),
-    lights: count(scene.lights),
-    cameras: count(scene.cameras),
-    clips: count(scene.clips),
-    skins: count(scene.skins),
-  };
-}

@@ -2,8 +2,9 @@
 import { trustScene } from '../scene-file/parse-scene.ts';
 import type { GltfImport, GltfOptions } from './types.ts';
 
+export type { SceneCounts } from '../scene/counts.ts';
 export type { ImageDecoder } from './images/decoder.ts';
-export type { ImportReport, ReportEntry, SceneCounts } from './report.ts';
+export type { ImportReport, ReportEntry } from './report.ts';
 export type { GltfImport, GltfOptions, GltfProgress } from './types.ts';
 
 /**

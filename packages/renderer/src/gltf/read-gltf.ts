@@ -1,10 +1,11 @@
 /** glTF 2.0 → scene: the steps, in order. Everything of glTF hangs on this module, so that it can be loaded when it is needed. */
+import { countsOf } from '../scene/counts.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { Scene } from '../scene/scene.ts';
 import { ProblemList } from '../scene-file/problem.ts';
 import { readAccessors } from './accessors.ts';
-import { assemble, countsOf } from './assemble.ts';
-import { readBuffers, type Sources } from './buffers.ts';
+import { assemble } from './assemble.ts';
+import { readBuffers, readUri, type Sources } from './buffers.ts';
 import { readCameras } from './cameras.ts';
 import { checkGltf } from './check/check-gltf.ts';
 import { checkClaims } from './check/claims.ts';
@@ -59,7 +60,10 @@ async function read(
   const json = sure(checkGltf(text, problems));
   const sources: Sources = { binary, readFile: options.readFile, problems };
   await go('files', 0, 1);
-  const buffers = sure(await readBuffers(json, sources));
+  const buffers = await readBuffers(json, sources);
+  // All files that are missing are told at once, not one kind after the other.
+  if (!problems.isEmpty) await lookForImages(json, sources);
+  sure(json);
   checkClaims(
     json,
     buffers.reduce((sum, buffer) => sum + (buffer?.length ?? 0), bytes.length),
@@ -104,6 +108,11 @@ async function read(
     },
     options,
   );
+}
+
+/** Adds a problem for each file of an image that cannot be read. */
+async function lookForImages({ images = [] }: Gltf, sources: Sources): Promise<void> {
+  for (const [i, { uri }] of images.entries()) if (uri !== undefined) await readUri(uri, ['images', i, 'uri'], sources);
 }
 
 function texturesShown(json: Gltf, meshes: readonly number[]): number[] {

@@ -1,4 +1,5 @@
 /** What of a file was not taken as it stands: nothing is left out in silence. */
+import type { SceneCounts } from '../scene/counts.ts';
 import { formatPointer } from '../scene/pointer.ts';
 import type { Path } from '../scene-file/problem.ts';
 
@@ -19,21 +20,6 @@ export interface ImportReport {
   readonly entries: readonly ReportEntry[];
   /** What the scene has. */
   readonly counts: SceneCounts;
-}
-
-export interface SceneCounts {
-  readonly triangles: number;
-  readonly vertices: number;
-  readonly meshes: number;
-  readonly placements: number;
-  readonly nodes: number;
-  readonly materials: number;
-  readonly textures: number;
-  readonly images: number;
-  readonly lights: number;
-  readonly cameras: number;
-  readonly clips: number;
-  readonly skins: number;
 }
 
 export const MOST_PLACES = 20;

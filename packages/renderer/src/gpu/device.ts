@@ -126,6 +126,8 @@ export interface Device {
   createUniforms(byteLength: number): UniformBuffer;
   createTable(width: number, height: number): TableTexture;
   /** Throws a `DeviceError` when there is no room for so many rows; `what` they hold, in the plural, is for its message. */
+  checkData(rows: number, what: string): void;
+  /** Throws as `checkData` does. */
   createData(rows: number, what: string): DataBuffer;
   createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */

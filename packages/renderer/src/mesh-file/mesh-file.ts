@@ -5,6 +5,9 @@ import { readObj } from './obj/read-obj.ts';
 import { readPly } from './ply/read-ply.ts';
 import { readStl } from './stl/read-stl.ts';
 
+// With the meshes' readers, as both are loaded when they are needed.
+export { readMtl } from './obj/read-mtl.ts';
+
 /** A part of a file with one material. */
 export interface MeshPart {
   /** The material's name in the file; "" where it has none. */

@@ -2,23 +2,64 @@
  * What packs meshes, with all that builds trees, and their textures comes when the first scene with some does: see
  * scripts/lazy-parts.mjs.
  */
+
+import { isDeformable } from '../scene/deform.ts';
+import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import type { Moment } from '../scene/motion.ts';
+import { meshShapes } from '../scene/placed.ts';
 import type { Material, Scene, Vec3 } from '../scene/scene.ts';
 import { geometryRows } from './layout.ts';
-import type * as Packing from './pack-geometry.ts';
+import type * as PackGeometry from './pack-geometry.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
+import type { Preparation } from './pack-in-worker.ts';
+
 import type { TextureRows } from './pack-textures.ts';
 import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
 
-type Packer = Pick<typeof Packing, 'packGeometry' | 'packTextures'>;
+type Packer = typeof PackGeometry;
 
 let packer: Packer | null = null;
 
-export async function loadGeometryPacker(): Promise<void> {
+export async function loadGeometryPacker(): Promise<Packer> {
   packer ??= await import('./pack-geometry.ts');
+  return packer;
 }
-export const geometryPackerLoaded = (): boolean => packer !== null;
+/** Null until it has been loaded. */
+export const geometryPacker = (): Packer | null => packer;
+
+/** Meshes that stand in the scene as they are; those that bend are others at every time. */
+function stillMeshes(scene: Scene): Mesh[] {
+  const meshes = meshShapes(scene).map(([, { mesh }]) => scene.meshes?.[mesh]?.data);
+  return [...new Set(meshes)].filter((mesh) => mesh !== undefined && !isDeformable(mesh)) as Mesh[];
+}
+
+/** Whether nothing of the scene's meshes has to be waited for. */
+export function areMeshesReady(scene: Scene): boolean {
+  const meshes = stillMeshes(scene);
+  return packer === null ? meshShapes(scene).length === 0 : meshes.every(packer.isPacked);
+}
+
+/** Resolves when nothing has to be waited for: trees are built, in a worker. */
+export async function prepareMeshes(scene: Scene, preparation?: Preparation): Promise<void> {
+  if (areMeshesReady(scene)) return;
+  const { packMeshes } = await loadGeometryPacker();
+  await packMeshes(stillMeshes(scene), preparation);
+}
+
+/** Packs them on this thread, as a worker may, and gives them. `onProgress` gets the share that is done, 0 … 1. */
+export async function packHere(scene: Scene, onProgress: (done: number) => void = () => {}) {
+  const meshes = stillMeshes(scene);
+  if (meshes.length === 0) return [];
+  const { packMesh } = await loadGeometryPacker();
+  const all = meshes.reduce((sum, mesh) => sum + triangleCount(mesh), 0);
+  let before = 0;
+  return meshes.map((mesh) => {
+    const packed = packMesh(mesh, (done) => onProgress((before + done * triangleCount(mesh)) / all));
+    before += triangleCount(mesh);
+    return [mesh, packed] as const;
+  });
+}
 
 /** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
 export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: PackedGeometry | null): PackedGeometry {

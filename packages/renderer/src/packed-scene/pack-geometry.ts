@@ -19,7 +19,10 @@ import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { PosedMesh } from './posed-mesh.ts';
 import { type Block, createBlock } from './write-struct.ts';
 
-// Comes with what packs meshes: geometry-packer.ts.
+// Comes with the rest of what meshes need.
+export { sketchInSteps } from '../sketch/sketch.ts';
+export { packMeshes } from './pack-in-worker.ts';
+export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
 export { packTextures } from './pack-textures.ts';
 
 export interface PackedGeometry {

@@ -4,7 +4,7 @@
  * has.
  */
 
-import { buildBvh } from '../bvh/build-bvh.ts';
+import { buildBvh, buildInSteps } from '../bvh/build-bvh.ts';
 import type { Bvh } from '../bvh/bvh.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
@@ -24,18 +24,43 @@ const TRIANGLE_WORDS = geometryRows('Triangle') * GEOMETRY_ROW;
 const PLACES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
 const NUMBERS = (['vertexA', 'vertexB', 'vertexC'] as const).map((field) => fieldOffset('Triangle', field) / 4);
 
+const RULES = { maxLeafSize: MOST_IN_LEAF };
+
 /** A mesh does not change. */
 const known = new WeakMap<Mesh, PackedMesh>();
 
-export function packMesh(mesh: Mesh): PackedMesh {
-  let packed = known.get(mesh);
-  if (!packed) known.set(mesh, (packed = packWithTree(mesh, treeFor(mesh)).packed));
-  return packed;
+export const isPacked = (mesh: Mesh): boolean => known.has(mesh);
+
+/** For who has packed it elsewhere. */
+export const keepPacked = (mesh: Mesh, packed: PackedMesh): void => void known.set(mesh, packed);
+
+/** At once, unless it has been done before. `onProgress` gets the share that is done, 0 … 1. */
+export function packMesh(mesh: Mesh, onProgress: (done: number) => void = () => {}): PackedMesh {
+  const before = known.get(mesh);
+  if (before) return before;
+  const steps = packInSteps(mesh);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) {
+      keepPacked(mesh, value);
+      return value;
+    }
+    onProgress(value);
+  }
+}
+
+/** Yields the share that is done, 0 … 1. */
+export function* packInSteps(mesh: Mesh): Generator<number, PackedMesh, void> {
+  const steps = buildInSteps(mesh, RULES);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return packWithTree(mesh, value).packed;
+    yield 0.8 * value;
+  }
 }
 
 /** The tree that kernels take. */
-export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh =>
-  buildBvh(mesh, { maxLeafSize: MOST_IN_LEAF });
+export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh => buildBvh(mesh, RULES);
 
 export function packWithTree(mesh: Mesh, bvh: Bvh): TreeOfMesh {
   const { words: nodes, stackNeed, sources } = encodeWideBvh(bvh);

@@ -5,5 +5,6 @@ export { type ParsedScene, parseScene } from './parse-scene.ts';
 export type { Problem } from './problem.ts';
 export { fetchBeside, type ReadFile } from './read-file.ts';
 export { withCamera } from './with-camera.ts';
+export { withGround } from './with-ground.ts';
 export { type SceneParts, withParts } from './with-parts.ts';
 export { writeScene } from './write-scene.ts';

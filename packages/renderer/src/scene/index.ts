@@ -8,6 +8,7 @@ export { SCENE_LIMITS } from './limits.ts';
 export type * from './material-layers.ts';
 export type * from './mesh.ts';
 export { triangleCount, vertexCount } from './mesh.ts';
+export { MODEL_RENDER, studioSky } from './model-view.ts';
 export type { ModelSource } from './models.ts';
 export { type NodeTransforms, nodeTransforms } from './node-transforms.ts';
 export type { Affine, Clip, Quaternion, SampledTrack, SceneNode, Skin, Variant } from './nodes.ts';

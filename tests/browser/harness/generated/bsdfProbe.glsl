@@ -322,34 +322,36 @@ vec4 baseReflectance(Surface s, Stack o, float cosine_7) {
     vec3 _e12 = schlick(s.baseColor, _e5);
     metal = _e12;
     const bool _e15 = hasIridescence;
-    if (pick(_e15, (l_4.film > 0.0), false)) {
-        isMetal = (s.metallic >= 1.0);
-        while(true) {
-            bool _e27 = isMetal;
-            vec3 _e31 = filmReflectance(pick(_e27, s.baseColor, (l_4.specularWeight * _e6)), l_4.filmIor, l_4.filmThickness, _e5);
-            bool _e32 = isMetal;
-            if (_e32) {
-                vec3 _e33 = metal;
-                metal = mix(_e33, _e31, l_4.film);
-            } else {
-                vec3 _e36 = dielectric;
-                dielectric = mix(_e36, _e31, l_4.film);
+    if (_e15) {
+        if ((l_4.film > 0.0)) {
+            isMetal = (s.metallic >= 1.0);
+            while(true) {
+                bool _e26 = isMetal;
+                vec3 _e30 = filmReflectance(pick(_e26, s.baseColor, (l_4.specularWeight * _e6)), l_4.filmIor, l_4.filmThickness, _e5);
+                bool _e31 = isMetal;
+                if (_e31) {
+                    vec3 _e32 = metal;
+                    metal = mix(_e32, _e30, l_4.film);
+                } else {
+                    vec3 _e35 = dielectric;
+                    dielectric = mix(_e35, _e30, l_4.film);
+                }
+                bool _e38 = isMetal;
+                if (pick(_e38, true, (s.metallic <= 0.0))) {
+                    break;
+                }
+                isMetal = true;
             }
-            bool _e39 = isMetal;
-            if (pick(_e39, true, (s.metallic <= 0.0))) {
-                break;
-            }
-            isMetal = true;
         }
     }
-    vec3 _e45 = dielectric;
-    bool _e49 = reflectsAll(cosine_7, o.ratio);
-    dielectric = pick(_e49, vec3(1.0), _e45);
-    vec3 _e51 = dielectric;
-    vec3 _e52 = metal;
-    vec3 _e58 = dielectric;
-    float _e59 = greatest(_e58);
-    return vec4(mix(_e51, _e52, s.metallic), ((1.0 - s.metallic) * (1.0 - _e59)));
+    vec3 _e44 = dielectric;
+    bool _e48 = reflectsAll(cosine_7, o.ratio);
+    dielectric = pick(_e48, vec3(1.0), _e44);
+    vec3 _e50 = dielectric;
+    vec3 _e51 = metal;
+    vec3 _e57 = dielectric;
+    float _e58 = greatest(_e57);
+    return vec4(mix(_e50, _e51, s.metallic), ((1.0 - s.metallic) * (1.0 - _e58)));
 }
 
 float mean3_(vec3 v_1) {

@@ -378,20 +378,22 @@ fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
   let f0 = dielectricF0(l);
   var dielectric = l.specularWeight * schlick(f0, outer);
   var metal = schlick(s.baseColor, outer);
-  if (hasIridescence & (l.film > 0.0)) {
-    // Mostly one of the two.
-    var isMetal = s.metallic >= 1.0;
-    loop {
-      let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
-      if (isMetal) {
-        metal = mix(metal, film, l.film);
-      } else {
-        dielectric = mix(dielectric, film, l.film);
+  if (hasIridescence) {
+    if (l.film > 0.0) {
+      // Mostly one of the two.
+      var isMetal = s.metallic >= 1.0;
+      loop {
+        let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
+        if (isMetal) {
+          metal = mix(metal, film, l.film);
+        } else {
+          dielectric = mix(dielectric, film, l.film);
+        }
+        if (isMetal | (s.metallic <= 0.0)) {
+          break;
+        }
+        isMetal = true;
       }
-      if (isMetal | (s.metallic <= 0.0)) {
-        break;
-      }
-      isMetal = true;
     }
   }
   dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));

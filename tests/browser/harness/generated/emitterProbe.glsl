@@ -248,43 +248,45 @@ EmitterChoice chooseEmitter(vec3 point_1, vec3 normal_2, float u) {
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
-    uint _e17 = frame.emitterCount;
-    if (pick(_e14, (_e17 > 1u), false)) {
-        rest = u;
-        while(true) {
-            uint _e30 = i_1;
-            Emitter _e31 = fetchEmitter(_e30);
-            float _e32 = estimatedIrradiance(_e31, point_1, normal_2);
-            float _e33 = total;
-            total = (_e33 + _e32);
-            float _e35 = total;
-            float share_1 = (_e32 / max(_e35, 1e-37));
-            float _e39 = rest;
-            bool take = (_e39 < share_1);
-            uint _e41 = chosen;
-            uint _e42 = i_1;
-            chosen = pick(take, _e42, _e41);
-            float _e44 = chosenWeight;
-            chosenWeight = pick(take, _e32, _e44);
-            float _e46 = rest;
-            float _e53 = rest;
-            rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_1;
-            i_1 = (_e59 + 1u);
-            uint _e61 = i_1;
-            uint _e64 = frame.emitterCount;
-            if ((_e61 >= _e64)) {
-                break;
+    if (_e14) {
+        uint _e17 = frame.emitterCount;
+        if ((_e17 > 1u)) {
+            rest = u;
+            while(true) {
+                uint _e29 = i_1;
+                Emitter _e30 = fetchEmitter(_e29);
+                float _e31 = estimatedIrradiance(_e30, point_1, normal_2);
+                float _e32 = total;
+                total = (_e32 + _e31);
+                float _e34 = total;
+                float share_1 = (_e31 / max(_e34, 1e-37));
+                float _e38 = rest;
+                bool take = (_e38 < share_1);
+                uint _e40 = chosen;
+                uint _e41 = i_1;
+                chosen = pick(take, _e41, _e40);
+                float _e43 = chosenWeight;
+                chosenWeight = pick(take, _e31, _e43);
+                float _e45 = rest;
+                float _e52 = rest;
+                rest = pick(take, (_e52 / max(share_1, 1e-37)), ((_e45 - share_1) / max((1.0 - share_1), 1e-7)));
+                uint _e58 = i_1;
+                i_1 = (_e58 + 1u);
+                uint _e60 = i_1;
+                uint _e63 = frame.emitterCount;
+                if ((_e60 >= _e63)) {
+                    break;
+                }
             }
+            uint _e65 = chosen;
+            float _e66 = chosenWeight;
+            float _e67 = total;
+            float _e71 = total;
+            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
         }
-        uint _e66 = chosen;
-        float _e67 = chosenWeight;
-        float _e68 = total;
-        float _e72 = total;
-        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
     }
-    EmitterChoice _e74 = choice;
-    return _e74;
+    EmitterChoice _e73 = choice;
+    return _e73;
 }
 
 float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
@@ -292,13 +294,15 @@ float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
-    uint _e15 = frame.emitterCount;
-    if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_2, point_2, normal_3);
-        probability = (_e19 / max(total_1, 1e-37));
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_2, point_2, normal_3);
+            probability = (_e18 / max(total_1, 1e-37));
+        }
     }
-    float _e23 = probability;
-    return _e23;
+    float _e22 = probability;
+    return _e22;
 }
 
 SphereView viewSphere(Emitter e_3, vec3 point_3) {
@@ -639,45 +643,59 @@ LightSample sampleSky(vec2 u_12) {
 LightSample sampleEmitter(Emitter e_13, vec3 point_11, vec2 u_13) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_13.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_13, point_11, u_13);
-        s_2 = _e20;
+    if (_e15) {
+        if ((e_13.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_13, point_11, u_13);
+            s_2 = _e19;
+        }
     }
-    const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_13.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_13, point_11, u_13);
-        s_2 = _e27;
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_13.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_13, point_11, u_13);
+            s_2 = _e25;
+        }
     }
-    const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_13.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_13, point_11, u_13);
-        s_2 = _e34;
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_13.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_13, point_11, u_13);
+            s_2 = _e31;
+        }
     }
-    const bool _e36 = hasPointLights;
-    if (pick(_e36, (e_13.kind == 3.0), false)) {
-        LightSample _e41 = samplePoint(e_13, point_11);
-        s_2 = _e41;
+    const bool _e33 = hasPointLights;
+    if (_e33) {
+        if ((e_13.kind == 3.0)) {
+            LightSample _e37 = samplePoint(e_13, point_11);
+            s_2 = _e37;
+        }
     }
-    const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_13.kind == 4.0), false)) {
-        LightSample _e48 = sampleSpot(e_13, point_11);
-        s_2 = _e48;
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_13.kind == 4.0)) {
+            LightSample _e43 = sampleSpot(e_13, point_11);
+            s_2 = _e43;
+        }
     }
-    const bool _e50 = hasSuns;
-    if (pick(_e50, (e_13.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_13, u_13);
-        s_2 = _e55;
+    const bool _e45 = hasSuns;
+    if (_e45) {
+        if ((e_13.kind == 5.0)) {
+            LightSample _e49 = sampleDirectional(e_13, u_13);
+            s_2 = _e49;
+        }
     }
-    const bool _e57 = hasSky;
-    if (pick(_e57, (e_13.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_13);
-        s_2 = _e62;
+    const bool _e51 = hasSky;
+    if (_e51) {
+        if ((e_13.kind == 6.0)) {
+            LightSample _e55 = sampleSky(u_13);
+            s_2 = _e55;
+        }
     }
-    float _e65 = s_2.pdf;
-    float _e67 = s_2.distance_;
-    s_2.pdf = pick((_e67 <= (1e-5 * length(point_11))), 0.0, _e65);
-    LightSample _e74 = s_2;
-    return _e74;
+    float _e58 = s_2.pdf;
+    float _e60 = s_2.distance_;
+    s_2.pdf = pick((_e60 <= (1e-5 * length(point_11))), 0.0, _e58);
+    LightSample _e67 = s_2;
+    return _e67;
 }
 
 Start onSurface(vec3 point_12, uint shape, bool seenFromInside) {
@@ -911,12 +929,14 @@ FarLight farLight(Emitter e_16, vec3 direction_12) {
         far = FarLight(pick(seen_1, e_16.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_16.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_12);
-        far = FarLight(_e28.radiance, _e28.pdf);
+    if (_e23) {
+        if ((e_16.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_12);
+            far = FarLight(_e27.radiance, _e27.pdf);
+        }
     }
-    FarLight _e32 = far;
-    return _e32;
+    FarLight _e31 = far;
+    return _e31;
 }
 
 float spherePdf(Emitter e_17, vec3 point_13, vec3 direction_13) {
@@ -942,22 +962,28 @@ float boxPdf(Emitter e_19, vec3 point_15, vec3 direction_14, float distance_3, v
 float shapePdf(Emitter e_20, vec3 point_16, vec3 direction_15, float distance_4, vec3 normal_6) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
-    if (pick(_e8, (e_20.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_20, point_16, direction_15);
-        pdf = _e13;
+    if (_e8) {
+        if ((e_20.kind == 0.0)) {
+            float _e12 = spherePdf(e_20, point_16, direction_15);
+            pdf = _e12;
+        }
     }
-    const bool _e15 = hasQuadLights;
-    if (pick(_e15, (e_20.kind == 1.0), false)) {
-        float _e20 = quadPdf(e_20, point_16, distance_4);
-        pdf = _e20;
+    const bool _e14 = hasQuadLights;
+    if (_e14) {
+        if ((e_20.kind == 1.0)) {
+            float _e18 = quadPdf(e_20, point_16, distance_4);
+            pdf = _e18;
+        }
     }
-    const bool _e22 = hasBoxLights;
-    if (pick(_e22, (e_20.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_20, point_16, direction_15, distance_4, normal_6);
-        pdf = _e27;
+    const bool _e20 = hasBoxLights;
+    if (_e20) {
+        if ((e_20.kind == 2.0)) {
+            float _e24 = boxPdf(e_20, point_16, direction_15, distance_4, normal_6);
+            pdf = _e24;
+        }
     }
-    float _e28 = pdf;
-    return _e28;
+    float _e25 = pdf;
+    return _e25;
 }
 
 void main() {

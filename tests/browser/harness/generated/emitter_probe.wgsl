@@ -51,26 +51,40 @@ const choice = 4u;
 // lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    s = sampleSphere(e, point, u);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    s = sampleQuad(e, point, u);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    s = sampleBox(e, point, u);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
   }
-  if (hasPointLights & (e.kind == pointKind)) {
-    s = samplePoint(e, point);
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
   }
-  if (hasPointLights & (e.kind == spotKind)) {
-    s = sampleSpot(e, point);
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
   }
-  if (hasSuns & (e.kind == directionalKind)) {
-    s = sampleDirectional(e, u);
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
   }
-  if (hasSky & (e.kind == skyKind)) {
-    s = sampleSky(u);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
   }
   s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
   return s;
@@ -84,9 +98,11 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
     let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
     far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
   }
-  if (hasSky & (e.kind == skyKind)) {
-    let seen = skyLight(direction);
-    far = FarLight(seen.radiance, seen.pdf);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      let seen = skyLight(direction);
+      far = FarLight(seen.radiance, seen.pdf);
+    }
   }
   return far;
 }
@@ -95,14 +111,20 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
 // outward normal.
 fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   var pdf = 0.0;
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    pdf = spherePdf(e, point, direction);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      pdf = spherePdf(e, point, direction);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    pdf = quadPdf(e, point, distance);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      pdf = quadPdf(e, point, distance);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    pdf = boxPdf(e, point, direction, distance, normal);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      pdf = boxPdf(e, point, direction, distance, normal);
+    }
   }
   return pdf;
 }
@@ -111,26 +133,28 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
   var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    var total = 0.0;
-    var chosen = 0u;
-    var chosenWeight = 0.0;
-    var rest = u;
-    var i = 0u;
-    loop {
-      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-      total += weight;
-      let share = weight / max(total, 1e-37);
-      let take = rest < share;
-      chosen = select(chosen, i, take);
-      chosenWeight = select(chosenWeight, weight, take);
-      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-      i++;
-      if (i >= frame.emitterCount) {
-        break;
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= frame.emitterCount) {
+          break;
+        }
       }
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
     }
-    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
   }
   return choice;
 }
@@ -138,8 +162,10 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+    }
   }
   return probability;
 }
@@ -571,14 +597,10 @@ struct LightSample {
 // Kinds of light, and more than one of them.
 override hasSphereLights = true;
 
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
 override hasBoxLights = false;
 
-const boxKind = 2.0;
-
-const pointKind = 3.0;
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
 
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
@@ -758,6 +780,8 @@ fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
 // Above all real densities, so that what divides by one stays finite.
 const largestPdf = 1e30;
 
+const boxKind = 2.0;
+
 fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let b = viewBox(e, point);
   let onFaces = pointOnFaces(e, b, u);
@@ -802,6 +826,8 @@ struct BoxView {
   inside: bool,
 }
 
+
+const pointKind = 3.0;
 
 fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
   let toLight = e.position - point;

@@ -17,14 +17,11 @@ export const pngDecoder: ImageDecoder = {
   decode: async (bytes) => decodePng(bytes),
 };
 
-/** Whether the transcoder of KTX2 is at hand: scripts/lazy-parts.mjs can build without it, as it is large. */
-const HAS_KTX2 = true;
-
 /** The decoder, and KTX2 beside what it decodes. */
 export const withKtx2 = (decoder: ImageDecoder): ImageDecoder => ({
-  canDecode: (type) => (HAS_KTX2 && type === 'image/ktx2') || decoder.canDecode(type),
+  canDecode: (type) => type === 'image/ktx2' || decoder.canDecode(type),
   decode: async (bytes, type) => {
-    if (!HAS_KTX2 || type !== 'image/ktx2') return decoder.decode(bytes, type);
+    if (type !== 'image/ktx2') return decoder.decode(bytes, type);
     const { decodeKtx2 } = await import('./ktx2-decoder.ts');
     return decodeKtx2(bytes);
   },

@@ -186,11 +186,15 @@ class WebGl2Device implements Device {
     return { ...base, write, destroy } as TableTexture;
   }
 
+  checkData(rows: number, what: string): void {
+    if (Math.ceil(rows / DATA_COLUMNS) > this.maxTextureSize)
+      throw noRoom(what, 'maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
+  }
+
   createData(rows: number, what: string): DataBuffer {
+    this.checkData(rows, what);
     const gl = this.#gl;
     const lines = Math.ceil(rows / DATA_COLUMNS);
-    if (lines > this.maxTextureSize)
-      throw noRoom(what, 'maxTextureSize', this.maxTextureSize * DATA_COLUMNS * 16, rows * 16);
     const base = this.#texture(DATA_COLUMNS, lines, gl.RGBA32UI);
     const put = (row: number, count: number, words: Uint32Array) => {
       const [x, y] = [row % DATA_COLUMNS, Math.floor(row / DATA_COLUMNS)];

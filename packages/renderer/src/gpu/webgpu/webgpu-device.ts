@@ -214,10 +214,15 @@ class WebGpuDevice implements Device {
     return { ...base, write } as TableTexture;
   }
 
-  createData(rows: number, what: string): DataBuffer {
+  checkData(rows: number, what: string): void {
     const size = rows * 16;
     for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
       if (size > this.#device.limits[limit]) throw noRoom(what, limit, this.#device.limits[limit], size);
+  }
+
+  createData(rows: number, what: string): DataBuffer {
+    this.checkData(rows, what);
+    const size = rows * 16;
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
     const data: DataBuffer & GpuResource = {

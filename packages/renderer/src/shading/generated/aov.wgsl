@@ -159,39 +159,47 @@ fn tracePair(p: RayPair) -> PairHit {
   var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
-  if (hasSpheres & (i < ends.x)) {
-    loop {
-      found = meetSphere(found, p, i);
-      i++;
-      if (i >= ends.x) {
-        break;
+  if (hasSpheres) {
+    if (i < ends.x) {
+      loop {
+        found = meetSphere(found, p, i);
+        i++;
+        if (i >= ends.x) {
+          break;
+        }
       }
     }
   }
-  if (hasBoxes & (i < ends.y)) {
-    loop {
-      found = meetBox(found, p, i);
-      i++;
-      if (i >= ends.y) {
-        break;
+  if (hasBoxes) {
+    if (i < ends.y) {
+      loop {
+        found = meetBox(found, p, i);
+        i++;
+        if (i >= ends.y) {
+          break;
+        }
       }
     }
   }
-  if (hasQuads & (i < ends.z)) {
-    loop {
-      found = meetQuad(found, p, i);
-      i++;
-      if (i >= ends.z) {
-        break;
+  if (hasQuads) {
+    if (i < ends.z) {
+      loop {
+        found = meetQuad(found, p, i);
+        i++;
+        if (i >= ends.z) {
+          break;
+        }
       }
     }
   }
-  if (hasPlanes & (i < ends.w)) {
-    loop {
-      found = meetPlane(found, p, i);
-      i++;
-      if (i >= ends.w) {
-        break;
+  if (hasPlanes) {
+    if (i < ends.w) {
+      loop {
+        found = meetPlane(found, p, i);
+        i++;
+        if (i >= ends.w) {
+          break;
+        }
       }
     }
   }
@@ -411,12 +419,14 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections & (frame.projection == 2u)) {
-    let longitude = pi * x;
-    let latitude = 0.5 * pi * y;
-    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi * x;
+      let latitude = 0.5 * pi * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
   }
   return ray;
 }

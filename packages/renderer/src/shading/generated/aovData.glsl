@@ -397,18 +397,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_10);
-        float latitude = (1.5707964 * y_6);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_10);
+            float latitude = (1.5707964 * y_6);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray;
-    return _e108;
+    CameraRay _e107 = ray;
+    return _e107;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
@@ -564,71 +566,79 @@ PairHit tracePair(RayPair p_5) {
     uint i_7 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_7;
-    if (pick(_e17, (_e18 < ends.x), false)) {
-        while(true) {
-            PairHit _e22 = found_5;
-            uint _e23 = i_7;
-            PairHit _e24 = meetSphere(_e22, p_5, _e23);
-            found_5 = _e24;
-            uint _e26 = i_7;
-            i_7 = (_e26 + 1u);
-            uint _e28 = i_7;
-            if ((_e28 >= ends.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_7;
+        if ((_e18 < ends.x)) {
+            while(true) {
+                PairHit _e21 = found_5;
+                uint _e22 = i_7;
+                PairHit _e23 = meetSphere(_e21, p_5, _e22);
+                found_5 = _e23;
+                uint _e25 = i_7;
+                i_7 = (_e25 + 1u);
+                uint _e27 = i_7;
+                if ((_e27 >= ends.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_7;
-    if (pick(_e32, (_e33 < ends.y), false)) {
-        while(true) {
-            PairHit _e37 = found_5;
-            uint _e38 = i_7;
-            PairHit _e39 = meetBox(_e37, p_5, _e38);
-            found_5 = _e39;
-            uint _e41 = i_7;
-            i_7 = (_e41 + 1u);
-            uint _e43 = i_7;
-            if ((_e43 >= ends.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_7;
+        if ((_e32 < ends.y)) {
+            while(true) {
+                PairHit _e35 = found_5;
+                uint _e36 = i_7;
+                PairHit _e37 = meetBox(_e35, p_5, _e36);
+                found_5 = _e37;
+                uint _e39 = i_7;
+                i_7 = (_e39 + 1u);
+                uint _e41 = i_7;
+                if ((_e41 >= ends.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_7;
-    if (pick(_e47, (_e48 < ends.z), false)) {
-        while(true) {
-            PairHit _e52 = found_5;
-            uint _e53 = i_7;
-            PairHit _e54 = meetQuad(_e52, p_5, _e53);
-            found_5 = _e54;
-            uint _e56 = i_7;
-            i_7 = (_e56 + 1u);
-            uint _e58 = i_7;
-            if ((_e58 >= ends.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_7;
+        if ((_e46 < ends.z)) {
+            while(true) {
+                PairHit _e49 = found_5;
+                uint _e50 = i_7;
+                PairHit _e51 = meetQuad(_e49, p_5, _e50);
+                found_5 = _e51;
+                uint _e53 = i_7;
+                i_7 = (_e53 + 1u);
+                uint _e55 = i_7;
+                if ((_e55 >= ends.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_7;
-    if (pick(_e62, (_e63 < ends.w), false)) {
-        while(true) {
-            PairHit _e67 = found_5;
-            uint _e68 = i_7;
-            PairHit _e69 = meetPlane(_e67, p_5, _e68);
-            found_5 = _e69;
-            uint _e71 = i_7;
-            i_7 = (_e71 + 1u);
-            uint _e73 = i_7;
-            if ((_e73 >= ends.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_7;
+        if ((_e60 < ends.w)) {
+            while(true) {
+                PairHit _e63 = found_5;
+                uint _e64 = i_7;
+                PairHit _e65 = meetPlane(_e63, p_5, _e64);
+                found_5 = _e65;
+                uint _e67 = i_7;
+                i_7 = (_e67 + 1u);
+                uint _e69 = i_7;
+                if ((_e69 >= ends.w)) {
+                    break;
+                }
             }
         }
     }
-    PairHit _e76 = found_5;
-    return _e76;
+    PairHit _e72 = found_5;
+    return _e72;
 }
 
 Sight look(vec2 fragment_2) {

@@ -556,18 +556,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_11);
-        float latitude = (1.5707964 * y_6);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_11);
+            float latitude = (1.5707964 * y_6);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray;
-    return _e108;
+    CameraRay _e107 = ray;
+    return _e107;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
@@ -1054,13 +1056,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e287 = instance_1;
                     MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
                     const bool _e293 = hasCutouts;
-                    uint _e294 = cover;
-                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
-                        doubted = met;
-                        break;
+                    if (_e293) {
+                        uint _e294 = cover;
+                        if (((_e294 & coverRow) != 0u)) {
+                            doubted = met;
+                            break;
+                        }
                     }
-                    bool _e300 = toLight;
-                    if (_e300) {
+                    bool _e299 = toLight;
+                    if (_e299) {
                         found_5.blocked = true;
                         break;
                     }
@@ -1068,12 +1072,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     found_5 = met;
                 }
             } else {
-                uint _e304 = current;
-                if ((_e304 >= instances)) {
-                    uint _e307 = current;
-                    if ((_e307 == ending)) {
-                        bool _e310 = toLight;
-                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                uint _e303 = current;
+                if ((_e303 >= instances)) {
+                    uint _e306 = current;
+                    if ((_e306 == ending)) {
+                        bool _e309 = toLight;
+                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
                             break;
                         }
                         toLight = true;
@@ -1081,86 +1085,86 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         top = 1u;
                         current = first_1;
                     }
-                    uint _e319 = current;
-                    bool toWorld = (_e319 >= beginning);
-                    uint _e322 = current;
-                    instance_1 = pick(toWorld, noInstance, (_e322 & placeMask));
+                    uint _e318 = current;
+                    bool toWorld = (_e318 >= beginning);
+                    uint _e321 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e321 & placeMask));
                     o = rays.origin;
-                    bool _e331 = toLight;
-                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    bool _e330 = toLight;
+                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
                     nodes = 0u;
                     if (!(toWorld)) {
-                        uint _e338 = frame.instances;
-                        uint _e339 = instance_1;
-                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
-                        vec3 _e344 = o;
-                        vec4 p_12 = vec4(_e344, 1.0);
-                        o = vec3(dot(_e343.toMeshX, p_12), dot(_e343.toMeshY, p_12), dot(_e343.toMeshZ, p_12));
-                        vec3 _e356 = d_1;
-                        vec3 _e360 = d_1;
-                        vec3 _e364 = d_1;
-                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
-                        nodes = _e343.nodes;
-                        triangles = _e343.triangles;
-                        cover = _e343.cover;
-                        uint _e372 = instance_1;
-                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        uint _e337 = frame.instances;
+                        uint _e338 = instance_1;
+                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
+                        vec3 _e343 = o;
+                        vec4 p_12 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_12), dot(_e342.toMeshY, p_12), dot(_e342.toMeshZ, p_12));
+                        vec3 _e355 = d_1;
+                        vec3 _e359 = d_1;
+                        vec3 _e363 = d_1;
+                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
+                        nodes = _e342.nodes;
+                        triangles = _e342.triangles;
+                        cover = _e342.cover;
+                        uint _e371 = instance_1;
+                        own = pick((_e371 == left.instance), left.triangle, placeMask);
                         if (!(alone)) {
-                            uint _e378 = top;
-                            stack[_e378] = leaving;
-                            uint _e382 = top;
-                            top = (_e382 + 1u);
+                            uint _e377 = top;
+                            stack[_e377] = leaving;
+                            uint _e381 = top;
+                            top = (_e381 + 1u);
                         }
                     }
-                    vec3 _e384 = o;
-                    vec3 _e385 = d_1;
-                    SlabRay _e386 = slabRay(_e384, _e385);
-                    slabs = _e386;
-                    vec3 _e387 = o;
-                    vec3 _e388 = d_1;
-                    MeshRay _e389 = meshRay(_e387, _e388);
-                    ray_2 = _e389;
-                    uint _e390 = current;
-                    bool goesOn = (_e390 == leaving);
+                    vec3 _e383 = o;
+                    vec3 _e384 = d_1;
+                    SlabRay _e385 = slabRay(_e383, _e384);
+                    slabs = _e385;
+                    vec3 _e386 = o;
+                    vec3 _e387 = d_1;
+                    MeshRay _e388 = meshRay(_e386, _e387);
+                    ray_2 = _e388;
+                    uint _e389 = current;
+                    bool goesOn = (_e389 == leaving);
                     current = 0u;
                     if (goesOn) {
-                        uint _e395 = top;
-                        top = (_e395 - 1u);
-                        uint _e398 = top;
-                        uint _e400 = stack[_e398];
-                        current = _e400;
+                        uint _e394 = top;
+                        top = (_e394 - 1u);
+                        uint _e397 = top;
+                        uint _e399 = stack[_e397];
+                        current = _e399;
                     }
                 }
             }
         }
-        const bool _e402 = hasCutouts;
-        if (!(_e402)) {
+        const bool _e401 = hasCutouts;
+        if (!(_e401)) {
             break;
         }
-        uint _e405 = doubted.instance;
-        if ((_e405 == noInstance)) {
+        uint _e404 = doubted.instance;
+        if ((_e404 == noInstance)) {
             break;
         }
-        uint _e409 = doubted.instance;
-        uint _e411 = doubted.triangle;
-        vec2 _e413 = doubted.weights;
-        bool _e415 = toLight;
-        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
-        bool _e419 = toLight;
-        if (pick(_e418, _e419, false)) {
+        uint _e408 = doubted.instance;
+        uint _e410 = doubted.triangle;
+        vec2 _e412 = doubted.weights;
+        bool _e414 = toLight;
+        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
+        bool _e418 = toLight;
+        if (pick(_e417, _e418, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e418) {
-            float _e424 = doubted.t;
-            most = _e424;
-            MeshHit _e425 = doubted;
-            found_5 = _e425;
+        if (_e417) {
+            float _e423 = doubted.t;
+            most = _e423;
+            MeshHit _e424 = doubted;
+            found_5 = _e424;
         }
         doubted.instance = noInstance;
     }
-    MeshHit _e428 = found_5;
-    return _e428;
+    MeshHit _e427 = found_5;
+    return _e427;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1190,77 +1194,85 @@ PairHit tracePair(RayPair p_6) {
     uint i_10 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_10;
-    if (pick(_e17, (_e18 < ends.x), false)) {
-        while(true) {
-            PairHit _e22 = found_7;
-            uint _e23 = i_10;
-            PairHit _e24 = meetSphere(_e22, p_6, _e23);
-            found_7 = _e24;
-            uint _e26 = i_10;
-            i_10 = (_e26 + 1u);
-            uint _e28 = i_10;
-            if ((_e28 >= ends.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_10;
+        if ((_e18 < ends.x)) {
+            while(true) {
+                PairHit _e21 = found_7;
+                uint _e22 = i_10;
+                PairHit _e23 = meetSphere(_e21, p_6, _e22);
+                found_7 = _e23;
+                uint _e25 = i_10;
+                i_10 = (_e25 + 1u);
+                uint _e27 = i_10;
+                if ((_e27 >= ends.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_10;
-    if (pick(_e32, (_e33 < ends.y), false)) {
-        while(true) {
-            PairHit _e37 = found_7;
-            uint _e38 = i_10;
-            PairHit _e39 = meetBox(_e37, p_6, _e38);
-            found_7 = _e39;
-            uint _e41 = i_10;
-            i_10 = (_e41 + 1u);
-            uint _e43 = i_10;
-            if ((_e43 >= ends.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_10;
+        if ((_e32 < ends.y)) {
+            while(true) {
+                PairHit _e35 = found_7;
+                uint _e36 = i_10;
+                PairHit _e37 = meetBox(_e35, p_6, _e36);
+                found_7 = _e37;
+                uint _e39 = i_10;
+                i_10 = (_e39 + 1u);
+                uint _e41 = i_10;
+                if ((_e41 >= ends.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_10;
-    if (pick(_e47, (_e48 < ends.z), false)) {
-        while(true) {
-            PairHit _e52 = found_7;
-            uint _e53 = i_10;
-            PairHit _e54 = meetQuad(_e52, p_6, _e53);
-            found_7 = _e54;
-            uint _e56 = i_10;
-            i_10 = (_e56 + 1u);
-            uint _e58 = i_10;
-            if ((_e58 >= ends.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_10;
+        if ((_e46 < ends.z)) {
+            while(true) {
+                PairHit _e49 = found_7;
+                uint _e50 = i_10;
+                PairHit _e51 = meetQuad(_e49, p_6, _e50);
+                found_7 = _e51;
+                uint _e53 = i_10;
+                i_10 = (_e53 + 1u);
+                uint _e55 = i_10;
+                if ((_e55 >= ends.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_10;
-    if (pick(_e62, (_e63 < ends.w), false)) {
-        while(true) {
-            PairHit _e67 = found_7;
-            uint _e68 = i_10;
-            PairHit _e69 = meetPlane(_e67, p_6, _e68);
-            found_7 = _e69;
-            uint _e71 = i_10;
-            i_10 = (_e71 + 1u);
-            uint _e73 = i_10;
-            if ((_e73 >= ends.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_10;
+        if ((_e60 < ends.w)) {
+            while(true) {
+                PairHit _e63 = found_7;
+                uint _e64 = i_10;
+                PairHit _e65 = meetPlane(_e63, p_6, _e64);
+                found_7 = _e65;
+                uint _e67 = i_10;
+                i_10 = (_e67 + 1u);
+                uint _e69 = i_10;
+                if ((_e69 >= ends.w)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e77 = hasMeshes;
-    if (_e77) {
-        PairHit _e78 = found_7;
-        PairHit _e79 = meetMeshes(_e78, p_6);
-        found_7 = _e79;
+    const bool _e73 = hasMeshes;
+    if (_e73) {
+        PairHit _e74 = found_7;
+        PairHit _e75 = meetMeshes(_e74, p_6);
+        found_7 = _e75;
     }
-    PairHit _e80 = found_7;
-    return _e80;
+    PairHit _e76 = found_7;
+    return _e76;
 }
 
 Sight look(vec2 fragment_2) {
@@ -1621,47 +1633,49 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     layers = _e13;
     normals = Normals(_e4, _e4);
     const bool _e24 = hasMeshes;
-    if (pick(_e24, (hit.triangle.instance != noInstance), false)) {
-        MeshPoint _e35 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        normals = Normals(_e35.geometric, _e35.shading);
-        const bool _e40 = hasTextures;
-        if (_e40) {
-            vec3 _e44 = takeUpTextures(surface, layers, _e35.uv, _e35.color.xyz);
-            tangent_1 = _e35.tangent;
-            bitangent_1 = _e35.bitangent;
-            if (any(notEqual(_e44, vec3(0.0, 0.0, 1.0)))) {
-                vec3 _e68 = validNormal(_e35.geometric, rays_1.direction, (((_e44.x * _e35.tangent) + (_e44.y * _e35.bitangent)) + (_e44.z * _e35.normal)), _e35.shading);
-                normals.shading = _e68;
+    if (_e24) {
+        if ((hit.triangle.instance != noInstance)) {
+            MeshPoint _e34 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e34.geometric, _e34.shading);
+            const bool _e39 = hasTextures;
+            if (_e39) {
+                vec3 _e43 = takeUpTextures(surface, layers, _e34.uv, _e34.color.xyz);
+                tangent_1 = _e34.tangent;
+                bitangent_1 = _e34.bitangent;
+                if (any(notEqual(_e43, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e67 = validNormal(_e34.geometric, rays_1.direction, (((_e43.x * _e34.tangent) + (_e43.y * _e34.bitangent)) + (_e43.z * _e34.normal)), _e34.shading);
+                    normals.shading = _e67;
+                }
             }
-        }
-        vec3 _e70 = normals.geometric;
-        vec3 _e76 = normals.shading;
-        bool agree = ((dot(_e70, rays_1.direction) > 0.0) == (dot(_e76, rays_1.direction) > 0.0));
-        vec3 _e84 = normals.shading;
-        vec3 _e86 = normals.geometric;
-        float _e88 = surface.code;
-        float _e92 = surface.eta.x;
-        bool _e93 = letsThrough(uint(_e88), _e92);
-        normals.shading = pick(pick(_e93, !(agree), false), _e86, _e84);
-    }
-    const bool _e101 = hasLayers;
-    if (_e101) {
-        float _e103 = layers.anisotropy;
-        if ((_e103 > 0.0)) {
-            vec3 _e107 = normals.shading;
-            vec3 _e108 = tangent_1;
-            vec3 _e109 = bitangent_1;
-            vec2 _e111 = layers.grain;
-            vec3 _e112 = grainAt(_e107, _e108, _e109, _e111);
-            grain_1 = _e112;
+            vec3 _e69 = normals.geometric;
+            vec3 _e75 = normals.shading;
+            bool agree = ((dot(_e69, rays_1.direction) > 0.0) == (dot(_e75, rays_1.direction) > 0.0));
+            vec3 _e83 = normals.shading;
+            vec3 _e85 = normals.geometric;
+            float _e87 = surface.code;
+            float _e91 = surface.eta.x;
+            bool _e92 = letsThrough(uint(_e87), _e91);
+            normals.shading = pick(pick(_e92, !(agree), false), _e85, _e83);
         }
     }
-    Surface _e113 = surface;
-    Layers0_ _e114 = layers;
-    vec3 _e116 = normals.geometric;
-    vec3 _e118 = normals.shading;
-    vec3 _e119 = grain_1;
-    return SurfacePoint(_e113, _e114, _e116, _e118, _e119);
+    const bool _e100 = hasLayers;
+    if (_e100) {
+        float _e102 = layers.anisotropy;
+        if ((_e102 > 0.0)) {
+            vec3 _e106 = normals.shading;
+            vec3 _e107 = tangent_1;
+            vec3 _e108 = bitangent_1;
+            vec2 _e110 = layers.grain;
+            vec3 _e111 = grainAt(_e106, _e107, _e108, _e110);
+            grain_1 = _e111;
+        }
+    }
+    Surface _e112 = surface;
+    Layers0_ _e113 = layers;
+    vec3 _e115 = normals.geometric;
+    vec3 _e117 = normals.shading;
+    vec3 _e118 = grain_1;
+    return SurfacePoint(_e112, _e113, _e115, _e117, _e118);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {

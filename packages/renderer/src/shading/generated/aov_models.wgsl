@@ -159,39 +159,47 @@ fn tracePair(p: RayPair) -> PairHit {
   var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
-  if (hasSpheres & (i < ends.x)) {
-    loop {
-      found = meetSphere(found, p, i);
-      i++;
-      if (i >= ends.x) {
-        break;
+  if (hasSpheres) {
+    if (i < ends.x) {
+      loop {
+        found = meetSphere(found, p, i);
+        i++;
+        if (i >= ends.x) {
+          break;
+        }
       }
     }
   }
-  if (hasBoxes & (i < ends.y)) {
-    loop {
-      found = meetBox(found, p, i);
-      i++;
-      if (i >= ends.y) {
-        break;
+  if (hasBoxes) {
+    if (i < ends.y) {
+      loop {
+        found = meetBox(found, p, i);
+        i++;
+        if (i >= ends.y) {
+          break;
+        }
       }
     }
   }
-  if (hasQuads & (i < ends.z)) {
-    loop {
-      found = meetQuad(found, p, i);
-      i++;
-      if (i >= ends.z) {
-        break;
+  if (hasQuads) {
+    if (i < ends.z) {
+      loop {
+        found = meetQuad(found, p, i);
+        i++;
+        if (i >= ends.z) {
+          break;
+        }
       }
     }
   }
-  if (hasPlanes & (i < ends.w)) {
-    loop {
-      found = meetPlane(found, p, i);
-      i++;
-      if (i >= ends.w) {
-        break;
+  if (hasPlanes) {
+    if (i < ends.w) {
+      loop {
+        found = meetPlane(found, p, i);
+        i++;
+        if (i >= ends.w) {
+          break;
+        }
       }
     }
   }
@@ -413,12 +421,14 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections & (frame.projection == 2u)) {
-    let longitude = pi * x;
-    let latitude = 0.5 * pi * y;
-    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi * x;
+      let latitude = 0.5 * pi * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
   }
   return ray;
 }
@@ -727,9 +737,11 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         if (nearer) {
           let inverse = 1.0 / hit.sum;
           let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
-          if (hasCutouts & ((cover & coverRow) != 0u)) {
-            doubted = met;
-            break;
+          if (hasCutouts) {
+            if ((cover & coverRow) != 0u) {
+              doubted = met;
+              break;
+            }
           }
           if (toLight) {
             found.blocked = true;
@@ -1227,20 +1239,22 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
-  if (hasMeshes & (hit.triangle.instance != noInstance)) {
-    let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    normals = Normals(m.geometric, m.shading);
-    if (hasTextures) {
-      let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
-      tangent = m.tangent;
-      bitangent = m.bitangent;
-      if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-        normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+  if (hasMeshes) {
+    if (hit.triangle.instance != noInstance) {
+      let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+      normals = Normals(m.geometric, m.shading);
+      if (hasTextures) {
+        let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
+        tangent = m.tangent;
+        bitangent = m.bitangent;
+        if (any(bump != vec3f(0.0, 0.0, 1.0))) {
+          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        }
       }
+      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
+      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
-    // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-    let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
-    normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
   }
   var grain = vec3f(0.0);
   if (hasLayers) {

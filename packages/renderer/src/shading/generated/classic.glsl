@@ -1016,18 +1016,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray_9 = CameraRay(pick(orthographic, (across_2 + lens), lens), normalize((ahead - (lens / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_1);
-        float latitude = (1.5707964 * y);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray_9 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_1);
+            float latitude = (1.5707964 * y);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray_9 = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray_9;
-    return _e108;
+    CameraRay _e107 = ray_9;
+    return _e107;
 }
 
 CameraRay centralRay(vec2 filmPosition_1) {

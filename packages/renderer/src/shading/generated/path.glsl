@@ -560,18 +560,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_15);
-        float latitude = (1.5707964 * y_9);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_15);
+            float latitude = (1.5707964 * y_9);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray;
-    return _e108;
+    CameraRay _e107 = ray;
+    return _e107;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
@@ -763,71 +765,79 @@ PairHit tracePair(RayPair p_6) {
     uint i_7 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_7;
-    if (pick(_e17, (_e18 < ends.x), false)) {
-        while(true) {
-            PairHit _e22 = found_5;
-            uint _e23 = i_7;
-            PairHit _e24 = meetSphere(_e22, p_6, _e23);
-            found_5 = _e24;
-            uint _e26 = i_7;
-            i_7 = (_e26 + 1u);
-            uint _e28 = i_7;
-            if ((_e28 >= ends.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_7;
+        if ((_e18 < ends.x)) {
+            while(true) {
+                PairHit _e21 = found_5;
+                uint _e22 = i_7;
+                PairHit _e23 = meetSphere(_e21, p_6, _e22);
+                found_5 = _e23;
+                uint _e25 = i_7;
+                i_7 = (_e25 + 1u);
+                uint _e27 = i_7;
+                if ((_e27 >= ends.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_7;
-    if (pick(_e32, (_e33 < ends.y), false)) {
-        while(true) {
-            PairHit _e37 = found_5;
-            uint _e38 = i_7;
-            PairHit _e39 = meetBox(_e37, p_6, _e38);
-            found_5 = _e39;
-            uint _e41 = i_7;
-            i_7 = (_e41 + 1u);
-            uint _e43 = i_7;
-            if ((_e43 >= ends.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_7;
+        if ((_e32 < ends.y)) {
+            while(true) {
+                PairHit _e35 = found_5;
+                uint _e36 = i_7;
+                PairHit _e37 = meetBox(_e35, p_6, _e36);
+                found_5 = _e37;
+                uint _e39 = i_7;
+                i_7 = (_e39 + 1u);
+                uint _e41 = i_7;
+                if ((_e41 >= ends.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_7;
-    if (pick(_e47, (_e48 < ends.z), false)) {
-        while(true) {
-            PairHit _e52 = found_5;
-            uint _e53 = i_7;
-            PairHit _e54 = meetQuad(_e52, p_6, _e53);
-            found_5 = _e54;
-            uint _e56 = i_7;
-            i_7 = (_e56 + 1u);
-            uint _e58 = i_7;
-            if ((_e58 >= ends.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_7;
+        if ((_e46 < ends.z)) {
+            while(true) {
+                PairHit _e49 = found_5;
+                uint _e50 = i_7;
+                PairHit _e51 = meetQuad(_e49, p_6, _e50);
+                found_5 = _e51;
+                uint _e53 = i_7;
+                i_7 = (_e53 + 1u);
+                uint _e55 = i_7;
+                if ((_e55 >= ends.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_7;
-    if (pick(_e62, (_e63 < ends.w), false)) {
-        while(true) {
-            PairHit _e67 = found_5;
-            uint _e68 = i_7;
-            PairHit _e69 = meetPlane(_e67, p_6, _e68);
-            found_5 = _e69;
-            uint _e71 = i_7;
-            i_7 = (_e71 + 1u);
-            uint _e73 = i_7;
-            if ((_e73 >= ends.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_7;
+        if ((_e60 < ends.w)) {
+            while(true) {
+                PairHit _e63 = found_5;
+                uint _e64 = i_7;
+                PairHit _e65 = meetPlane(_e63, p_6, _e64);
+                found_5 = _e65;
+                uint _e67 = i_7;
+                i_7 = (_e67 + 1u);
+                uint _e69 = i_7;
+                if ((_e69 >= ends.w)) {
+                    break;
+                }
             }
         }
     }
-    PairHit _e76 = found_5;
-    return _e76;
+    PairHit _e72 = found_5;
+    return _e72;
 }
 
 bool isPlane(uint i_8) {
@@ -1092,12 +1102,14 @@ FarLight farLight(Emitter e_2, vec3 direction_12) {
         far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_2.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_12);
-        far = FarLight(_e28.radiance, _e28.pdf);
+    if (_e23) {
+        if ((e_2.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_12);
+            far = FarLight(_e27.radiance, _e27.pdf);
+        }
     }
-    FarLight _e32 = far;
-    return _e32;
+    FarLight _e31 = far;
+    return _e31;
 }
 
 SphereView viewSphere(Emitter e_3, vec3 point) {
@@ -1196,22 +1208,28 @@ float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_14, float distance_3, vec
 float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_15, float distance_4, vec3 normal_3) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
-    if (pick(_e8, (e_9.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_9, point_6, direction_15);
-        pdf = _e13;
+    if (_e8) {
+        if ((e_9.kind == 0.0)) {
+            float _e12 = spherePdf(e_9, point_6, direction_15);
+            pdf = _e12;
+        }
     }
-    const bool _e15 = hasQuadLights;
-    if (pick(_e15, (e_9.kind == 1.0), false)) {
-        float _e20 = quadPdf(e_9, point_6, distance_4);
-        pdf = _e20;
+    const bool _e14 = hasQuadLights;
+    if (_e14) {
+        if ((e_9.kind == 1.0)) {
+            float _e18 = quadPdf(e_9, point_6, distance_4);
+            pdf = _e18;
+        }
     }
-    const bool _e22 = hasBoxLights;
-    if (pick(_e22, (e_9.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_9, point_6, direction_15, distance_4, normal_3);
-        pdf = _e27;
+    const bool _e20 = hasBoxLights;
+    if (_e20) {
+        if ((e_9.kind == 2.0)) {
+            float _e24 = boxPdf(e_9, point_6, direction_15, distance_4, normal_3);
+            pdf = _e24;
+        }
     }
-    float _e28 = pdf;
-    return _e28;
+    float _e25 = pdf;
+    return _e25;
 }
 
 float spotFalloff(Emitter e_10, vec3 toLight) {
@@ -1262,13 +1280,15 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
-    uint _e15 = frame.emitterCount;
-    if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_12, point_8, normal_5);
-        probability = (_e19 / max(total, 1e-37));
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_12, point_8, normal_5);
+            probability = (_e18 / max(total, 1e-37));
+        }
     }
-    float _e23 = probability;
-    return _e23;
+    float _e22 = probability;
+    return _e22;
 }
 
 float misWeight(float own, float other) {
@@ -1304,17 +1324,26 @@ vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
             found_6 = (_e63 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e65)));
             uint _e74 = i_15;
             i_15 = (_e74 + 1u);
-            const bool _e77 = hasSky;
-            const bool _e79 = hasSuns;
-            uint _e84 = i_15;
-            uint _e87 = frame.emitterCount;
-            if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
+            const bool _e77 = hasManyLights;
+            if (!(_e77)) {
+                break;
+            }
+            const bool _e80 = hasSky;
+            if (!(_e80)) {
+                const bool _e83 = hasSuns;
+                if (!(_e83)) {
+                    break;
+                }
+            }
+            uint _e86 = i_15;
+            uint _e89 = frame.emitterCount;
+            if (pick(!(escaped), true, (_e86 >= _e89))) {
                 break;
             }
         }
     }
-    vec3 _e90 = found_6;
-    return _e90;
+    vec3 _e92 = found_6;
+    return _e92;
 }
 
 uint pascalW2_(uint x_12) {
@@ -1352,43 +1381,45 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
-    uint _e17 = frame.emitterCount;
-    if (pick(_e14, (_e17 > 1u), false)) {
-        rest = u_4;
-        while(true) {
-            uint _e30 = i_16;
-            Emitter _e31 = fetchEmitter(_e30);
-            float _e32 = estimatedIrradiance(_e31, point_9, normal_6);
-            float _e33 = total_1;
-            total_1 = (_e33 + _e32);
-            float _e35 = total_1;
-            float share_1 = (_e32 / max(_e35, 1e-37));
-            float _e39 = rest;
-            bool take = (_e39 < share_1);
-            uint _e41 = chosen;
-            uint _e42 = i_16;
-            chosen = pick(take, _e42, _e41);
-            float _e44 = chosenWeight;
-            chosenWeight = pick(take, _e32, _e44);
-            float _e46 = rest;
-            float _e53 = rest;
-            rest = pick(take, (_e53 / max(share_1, 1e-37)), ((_e46 - share_1) / max((1.0 - share_1), 1e-7)));
-            uint _e59 = i_16;
-            i_16 = (_e59 + 1u);
-            uint _e61 = i_16;
-            uint _e64 = frame.emitterCount;
-            if ((_e61 >= _e64)) {
-                break;
+    if (_e14) {
+        uint _e17 = frame.emitterCount;
+        if ((_e17 > 1u)) {
+            rest = u_4;
+            while(true) {
+                uint _e29 = i_16;
+                Emitter _e30 = fetchEmitter(_e29);
+                float _e31 = estimatedIrradiance(_e30, point_9, normal_6);
+                float _e32 = total_1;
+                total_1 = (_e32 + _e31);
+                float _e34 = total_1;
+                float share_1 = (_e31 / max(_e34, 1e-37));
+                float _e38 = rest;
+                bool take = (_e38 < share_1);
+                uint _e40 = chosen;
+                uint _e41 = i_16;
+                chosen = pick(take, _e41, _e40);
+                float _e43 = chosenWeight;
+                chosenWeight = pick(take, _e31, _e43);
+                float _e45 = rest;
+                float _e52 = rest;
+                rest = pick(take, (_e52 / max(share_1, 1e-37)), ((_e45 - share_1) / max((1.0 - share_1), 1e-7)));
+                uint _e58 = i_16;
+                i_16 = (_e58 + 1u);
+                uint _e60 = i_16;
+                uint _e63 = frame.emitterCount;
+                if ((_e60 >= _e63)) {
+                    break;
+                }
             }
+            uint _e65 = chosen;
+            float _e66 = chosenWeight;
+            float _e67 = total_1;
+            float _e71 = total_1;
+            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
         }
-        uint _e66 = chosen;
-        float _e67 = chosenWeight;
-        float _e68 = total_1;
-        float _e72 = total_1;
-        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
     }
-    EmitterChoice _e74 = choice;
-    return _e74;
+    EmitterChoice _e73 = choice;
+    return _e73;
 }
 
 vec3 turnTo(vec3 axis, vec3 v_4) {
@@ -1593,45 +1624,59 @@ LightSample sampleSky(vec2 u_16) {
 LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     LightSample s_10 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_20.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_20, point_15, u_17);
-        s_10 = _e20;
+    if (_e15) {
+        if ((e_20.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_20, point_15, u_17);
+            s_10 = _e19;
+        }
     }
-    const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_20.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_20, point_15, u_17);
-        s_10 = _e27;
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_20.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_20, point_15, u_17);
+            s_10 = _e25;
+        }
     }
-    const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_20.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_20, point_15, u_17);
-        s_10 = _e34;
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_20.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_20, point_15, u_17);
+            s_10 = _e31;
+        }
     }
-    const bool _e36 = hasPointLights;
-    if (pick(_e36, (e_20.kind == 3.0), false)) {
-        LightSample _e41 = samplePoint(e_20, point_15);
-        s_10 = _e41;
+    const bool _e33 = hasPointLights;
+    if (_e33) {
+        if ((e_20.kind == 3.0)) {
+            LightSample _e37 = samplePoint(e_20, point_15);
+            s_10 = _e37;
+        }
     }
-    const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_20.kind == 4.0), false)) {
-        LightSample _e48 = sampleSpot(e_20, point_15);
-        s_10 = _e48;
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_20.kind == 4.0)) {
+            LightSample _e43 = sampleSpot(e_20, point_15);
+            s_10 = _e43;
+        }
     }
-    const bool _e50 = hasSuns;
-    if (pick(_e50, (e_20.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_20, u_17);
-        s_10 = _e55;
+    const bool _e45 = hasSuns;
+    if (_e45) {
+        if ((e_20.kind == 5.0)) {
+            LightSample _e49 = sampleDirectional(e_20, u_17);
+            s_10 = _e49;
+        }
     }
-    const bool _e57 = hasSky;
-    if (pick(_e57, (e_20.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_17);
-        s_10 = _e62;
+    const bool _e51 = hasSky;
+    if (_e51) {
+        if ((e_20.kind == 6.0)) {
+            LightSample _e55 = sampleSky(u_17);
+            s_10 = _e55;
+        }
     }
-    float _e65 = s_10.pdf;
-    float _e67 = s_10.distance_;
-    s_10.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
-    LightSample _e74 = s_10;
-    return _e74;
+    float _e58 = s_10.pdf;
+    float _e60 = s_10.distance_;
+    s_10.pdf = pick((_e60 <= (1e-5 * length(point_15))), 0.0, _e58);
+    LightSample _e67 = s_10;
+    return _e67;
 }
 
 bool isConductor(uint code_8) {

@@ -134,39 +134,47 @@ fn tracePair(p: RayPair) -> PairHit {
   var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
-  if (hasSpheres & (i < ends.x)) {
-    loop {
-      found = meetSphere(found, p, i);
-      i++;
-      if (i >= ends.x) {
-        break;
+  if (hasSpheres) {
+    if (i < ends.x) {
+      loop {
+        found = meetSphere(found, p, i);
+        i++;
+        if (i >= ends.x) {
+          break;
+        }
       }
     }
   }
-  if (hasBoxes & (i < ends.y)) {
-    loop {
-      found = meetBox(found, p, i);
-      i++;
-      if (i >= ends.y) {
-        break;
+  if (hasBoxes) {
+    if (i < ends.y) {
+      loop {
+        found = meetBox(found, p, i);
+        i++;
+        if (i >= ends.y) {
+          break;
+        }
       }
     }
   }
-  if (hasQuads & (i < ends.z)) {
-    loop {
-      found = meetQuad(found, p, i);
-      i++;
-      if (i >= ends.z) {
-        break;
+  if (hasQuads) {
+    if (i < ends.z) {
+      loop {
+        found = meetQuad(found, p, i);
+        i++;
+        if (i >= ends.z) {
+          break;
+        }
       }
     }
   }
-  if (hasPlanes & (i < ends.w)) {
-    loop {
-      found = meetPlane(found, p, i);
-      i++;
-      if (i >= ends.w) {
-        break;
+  if (hasPlanes) {
+    if (i < ends.w) {
+      loop {
+        found = meetPlane(found, p, i);
+        i++;
+        if (i >= ends.w) {
+          break;
+        }
       }
     }
   }
@@ -368,7 +376,15 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
       let radiance = select(emission, far.radiance, escaped);
       found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
       i++;
-      if (!(hasSky | hasSuns) | !escaped | (i >= frame.emitterCount)) {
+      if (!hasManyLights) {
+        break;
+      }
+      if (!hasSky) {
+        if (!hasSuns) {
+          break;
+        }
+      }
+      if (!escaped | (i >= frame.emitterCount)) {
         break;
       }
     }
@@ -389,26 +405,28 @@ fn next3d(s: ptr<function, Sampler>) -> vec3f {
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
   var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    var total = 0.0;
-    var chosen = 0u;
-    var chosenWeight = 0.0;
-    var rest = u;
-    var i = 0u;
-    loop {
-      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-      total += weight;
-      let share = weight / max(total, 1e-37);
-      let take = rest < share;
-      chosen = select(chosen, i, take);
-      chosenWeight = select(chosenWeight, weight, take);
-      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-      i++;
-      if (i >= frame.emitterCount) {
-        break;
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= frame.emitterCount) {
+          break;
+        }
       }
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
     }
-    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
   }
   return choice;
 }
@@ -426,26 +444,40 @@ fn emitterAt(i: u32, only: Emitter) -> Emitter {
 // lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    s = sampleSphere(e, point, u);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    s = sampleQuad(e, point, u);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    s = sampleBox(e, point, u);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
   }
-  if (hasPointLights & (e.kind == pointKind)) {
-    s = samplePoint(e, point);
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
   }
-  if (hasPointLights & (e.kind == spotKind)) {
-    s = sampleSpot(e, point);
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
   }
-  if (hasSuns & (e.kind == directionalKind)) {
-    s = sampleDirectional(e, u);
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
   }
-  if (hasSky & (e.kind == skyKind)) {
-    s = sampleSky(u);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
   }
   s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
   return s;
@@ -665,8 +697,6 @@ struct Normals {
 }
 
 
-const noInstance = 0xffffffffu;
-
 struct SurfacePoint {
   surface: Surface,
   // All zero where it has none.
@@ -677,6 +707,9 @@ struct SurfacePoint {
   // Along the surface, where facets have a grain; else zero.
   grain: vec3f,
 }
+
+
+const noInstance = 0xffffffffu;
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -940,9 +973,11 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
     let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
     far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
   }
-  if (hasSky & (e.kind == skyKind)) {
-    let seen = skyLight(direction);
-    far = FarLight(seen.radiance, seen.pdf);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      let seen = skyLight(direction);
+      far = FarLight(seen.radiance, seen.pdf);
+    }
   }
   return far;
 }
@@ -951,14 +986,20 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
 // outward normal.
 fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   var pdf = 0.0;
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    pdf = spherePdf(e, point, direction);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      pdf = spherePdf(e, point, direction);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    pdf = quadPdf(e, point, distance);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      pdf = quadPdf(e, point, distance);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    pdf = boxPdf(e, point, direction, distance, normal);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      pdf = boxPdf(e, point, direction, distance, normal);
+    }
   }
   return pdf;
 }
@@ -966,11 +1007,15 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+    }
   }
   return probability;
 }
+
+override hasManyLights = true;
 
 override hasSky = true;
 
@@ -983,8 +1028,6 @@ struct FarLight {
   pdf: f32,
 }
 
-
-const skyKind = 6.0;
 
 const directionalKind = 5.0;
 
@@ -999,6 +1042,8 @@ fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
 }
 
 const pi = 3.14159265359;
+
+const skyKind = 6.0;
 
 // What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
 fn skyLight(direction: vec3f) -> EnvironmentLight {
@@ -1086,16 +1131,12 @@ struct Corners {
 // Kinds of light, and more than one of them.
 override hasSphereLights = true;
 
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
 override hasQuadLights = false;
-
-const quadKind = 1.0;
 
 override hasBoxLights = false;
 
-const boxKind = 2.0;
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
 
 // A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
 fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
@@ -1129,6 +1170,8 @@ struct SphereView {
   width: f32,
 }
 
+
+const quadKind = 1.0;
 
 fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
   return pdfOfView(viewQuad(e, point), e.area, distance);
@@ -1211,6 +1254,8 @@ fn arctangent(x: f32) -> f32 {
   return sign(x) * (base + (series * z * r + r));
 }
 
+const boxKind = 2.0;
+
 fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   let b = viewBox(e, point);
   return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
@@ -1235,8 +1280,6 @@ struct BoxView {
   inside: bool,
 }
 
-
-override hasManyLights = true;
 
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
@@ -1390,8 +1433,6 @@ struct LightSample {
 }
 
 
-const pointKind = 3.0;
-
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
   let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
@@ -1495,6 +1536,8 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
+
+const pointKind = 3.0;
 
 fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
   let toLight = e.position - point;
@@ -2100,12 +2143,14 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections & (frame.projection == 2u)) {
-    let longitude = pi0 * x;
-    let latitude = 0.5 * pi0 * y;
-    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi0 * x;
+      let latitude = 0.5 * pi0 * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
   }
   return ray;
 }

@@ -725,18 +725,20 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     float _e66 = frame.focusDistance;
     ray = CameraRay(pick(orthographic, (across_1 + lens_1), lens_1), normalize((ahead - (lens_1 / vec3(_e66)))));
     const bool _e74 = hasOtherProjections;
-    uint _e77 = frame.projection;
-    if (pick(_e74, (_e77 == 2u), false)) {
-        float longitude = (3.1415927 * x_18);
-        float latitude = (1.5707964 * y_9);
-        vec3 _e88 = frame.right;
-        vec3 _e93 = frame.forward;
-        vec3 level = ((sin(longitude) * _e88) + (cos(longitude) * _e93));
-        vec3 _e103 = frame.up;
-        ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e103))));
+    if (_e74) {
+        uint _e77 = frame.projection;
+        if ((_e77 == 2u)) {
+            float longitude = (3.1415927 * x_18);
+            float latitude = (1.5707964 * y_9);
+            vec3 _e87 = frame.right;
+            vec3 _e92 = frame.forward;
+            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 _e102 = frame.up;
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+        }
     }
-    CameraRay _e108 = ray;
-    return _e108;
+    CameraRay _e107 = ray;
+    return _e107;
 }
 
 CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
@@ -1259,13 +1261,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e287 = instance_1;
                     MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
                     const bool _e293 = hasCutouts;
-                    uint _e294 = cover;
-                    if (pick(_e293, ((_e294 & coverRow) != 0u), false)) {
-                        doubted = met;
-                        break;
+                    if (_e293) {
+                        uint _e294 = cover;
+                        if (((_e294 & coverRow) != 0u)) {
+                            doubted = met;
+                            break;
+                        }
                     }
-                    bool _e300 = toLight;
-                    if (_e300) {
+                    bool _e299 = toLight;
+                    if (_e299) {
                         found_5.blocked = true;
                         break;
                     }
@@ -1273,12 +1277,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     found_5 = met;
                 }
             } else {
-                uint _e304 = current;
-                if ((_e304 >= instances)) {
-                    uint _e307 = current;
-                    if ((_e307 == ending)) {
-                        bool _e310 = toLight;
-                        if (pick(_e310, true, !((rays.lightMost > 0.0)))) {
+                uint _e303 = current;
+                if ((_e303 >= instances)) {
+                    uint _e306 = current;
+                    if ((_e306 == ending)) {
+                        bool _e309 = toLight;
+                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
                             break;
                         }
                         toLight = true;
@@ -1286,86 +1290,86 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         top = 1u;
                         current = first_1;
                     }
-                    uint _e319 = current;
-                    bool toWorld_1 = (_e319 >= beginning);
-                    uint _e322 = current;
-                    instance_1 = pick(toWorld_1, noInstance, (_e322 & placeMask));
+                    uint _e318 = current;
+                    bool toWorld_1 = (_e318 >= beginning);
+                    uint _e321 = current;
+                    instance_1 = pick(toWorld_1, noInstance, (_e321 & placeMask));
                     o = rays.origin;
-                    bool _e331 = toLight;
-                    d_1 = pick(_e331, rays.lightDirection, rays.direction);
+                    bool _e330 = toLight;
+                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
                     nodes = 0u;
                     if (!(toWorld_1)) {
-                        uint _e338 = frame.instances;
-                        uint _e339 = instance_1;
-                        Instance _e343 = fetchInstance((_e338 + (_e339 * instanceRows)));
-                        vec3 _e344 = o;
-                        vec4 p_17 = vec4(_e344, 1.0);
-                        o = vec3(dot(_e343.toMeshX, p_17), dot(_e343.toMeshY, p_17), dot(_e343.toMeshZ, p_17));
-                        vec3 _e356 = d_1;
-                        vec3 _e360 = d_1;
-                        vec3 _e364 = d_1;
-                        d_1 = vec3(dot(_e343.toMeshX.xyz, _e356), dot(_e343.toMeshY.xyz, _e360), dot(_e343.toMeshZ.xyz, _e364));
-                        nodes = _e343.nodes;
-                        triangles = _e343.triangles;
-                        cover = _e343.cover;
-                        uint _e372 = instance_1;
-                        own = pick((_e372 == left.instance), left.triangle, placeMask);
+                        uint _e337 = frame.instances;
+                        uint _e338 = instance_1;
+                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
+                        vec3 _e343 = o;
+                        vec4 p_17 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_17), dot(_e342.toMeshY, p_17), dot(_e342.toMeshZ, p_17));
+                        vec3 _e355 = d_1;
+                        vec3 _e359 = d_1;
+                        vec3 _e363 = d_1;
+                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
+                        nodes = _e342.nodes;
+                        triangles = _e342.triangles;
+                        cover = _e342.cover;
+                        uint _e371 = instance_1;
+                        own = pick((_e371 == left.instance), left.triangle, placeMask);
                         if (!(alone)) {
-                            uint _e378 = top;
-                            stack[_e378] = leaving;
-                            uint _e382 = top;
-                            top = (_e382 + 1u);
+                            uint _e377 = top;
+                            stack[_e377] = leaving;
+                            uint _e381 = top;
+                            top = (_e381 + 1u);
                         }
                     }
-                    vec3 _e384 = o;
-                    vec3 _e385 = d_1;
-                    SlabRay _e386 = slabRay(_e384, _e385);
-                    slabs = _e386;
-                    vec3 _e387 = o;
-                    vec3 _e388 = d_1;
-                    MeshRay _e389 = meshRay(_e387, _e388);
-                    ray_2 = _e389;
-                    uint _e390 = current;
-                    bool goesOn = (_e390 == leaving);
+                    vec3 _e383 = o;
+                    vec3 _e384 = d_1;
+                    SlabRay _e385 = slabRay(_e383, _e384);
+                    slabs = _e385;
+                    vec3 _e386 = o;
+                    vec3 _e387 = d_1;
+                    MeshRay _e388 = meshRay(_e386, _e387);
+                    ray_2 = _e388;
+                    uint _e389 = current;
+                    bool goesOn = (_e389 == leaving);
                     current = 0u;
                     if (goesOn) {
-                        uint _e395 = top;
-                        top = (_e395 - 1u);
-                        uint _e398 = top;
-                        uint _e400 = stack[_e398];
-                        current = _e400;
+                        uint _e394 = top;
+                        top = (_e394 - 1u);
+                        uint _e397 = top;
+                        uint _e399 = stack[_e397];
+                        current = _e399;
                     }
                 }
             }
         }
-        const bool _e402 = hasCutouts;
-        if (!(_e402)) {
+        const bool _e401 = hasCutouts;
+        if (!(_e401)) {
             break;
         }
-        uint _e405 = doubted.instance;
-        if ((_e405 == noInstance)) {
+        uint _e404 = doubted.instance;
+        if ((_e404 == noInstance)) {
             break;
         }
-        uint _e409 = doubted.instance;
-        uint _e411 = doubted.triangle;
-        vec2 _e413 = doubted.weights;
-        bool _e415 = toLight;
-        bool _e418 = isThere(_e409, _e411, _e413, (rays.number + uint(_e415)));
-        bool _e419 = toLight;
-        if (pick(_e418, _e419, false)) {
+        uint _e408 = doubted.instance;
+        uint _e410 = doubted.triangle;
+        vec2 _e412 = doubted.weights;
+        bool _e414 = toLight;
+        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
+        bool _e418 = toLight;
+        if (pick(_e417, _e418, false)) {
             found_5.blocked = true;
             break;
         }
-        if (_e418) {
-            float _e424 = doubted.t;
-            most = _e424;
-            MeshHit _e425 = doubted;
-            found_5 = _e425;
+        if (_e417) {
+            float _e423 = doubted.t;
+            most = _e423;
+            MeshHit _e424 = doubted;
+            found_5 = _e424;
         }
         doubted.instance = noInstance;
     }
-    MeshHit _e428 = found_5;
-    return _e428;
+    MeshHit _e427 = found_5;
+    return _e427;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1395,77 +1399,85 @@ PairHit tracePair(RayPair p_7) {
     uint i_10 = 0u;
     uvec4 ends = frame.shapeEnds;
     const bool _e17 = hasSpheres;
-    uint _e18 = i_10;
-    if (pick(_e17, (_e18 < ends.x), false)) {
-        while(true) {
-            PairHit _e22 = found_7;
-            uint _e23 = i_10;
-            PairHit _e24 = meetSphere(_e22, p_7, _e23);
-            found_7 = _e24;
-            uint _e26 = i_10;
-            i_10 = (_e26 + 1u);
-            uint _e28 = i_10;
-            if ((_e28 >= ends.x)) {
-                break;
+    if (_e17) {
+        uint _e18 = i_10;
+        if ((_e18 < ends.x)) {
+            while(true) {
+                PairHit _e21 = found_7;
+                uint _e22 = i_10;
+                PairHit _e23 = meetSphere(_e21, p_7, _e22);
+                found_7 = _e23;
+                uint _e25 = i_10;
+                i_10 = (_e25 + 1u);
+                uint _e27 = i_10;
+                if ((_e27 >= ends.x)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e32 = hasBoxes;
-    uint _e33 = i_10;
-    if (pick(_e32, (_e33 < ends.y), false)) {
-        while(true) {
-            PairHit _e37 = found_7;
-            uint _e38 = i_10;
-            PairHit _e39 = meetBox(_e37, p_7, _e38);
-            found_7 = _e39;
-            uint _e41 = i_10;
-            i_10 = (_e41 + 1u);
-            uint _e43 = i_10;
-            if ((_e43 >= ends.y)) {
-                break;
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_10;
+        if ((_e32 < ends.y)) {
+            while(true) {
+                PairHit _e35 = found_7;
+                uint _e36 = i_10;
+                PairHit _e37 = meetBox(_e35, p_7, _e36);
+                found_7 = _e37;
+                uint _e39 = i_10;
+                i_10 = (_e39 + 1u);
+                uint _e41 = i_10;
+                if ((_e41 >= ends.y)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e47 = hasQuads;
-    uint _e48 = i_10;
-    if (pick(_e47, (_e48 < ends.z), false)) {
-        while(true) {
-            PairHit _e52 = found_7;
-            uint _e53 = i_10;
-            PairHit _e54 = meetQuad(_e52, p_7, _e53);
-            found_7 = _e54;
-            uint _e56 = i_10;
-            i_10 = (_e56 + 1u);
-            uint _e58 = i_10;
-            if ((_e58 >= ends.z)) {
-                break;
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_10;
+        if ((_e46 < ends.z)) {
+            while(true) {
+                PairHit _e49 = found_7;
+                uint _e50 = i_10;
+                PairHit _e51 = meetQuad(_e49, p_7, _e50);
+                found_7 = _e51;
+                uint _e53 = i_10;
+                i_10 = (_e53 + 1u);
+                uint _e55 = i_10;
+                if ((_e55 >= ends.z)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e62 = hasPlanes;
-    uint _e63 = i_10;
-    if (pick(_e62, (_e63 < ends.w), false)) {
-        while(true) {
-            PairHit _e67 = found_7;
-            uint _e68 = i_10;
-            PairHit _e69 = meetPlane(_e67, p_7, _e68);
-            found_7 = _e69;
-            uint _e71 = i_10;
-            i_10 = (_e71 + 1u);
-            uint _e73 = i_10;
-            if ((_e73 >= ends.w)) {
-                break;
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_10;
+        if ((_e60 < ends.w)) {
+            while(true) {
+                PairHit _e63 = found_7;
+                uint _e64 = i_10;
+                PairHit _e65 = meetPlane(_e63, p_7, _e64);
+                found_7 = _e65;
+                uint _e67 = i_10;
+                i_10 = (_e67 + 1u);
+                uint _e69 = i_10;
+                if ((_e69 >= ends.w)) {
+                    break;
+                }
             }
         }
     }
-    const bool _e77 = hasMeshes;
-    if (_e77) {
-        PairHit _e78 = found_7;
-        PairHit _e79 = meetMeshes(_e78, p_7);
-        found_7 = _e79;
+    const bool _e73 = hasMeshes;
+    if (_e73) {
+        PairHit _e74 = found_7;
+        PairHit _e75 = meetMeshes(_e74, p_7);
+        found_7 = _e75;
     }
-    PairHit _e80 = found_7;
-    return _e80;
+    PairHit _e76 = found_7;
+    return _e76;
 }
 
 bool isPlane(uint i_11) {
@@ -1806,47 +1818,49 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     layers = _e13;
     normals = Normals(_e4, _e4);
     const bool _e24 = hasMeshes;
-    if (pick(_e24, (hit.triangle.instance != noInstance), false)) {
-        MeshPoint _e35 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-        normals = Normals(_e35.geometric, _e35.shading);
-        const bool _e40 = hasTextures;
-        if (_e40) {
-            vec3 _e44 = takeUpTextures(surface, layers, _e35.uv, _e35.color.xyz);
-            tangent_1 = _e35.tangent;
-            bitangent_1 = _e35.bitangent;
-            if (any(notEqual(_e44, vec3(0.0, 0.0, 1.0)))) {
-                vec3 _e68 = validNormal(_e35.geometric, rays_1.direction, (((_e44.x * _e35.tangent) + (_e44.y * _e35.bitangent)) + (_e44.z * _e35.normal)), _e35.shading);
-                normals.shading = _e68;
+    if (_e24) {
+        if ((hit.triangle.instance != noInstance)) {
+            MeshPoint _e34 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e34.geometric, _e34.shading);
+            const bool _e39 = hasTextures;
+            if (_e39) {
+                vec3 _e43 = takeUpTextures(surface, layers, _e34.uv, _e34.color.xyz);
+                tangent_1 = _e34.tangent;
+                bitangent_1 = _e34.bitangent;
+                if (any(notEqual(_e43, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e67 = validNormal(_e34.geometric, rays_1.direction, (((_e43.x * _e34.tangent) + (_e43.y * _e34.bitangent)) + (_e43.z * _e34.normal)), _e34.shading);
+                    normals.shading = _e67;
+                }
             }
-        }
-        vec3 _e70 = normals.geometric;
-        vec3 _e76 = normals.shading;
-        bool agree = ((dot(_e70, rays_1.direction) > 0.0) == (dot(_e76, rays_1.direction) > 0.0));
-        vec3 _e84 = normals.shading;
-        vec3 _e86 = normals.geometric;
-        float _e88 = surface.code;
-        float _e92 = surface.eta.x;
-        bool _e93 = letsThrough(uint(_e88), _e92);
-        normals.shading = pick(pick(_e93, !(agree), false), _e86, _e84);
-    }
-    const bool _e101 = hasLayers;
-    if (_e101) {
-        float _e103 = layers.anisotropy;
-        if ((_e103 > 0.0)) {
-            vec3 _e107 = normals.shading;
-            vec3 _e108 = tangent_1;
-            vec3 _e109 = bitangent_1;
-            vec2 _e111 = layers.grain;
-            vec3 _e112 = grainAt(_e107, _e108, _e109, _e111);
-            grain_1 = _e112;
+            vec3 _e69 = normals.geometric;
+            vec3 _e75 = normals.shading;
+            bool agree = ((dot(_e69, rays_1.direction) > 0.0) == (dot(_e75, rays_1.direction) > 0.0));
+            vec3 _e83 = normals.shading;
+            vec3 _e85 = normals.geometric;
+            float _e87 = surface.code;
+            float _e91 = surface.eta.x;
+            bool _e92 = letsThrough(uint(_e87), _e91);
+            normals.shading = pick(pick(_e92, !(agree), false), _e85, _e83);
         }
     }
-    Surface _e113 = surface;
-    Layers _e114 = layers;
-    vec3 _e116 = normals.geometric;
-    vec3 _e118 = normals.shading;
-    vec3 _e119 = grain_1;
-    return SurfacePoint(_e113, _e114, _e116, _e118, _e119);
+    const bool _e100 = hasLayers;
+    if (_e100) {
+        float _e102 = layers.anisotropy;
+        if ((_e102 > 0.0)) {
+            vec3 _e106 = normals.shading;
+            vec3 _e107 = tangent_1;
+            vec3 _e108 = bitangent_1;
+            vec2 _e110 = layers.grain;
+            vec3 _e111 = grainAt(_e106, _e107, _e108, _e110);
+            grain_1 = _e111;
+        }
+    }
+    Surface _e112 = surface;
+    Layers _e113 = layers;
+    vec3 _e115 = normals.geometric;
+    vec3 _e117 = normals.shading;
+    vec3 _e118 = grain_1;
+    return SurfacePoint(_e112, _e113, _e115, _e117, _e118);
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -1995,12 +2009,14 @@ FarLight farLight(Emitter e_2, vec3 direction_15) {
         far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
-    if (pick(_e23, (e_2.kind == 6.0), false)) {
-        EnvironmentLight _e28 = skyLight(direction_15);
-        far = FarLight(_e28.radiance, _e28.pdf);
+    if (_e23) {
+        if ((e_2.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_15);
+            far = FarLight(_e27.radiance, _e27.pdf);
+        }
     }
-    FarLight _e32 = far;
-    return _e32;
+    FarLight _e31 = far;
+    return _e31;
 }
 
 SphereView viewSphere(Emitter e_3, vec3 point) {
@@ -2099,22 +2115,28 @@ float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_17, float distance_3, vec
 float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, vec3 normal_5) {
     float pdf = 0.0;
     const bool _e8 = hasSphereLights;
-    if (pick(_e8, (e_9.kind == 0.0), false)) {
-        float _e13 = spherePdf(e_9, point_6, direction_18);
-        pdf = _e13;
+    if (_e8) {
+        if ((e_9.kind == 0.0)) {
+            float _e12 = spherePdf(e_9, point_6, direction_18);
+            pdf = _e12;
+        }
     }
-    const bool _e15 = hasQuadLights;
-    if (pick(_e15, (e_9.kind == 1.0), false)) {
-        float _e20 = quadPdf(e_9, point_6, distance_4);
-        pdf = _e20;
+    const bool _e14 = hasQuadLights;
+    if (_e14) {
+        if ((e_9.kind == 1.0)) {
+            float _e18 = quadPdf(e_9, point_6, distance_4);
+            pdf = _e18;
+        }
     }
-    const bool _e22 = hasBoxLights;
-    if (pick(_e22, (e_9.kind == 2.0), false)) {
-        float _e27 = boxPdf(e_9, point_6, direction_18, distance_4, normal_5);
-        pdf = _e27;
+    const bool _e20 = hasBoxLights;
+    if (_e20) {
+        if ((e_9.kind == 2.0)) {
+            float _e24 = boxPdf(e_9, point_6, direction_18, distance_4, normal_5);
+            pdf = _e24;
+        }
     }
-    float _e28 = pdf;
-    return _e28;
+    float _e25 = pdf;
+    return _e25;
 }
 
 float spotFalloff(Emitter e_10, vec3 toLight_1) {
@@ -2165,13 +2187,15 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
-    uint _e15 = frame.emitterCount;
-    if (pick(_e12, (_e15 > 1u), false)) {
-        float _e19 = estimatedIrradiance(e_12, point_8, normal_7);
-        probability = (_e19 / max(total, 1e-37));
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_12, point_8, normal_7);
+            probability = (_e18 / max(total, 1e-37));
+        }
     }
-    float _e23 = probability;
-    return _e23;
+    float _e22 = probability;
+    return _e22;
 }
 
 float misWeight(float own_1, float other) {
@@ -2207,17 +2231,26 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
             found_8 = (_e63 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e65)));
             uint _e74 = i_20;
             i_20 = (_e74 + 1u);
-            const bool _e77 = hasSky;
-            const bool _e79 = hasSuns;
-            uint _e84 = i_20;
-            uint _e87 = frame.emitterCount;
-            if (pick(pick(!(pick(_e77, true, _e79)), true, !(escaped)), true, (_e84 >= _e87))) {
+            const bool _e77 = hasManyLights;
+            if (!(_e77)) {
+                break;
+            }
+            const bool _e80 = hasSky;
+            if (!(_e80)) {
+                const bool _e83 = hasSuns;
+                if (!(_e83)) {
+                    break;
+                }
+            }
+            uint _e86 = i_20;
+            uint _e89 = frame.emitterCount;
+            if (pick(!(escaped), true, (_e86 >= _e89))) {
                 break;
             }
         }
     }
-    vec3 _e90 = found_8;
-    return _e90;
+    vec3 _e92 = found_8;
+    return _e92;
 }
 
 uint pascalW2_(uint x_14) {
@@ -2255,43 +2288,45 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
     uint _e6 = frame.emitterCount;
     choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
     const bool _e14 = hasManyLights;
-    uint _e17 = frame.emitterCount;
-    if (pick(_e14, (_e17 > 1u), false)) {
-        rest = u_4;
-        while(true) {
-            uint _e30 = i_21;
-            Emitter _e31 = fetchEmitter(_e30);
-            float _e32 = estimatedIrradiance(_e31, point_9, normal_8);
-            float _e33 = total_1;
-            total_1 = (_e33 + _e32);
-            float _e35 = total_1;
-            float share_4 = (_e32 / max(_e35, 1e-37));
-            float _e39 = rest;
-            bool take = (_e39 < share_4);
-            uint _e41 = chosen;
-            uint _e42 = i_21;
-            chosen = pick(take, _e42, _e41);
-            float _e44 = chosenWeight;
-            chosenWeight = pick(take, _e32, _e44);
-            float _e46 = rest;
-            float _e53 = rest;
-            rest = pick(take, (_e53 / max(share_4, 1e-37)), ((_e46 - share_4) / max((1.0 - share_4), 1e-7)));
-            uint _e59 = i_21;
-            i_21 = (_e59 + 1u);
-            uint _e61 = i_21;
-            uint _e64 = frame.emitterCount;
-            if ((_e61 >= _e64)) {
-                break;
+    if (_e14) {
+        uint _e17 = frame.emitterCount;
+        if ((_e17 > 1u)) {
+            rest = u_4;
+            while(true) {
+                uint _e29 = i_21;
+                Emitter _e30 = fetchEmitter(_e29);
+                float _e31 = estimatedIrradiance(_e30, point_9, normal_8);
+                float _e32 = total_1;
+                total_1 = (_e32 + _e31);
+                float _e34 = total_1;
+                float share_4 = (_e31 / max(_e34, 1e-37));
+                float _e38 = rest;
+                bool take = (_e38 < share_4);
+                uint _e40 = chosen;
+                uint _e41 = i_21;
+                chosen = pick(take, _e41, _e40);
+                float _e43 = chosenWeight;
+                chosenWeight = pick(take, _e31, _e43);
+                float _e45 = rest;
+                float _e52 = rest;
+                rest = pick(take, (_e52 / max(share_4, 1e-37)), ((_e45 - share_4) / max((1.0 - share_4), 1e-7)));
+                uint _e58 = i_21;
+                i_21 = (_e58 + 1u);
+                uint _e60 = i_21;
+                uint _e63 = frame.emitterCount;
+                if ((_e60 >= _e63)) {
+                    break;
+                }
             }
+            uint _e65 = chosen;
+            float _e66 = chosenWeight;
+            float _e67 = total_1;
+            float _e71 = total_1;
+            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
         }
-        uint _e66 = chosen;
-        float _e67 = chosenWeight;
-        float _e68 = total_1;
-        float _e72 = total_1;
-        choice = EmitterChoice(_e66, (_e67 / max(_e68, 1e-37)), _e72);
     }
-    EmitterChoice _e74 = choice;
-    return _e74;
+    EmitterChoice _e73 = choice;
+    return _e73;
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_5) {
@@ -2496,45 +2531,59 @@ LightSample sampleSky(vec2 u_16) {
 LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
-    if (pick(_e15, (e_20.kind == 0.0), false)) {
-        LightSample _e20 = sampleSphere(e_20, point_15, u_17);
-        s_11 = _e20;
+    if (_e15) {
+        if ((e_20.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_20, point_15, u_17);
+            s_11 = _e19;
+        }
     }
-    const bool _e22 = hasQuadLights;
-    if (pick(_e22, (e_20.kind == 1.0), false)) {
-        LightSample _e27 = sampleQuad(e_20, point_15, u_17);
-        s_11 = _e27;
+    const bool _e21 = hasQuadLights;
+    if (_e21) {
+        if ((e_20.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_20, point_15, u_17);
+            s_11 = _e25;
+        }
     }
-    const bool _e29 = hasBoxLights;
-    if (pick(_e29, (e_20.kind == 2.0), false)) {
-        LightSample _e34 = sampleBox(e_20, point_15, u_17);
-        s_11 = _e34;
+    const bool _e27 = hasBoxLights;
+    if (_e27) {
+        if ((e_20.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_20, point_15, u_17);
+            s_11 = _e31;
+        }
     }
-    const bool _e36 = hasPointLights;
-    if (pick(_e36, (e_20.kind == 3.0), false)) {
-        LightSample _e41 = samplePoint(e_20, point_15);
-        s_11 = _e41;
+    const bool _e33 = hasPointLights;
+    if (_e33) {
+        if ((e_20.kind == 3.0)) {
+            LightSample _e37 = samplePoint(e_20, point_15);
+            s_11 = _e37;
+        }
     }
-    const bool _e43 = hasPointLights;
-    if (pick(_e43, (e_20.kind == 4.0), false)) {
-        LightSample _e48 = sampleSpot(e_20, point_15);
-        s_11 = _e48;
+    const bool _e39 = hasPointLights;
+    if (_e39) {
+        if ((e_20.kind == 4.0)) {
+            LightSample _e43 = sampleSpot(e_20, point_15);
+            s_11 = _e43;
+        }
     }
-    const bool _e50 = hasSuns;
-    if (pick(_e50, (e_20.kind == 5.0), false)) {
-        LightSample _e55 = sampleDirectional(e_20, u_17);
-        s_11 = _e55;
+    const bool _e45 = hasSuns;
+    if (_e45) {
+        if ((e_20.kind == 5.0)) {
+            LightSample _e49 = sampleDirectional(e_20, u_17);
+            s_11 = _e49;
+        }
     }
-    const bool _e57 = hasSky;
-    if (pick(_e57, (e_20.kind == 6.0), false)) {
-        LightSample _e62 = sampleSky(u_17);
-        s_11 = _e62;
+    const bool _e51 = hasSky;
+    if (_e51) {
+        if ((e_20.kind == 6.0)) {
+            LightSample _e55 = sampleSky(u_17);
+            s_11 = _e55;
+        }
     }
-    float _e65 = s_11.pdf;
-    float _e67 = s_11.distance_;
-    s_11.pdf = pick((_e67 <= (1e-5 * length(point_15))), 0.0, _e65);
-    LightSample _e74 = s_11;
-    return _e74;
+    float _e58 = s_11.pdf;
+    float _e60 = s_11.distance_;
+    s_11.pdf = pick((_e60 <= (1e-5 * length(point_15))), 0.0, _e58);
+    LightSample _e67 = s_11;
+    return _e67;
 }
 
 vec3 heroColor(vec3 throughput, float u_18) {
@@ -2677,34 +2726,36 @@ vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_7) {
     vec3 _e12 = schlick(s_13.baseColor, _e5);
     metal = _e12;
     const bool _e15 = hasIridescence;
-    if (pick(_e15, (l_6.film > 0.0), false)) {
-        isMetal = (s_13.metallic >= 1.0);
-        while(true) {
-            bool _e27 = isMetal;
-            vec3 _e31 = filmReflectance(pick(_e27, s_13.baseColor, (l_6.specularWeight * _e6)), l_6.filmIor, l_6.filmThickness, _e5);
-            bool _e32 = isMetal;
-            if (_e32) {
-                vec3 _e33 = metal;
-                metal = mix(_e33, _e31, l_6.film);
-            } else {
-                vec3 _e36 = dielectric;
-                dielectric = mix(_e36, _e31, l_6.film);
+    if (_e15) {
+        if ((l_6.film > 0.0)) {
+            isMetal = (s_13.metallic >= 1.0);
+            while(true) {
+                bool _e26 = isMetal;
+                vec3 _e30 = filmReflectance(pick(_e26, s_13.baseColor, (l_6.specularWeight * _e6)), l_6.filmIor, l_6.filmThickness, _e5);
+                bool _e31 = isMetal;
+                if (_e31) {
+                    vec3 _e32 = metal;
+                    metal = mix(_e32, _e30, l_6.film);
+                } else {
+                    vec3 _e35 = dielectric;
+                    dielectric = mix(_e35, _e30, l_6.film);
+                }
+                bool _e38 = isMetal;
+                if (pick(_e38, true, (s_13.metallic <= 0.0))) {
+                    break;
+                }
+                isMetal = true;
             }
-            bool _e39 = isMetal;
-            if (pick(_e39, true, (s_13.metallic <= 0.0))) {
-                break;
-            }
-            isMetal = true;
         }
     }
-    vec3 _e45 = dielectric;
-    bool _e49 = reflectsAll(cosine_7, o_2.ratio);
-    dielectric = pick(_e49, vec3(1.0), _e45);
-    vec3 _e51 = dielectric;
-    vec3 _e52 = metal;
-    vec3 _e58 = dielectric;
-    float _e59 = greatest(_e58);
-    return vec4(mix(_e51, _e52, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e59)));
+    vec3 _e44 = dielectric;
+    bool _e48 = reflectsAll(cosine_7, o_2.ratio);
+    dielectric = pick(_e48, vec3(1.0), _e44);
+    vec3 _e50 = dielectric;
+    vec3 _e51 = metal;
+    vec3 _e57 = dielectric;
+    float _e58 = greatest(_e57);
+    return vec4(mix(_e50, _e51, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e58)));
 }
 
 float mean3_(vec3 v_8) {
@@ -3430,76 +3481,78 @@ void meetSurface(inout Path p_11, PairHit hit_2) {
     vec3 _e98 = foundLight(_e95, hit_2, _e96, _e10.geometric, _e90);
     p_11.radiance = (_e92 + (_e94 * _e98));
     const bool _e102 = hasMeshes;
-    if (pick(_e102, escaped_1, false)) {
-        p_11.alive = false;
-        return;
-    }
-    vec3 litSide = pick(_e19, vec3(0.0), normal_12);
-    vec3 _e110 = next3d(p_11.sampler_);
-    vec3 _e112 = next3d(p_11.sampler_);
-    EmitterChoice _e114 = chooseEmitter(point_16, litSide, _e110.z);
-    Emitter _e116 = emitterAt(_e114.index, _e90);
-    LightSample _e118 = sampleEmitter(_e116, point_16, _e110.xy);
-    float lightPdf = (_e118.pdf * _e114.probability);
-    const bool _e126 = hasLayers;
-    if (_e126) {
-        if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
-            vec3 _e133 = p_11.throughput;
-            float _e135 = nextHash(p_11.sampler_);
-            vec3 _e136 = heroColor(_e133, _e135);
-            hero_3 = _e136;
+    if (_e102) {
+        if (escaped_1) {
+            p_11.alive = false;
+            return;
         }
     }
-    Surface _e137 = surface_1;
-    vec3 _e139 = hero_3;
-    Outgoing _e140 = outgoing(_e137, _e10.layers, _e48, _e139);
-    Surface _e141 = surface_1;
-    BsdfSample _e142 = sampleLobe(_e141, _e140, _e112);
-    Surface _e143 = surface_1;
-    Basis _e144 = basis;
-    vec3 _e146 = toLocal(_e144, _e118.direction);
-    Pair _e148 = evaluatePair(_e143, _e140, _e146, _e142.direction);
-    const bool _e150 = hasMeshes;
-    bool opaque = pick(_e150, !(_e19), false);
-    bool _e157 = crosses(_e10.geometric, _e118.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e157, false);
-    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e148.toLight);
-    bool alone_1 = pick(_e118.delta, true, pick((_e116.shape < 0.0), (_e118.distance_ < 1e30), false));
-    float _e173 = misWeight(lightPdf, toLight_7.w);
-    float lightWeight = (pick(alone_1, 1.0, _e173) / lightPdf);
-    BsdfSample _e178 = completed(_e142, _e148.toSample);
-    Basis _e179 = basis;
-    vec3 _e181 = toWorld(_e179, _e178.direction);
-    bool _e185 = crosses(_e10.geometric, _e181, -(rays_2.direction));
-    bool leaks = pick(opaque, _e185, false);
-    uint _e189 = p_11.depth;
-    uint _e192 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e189 != _e192), false);
-    vec3 _e196 = p_11.throughput;
-    vec3 contribution = (((_e196 * toLight_7.xyz) * _e118.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e118.radiance), vec3(0.0))), false);
+    vec3 litSide = pick(_e19, vec3(0.0), normal_12);
+    vec3 _e109 = next3d(p_11.sampler_);
+    vec3 _e111 = next3d(p_11.sampler_);
+    EmitterChoice _e113 = chooseEmitter(point_16, litSide, _e109.z);
+    Emitter _e115 = emitterAt(_e113.index, _e90);
+    LightSample _e117 = sampleEmitter(_e115, point_16, _e109.xy);
+    float lightPdf = (_e117.pdf * _e113.probability);
+    const bool _e125 = hasLayers;
+    if (_e125) {
+        if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
+            vec3 _e132 = p_11.throughput;
+            float _e134 = nextHash(p_11.sampler_);
+            vec3 _e135 = heroColor(_e132, _e134);
+            hero_3 = _e135;
+        }
+    }
+    Surface _e136 = surface_1;
+    vec3 _e138 = hero_3;
+    Outgoing _e139 = outgoing(_e136, _e10.layers, _e48, _e138);
+    Surface _e140 = surface_1;
+    BsdfSample _e141 = sampleLobe(_e140, _e139, _e111);
+    Surface _e142 = surface_1;
+    Basis _e143 = basis;
+    vec3 _e145 = toLocal(_e143, _e117.direction);
+    Pair _e147 = evaluatePair(_e142, _e139, _e145, _e141.direction);
+    const bool _e149 = hasMeshes;
+    bool opaque = pick(_e149, !(_e19), false);
+    bool _e156 = crosses(_e10.geometric, _e117.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e156, false);
+    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e147.toLight);
+    bool alone_1 = pick(_e117.delta, true, pick((_e115.shape < 0.0), (_e117.distance_ < 1e30), false));
+    float _e172 = misWeight(lightPdf, toLight_7.w);
+    float lightWeight = (pick(alone_1, 1.0, _e172) / lightPdf);
+    BsdfSample _e177 = completed(_e141, _e147.toSample);
+    Basis _e178 = basis;
+    vec3 _e180 = toWorld(_e178, _e177.direction);
+    bool _e184 = crosses(_e10.geometric, _e180, -(rays_2.direction));
+    bool leaks = pick(opaque, _e184, false);
+    uint _e188 = p_11.depth;
+    uint _e191 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e188 != _e191), false);
+    vec3 _e195 = p_11.throughput;
+    vec3 contribution = (((_e195 * toLight_7.xyz) * _e117.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e117.radiance), vec3(0.0))), false);
     p_11.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e218 = p_11.throughput;
-    vec3 throughput_1 = (_e218 * _e178.weight);
-    float _e221 = max3_(throughput_1);
-    uint _e227 = p_11.depth;
-    float survival = pick((_e227 < rouletteDepth), 1.0, min((_e221 / 0.33333334), 0.95));
-    float _e239 = max3_(throughput_1);
-    float _e244 = nextHash(p_11.sampler_);
-    p_11.alive = pick(pick(pick(pick(goesOn_1, (_e178.pdf > 0.0), false), !(leaks), false), (_e239 > 0.0), false), (_e244 < survival), false);
+    vec3 _e217 = p_11.throughput;
+    vec3 throughput_1 = (_e217 * _e177.weight);
+    float _e220 = max3_(throughput_1);
+    uint _e226 = p_11.depth;
+    float survival = pick((_e226 < rouletteDepth), 1.0, min((_e220 / 0.33333334), 0.95));
+    float _e238 = max3_(throughput_1);
+    float _e243 = nextHash(p_11.sampler_);
+    p_11.alive = pick(pick(pick(pick(goesOn_1, (_e177.pdf > 0.0), false), !(leaks), false), (_e238 > 0.0), false), (_e243 < survival), false);
     p_11.throughput = (throughput_1 / vec3(survival));
-    uint _e252 = p_11.depth;
-    p_11.depth = (_e252 + 1u);
-    p_11.pdf = pick(_e178.delta, 0.0, _e178.pdf);
+    uint _e251 = p_11.depth;
+    p_11.depth = (_e251 + 1u);
+    p_11.pdf = pick(_e177.delta, 0.0, _e177.pdf);
     p_11.litSide = litSide;
-    p_11.total = _e114.total;
-    bool _e262 = isFlat(shape_1);
-    bool solid = !(_e262);
-    uint lightShape = pick((_e116.shape >= 0.0), uint(max(_e116.shape, 0.0)), noShape);
-    bool _e279 = p_11.alive;
-    Sampler _e294 = p_11.sampler_;
-    uint _e295 = numberOfNext(_e294);
-    p_11.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e279, _e181, pick(solid, (dot(_e181, outward_1) < 0.0), false), _e118.direction, pick(solid, (dot(_e118.direction, outward_1) < 0.0), false), pick(lit_1, _e118.distance_, -1.0), lightShape, _e295);
+    p_11.total = _e113.total;
+    bool _e261 = isFlat(shape_1);
+    bool solid = !(_e261);
+    uint lightShape = pick((_e115.shape >= 0.0), uint(max(_e115.shape, 0.0)), noShape);
+    bool _e278 = p_11.alive;
+    Sampler _e293 = p_11.sampler_;
+    uint _e294 = numberOfNext(_e293);
+    p_11.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e278, _e180, pick(solid, (dot(_e180, outward_1) < 0.0), false), _e117.direction, pick(solid, (dot(_e117.direction, outward_1) < 0.0), false), pick(lit_1, _e117.distance_, -1.0), lightShape, _e294);
     return;
 }
 

@@ -134,39 +134,47 @@ fn tracePair(p: RayPair) -> PairHit {
   var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
   let ends = frame.shapeEnds;
   var i = 0u;
-  if (hasSpheres & (i < ends.x)) {
-    loop {
-      found = meetSphere(found, p, i);
-      i++;
-      if (i >= ends.x) {
-        break;
+  if (hasSpheres) {
+    if (i < ends.x) {
+      loop {
+        found = meetSphere(found, p, i);
+        i++;
+        if (i >= ends.x) {
+          break;
+        }
       }
     }
   }
-  if (hasBoxes & (i < ends.y)) {
-    loop {
-      found = meetBox(found, p, i);
-      i++;
-      if (i >= ends.y) {
-        break;
+  if (hasBoxes) {
+    if (i < ends.y) {
+      loop {
+        found = meetBox(found, p, i);
+        i++;
+        if (i >= ends.y) {
+          break;
+        }
       }
     }
   }
-  if (hasQuads & (i < ends.z)) {
-    loop {
-      found = meetQuad(found, p, i);
-      i++;
-      if (i >= ends.z) {
-        break;
+  if (hasQuads) {
+    if (i < ends.z) {
+      loop {
+        found = meetQuad(found, p, i);
+        i++;
+        if (i >= ends.z) {
+          break;
+        }
       }
     }
   }
-  if (hasPlanes & (i < ends.w)) {
-    loop {
-      found = meetPlane(found, p, i);
-      i++;
-      if (i >= ends.w) {
-        break;
+  if (hasPlanes) {
+    if (i < ends.w) {
+      loop {
+        found = meetPlane(found, p, i);
+        i++;
+        if (i >= ends.w) {
+          break;
+        }
       }
     }
   }
@@ -266,9 +274,11 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
   // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
-  if (hasMeshes & escaped) {
-    (*p).alive = false;
-    return;
+  if (hasMeshes) {
+    if (escaped) {
+      (*p).alive = false;
+      return;
+    }
   }
 
   // Light that must come from this side to count: none is excluded where light goes through.
@@ -326,20 +336,22 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
-  if (hasMeshes & (hit.triangle.instance != noInstance)) {
-    let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-    normals = Normals(m.geometric, m.shading);
-    if (hasTextures) {
-      let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
-      tangent = m.tangent;
-      bitangent = m.bitangent;
-      if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-        normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+  if (hasMeshes) {
+    if (hit.triangle.instance != noInstance) {
+      let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+      normals = Normals(m.geometric, m.shading);
+      if (hasTextures) {
+        let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
+        tangent = m.tangent;
+        bitangent = m.bitangent;
+        if (any(bump != vec3f(0.0, 0.0, 1.0))) {
+          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        }
       }
+      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
+      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
-    // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-    let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
-    normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
   }
   var grain = vec3f(0.0);
   if (hasLayers) {
@@ -401,7 +413,15 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
       let radiance = select(emission, far.radiance, escaped);
       found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
       i++;
-      if (!(hasSky | hasSuns) | !escaped | (i >= frame.emitterCount)) {
+      if (!hasManyLights) {
+        break;
+      }
+      if (!hasSky) {
+        if (!hasSuns) {
+          break;
+        }
+      }
+      if (!escaped | (i >= frame.emitterCount)) {
         break;
       }
     }
@@ -422,26 +442,28 @@ fn next3d(s: ptr<function, Sampler>) -> vec3f {
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
   var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    var total = 0.0;
-    var chosen = 0u;
-    var chosenWeight = 0.0;
-    var rest = u;
-    var i = 0u;
-    loop {
-      let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
-      total += weight;
-      let share = weight / max(total, 1e-37);
-      let take = rest < share;
-      chosen = select(chosen, i, take);
-      chosenWeight = select(chosenWeight, weight, take);
-      rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-      i++;
-      if (i >= frame.emitterCount) {
-        break;
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= frame.emitterCount) {
+          break;
+        }
       }
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
     }
-    choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
   }
   return choice;
 }
@@ -459,26 +481,40 @@ fn emitterAt(i: u32, only: Emitter) -> Emitter {
 // lamp that the point itself lies on.
 fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    s = sampleSphere(e, point, u);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    s = sampleQuad(e, point, u);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    s = sampleBox(e, point, u);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
   }
-  if (hasPointLights & (e.kind == pointKind)) {
-    s = samplePoint(e, point);
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
   }
-  if (hasPointLights & (e.kind == spotKind)) {
-    s = sampleSpot(e, point);
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
   }
-  if (hasSuns & (e.kind == directionalKind)) {
-    s = sampleDirectional(e, u);
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
   }
-  if (hasSky & (e.kind == skyKind)) {
-    s = sampleSky(u);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
   }
   s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
   return s;
@@ -751,8 +787,6 @@ struct Normals {
 }
 
 
-const noInstance = 0xffffffffu;
-
 struct SurfacePoint {
   surface: Surface,
   // All zero where it has none.
@@ -764,6 +798,8 @@ struct SurfacePoint {
   grain: vec3f,
 }
 
+
+const noInstance = 0xffffffffu;
 
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
@@ -1481,9 +1517,11 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
     let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
     far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
   }
-  if (hasSky & (e.kind == skyKind)) {
-    let seen = skyLight(direction);
-    far = FarLight(seen.radiance, seen.pdf);
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      let seen = skyLight(direction);
+      far = FarLight(seen.radiance, seen.pdf);
+    }
   }
   return far;
 }
@@ -1492,14 +1530,20 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
 // outward normal.
 fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   var pdf = 0.0;
-  if (hasSphereLights & (e.kind == sphereKind)) {
-    pdf = spherePdf(e, point, direction);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      pdf = spherePdf(e, point, direction);
+    }
   }
-  if (hasQuadLights & (e.kind == quadKind)) {
-    pdf = quadPdf(e, point, distance);
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      pdf = quadPdf(e, point, distance);
+    }
   }
-  if (hasBoxLights & (e.kind == boxKind)) {
-    pdf = boxPdf(e, point, direction, distance, normal);
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      pdf = boxPdf(e, point, direction, distance, normal);
+    }
   }
   return pdf;
 }
@@ -1507,11 +1551,15 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
 // With which chooseEmitter would have chosen this one there.
 fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
-  if (hasManyLights & (frame.emitterCount > 1u)) {
-    probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+    }
   }
   return probability;
 }
+
+override hasManyLights = true;
 
 override hasSky = true;
 
@@ -1524,8 +1572,6 @@ struct FarLight {
   pdf: f32,
 }
 
-
-const skyKind = 6.0;
 
 const directionalKind = 5.0;
 
@@ -1540,6 +1586,8 @@ fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
 }
 
 const pi = 3.14159265359;
+
+const skyKind = 6.0;
 
 // What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
 fn skyLight(direction: vec3f) -> EnvironmentLight {
@@ -1627,16 +1675,12 @@ struct Corners {
 // Kinds of light, and more than one of them.
 override hasSphereLights = true;
 
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
 override hasQuadLights = false;
-
-const quadKind = 1.0;
 
 override hasBoxLights = false;
 
-const boxKind = 2.0;
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
 
 // A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
 fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
@@ -1670,6 +1714,8 @@ struct SphereView {
   width: f32,
 }
 
+
+const quadKind = 1.0;
 
 fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
   return pdfOfView(viewQuad(e, point), e.area, distance);
@@ -1752,6 +1798,8 @@ fn arctangent(x: f32) -> f32 {
   return sign(x) * (base + (series * z * r + r));
 }
 
+const boxKind = 2.0;
+
 fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
   let b = viewBox(e, point);
   return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
@@ -1776,8 +1824,6 @@ struct BoxView {
   inside: bool,
 }
 
-
-override hasManyLights = true;
 
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
@@ -1931,8 +1977,6 @@ struct LightSample {
 }
 
 
-const pointKind = 3.0;
-
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
   let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
@@ -2036,6 +2080,8 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
+
+const pointKind = 3.0;
 
 fn samplePoint(e: Emitter, point: vec3f) -> LightSample {
   let toLight = e.position - point;
@@ -2270,20 +2316,22 @@ fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
   let f0 = dielectricF0(l);
   var dielectric = l.specularWeight * schlick(f0, outer);
   var metal = schlick(s.baseColor, outer);
-  if (hasIridescence & (l.film > 0.0)) {
-    // Mostly one of the two.
-    var isMetal = s.metallic >= 1.0;
-    loop {
-      let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
-      if (isMetal) {
-        metal = mix(metal, film, l.film);
-      } else {
-        dielectric = mix(dielectric, film, l.film);
+  if (hasIridescence) {
+    if (l.film > 0.0) {
+      // Mostly one of the two.
+      var isMetal = s.metallic >= 1.0;
+      loop {
+        let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
+        if (isMetal) {
+          metal = mix(metal, film, l.film);
+        } else {
+          dielectric = mix(dielectric, film, l.film);
+        }
+        if (isMetal | (s.metallic <= 0.0)) {
+          break;
+        }
+        isMetal = true;
       }
-      if (isMetal | (s.metallic <= 0.0)) {
-        break;
-      }
-      isMetal = true;
     }
   }
   dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));
@@ -3029,9 +3077,11 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         if (nearer) {
           let inverse = 1.0 / hit.sum;
           let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
-          if (hasCutouts & ((cover & coverRow) != 0u)) {
-            doubted = met;
-            break;
+          if (hasCutouts) {
+            if ((cover & coverRow) != 0u) {
+              doubted = met;
+              break;
+            }
           }
           if (toLight) {
             found.blocked = true;
@@ -3388,12 +3438,14 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections & (frame.projection == 2u)) {
-    let longitude = pi0 * x;
-    let latitude = 0.5 * pi0 * y;
-    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi0 * x;
+      let latitude = 0.5 * pi0 * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
   }
   return ray;
 }

@@ -453,12 +453,14 @@ fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
   let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
   // All rays of a film point meet where ahead, made as long as the focus is far, ends.
   var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections & (frame.projection == 2u)) {
-    let longitude = pi * x;
-    let latitude = 0.5 * pi * y;
-    let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-    // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-    ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi * x;
+      let latitude = 0.5 * pi * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
   }
   return ray;
 }

@@ -1,0 +1,2 @@
+export { problemInChinese } from './problem-zh-CN.ts';
+export { reportInChinese } from './report-zh-CN.ts';

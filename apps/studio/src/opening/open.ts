@@ -1,0 +1,69 @@
+/** Opening what a person gives: files become the scene on show, pictures of all around its light. */
+import { adoptScene, isSkyName, type Problem } from 'mirrorball';
+import { refusedFile, show } from '../actions.ts';
+import { takeSkyFile } from '../environment.ts';
+import { dismiss, notify, reasonOf } from '../notices.ts';
+import { TooManyFiles } from './given-files.ts';
+import type { Opened, OpenedEnvironment, PathFile, Phase } from './job.ts';
+import { openInWorker, openSkyInWorker } from './open-in-worker.ts';
+import { beginOpening, endOpening, opening } from './under-way.ts';
+
+/** Opens what comes, once it is known; when it is broken, says all that is wrong and leaves the scene as it is. */
+export async function openFiles(coming: Promise<readonly PathFile[]> | readonly PathFile[]): Promise<void> {
+  const mine = beginOpening();
+  dismiss('file');
+  let name = '';
+  try {
+    const files = await coming;
+    mine.signal.throwIfAborted();
+    if (files.length === 0) return;
+    name = nameOf(files);
+    opening.value = { name, phase: 'reading', share: 0 };
+    if (files.every(({ path }) => isSkyName(path))) await openSky(files[0]!.file, mine.signal);
+    else await openModel(files, mine.signal);
+  } catch (error) {
+    if (mine.signal.aborted) return;
+    if (error instanceof TooManyFiles) notify('file', (t) => t.tooManyFiles);
+    else notify('file', (t) => t.fileUnreadable(name, reasonOf(error)));
+  } finally {
+    endOpening(mine);
+  }
+}
+
+/** The file's, or that of the folder in which all of them lie. */
+function nameOf(files: readonly PathFile[]): string {
+  const [first] = files;
+  const folder = first!.path.split('/')[0]!;
+  return files.length > 1 && files.every(({ path }) => path.startsWith(`${folder}/`)) ? folder : first!.file.name;
+}
+
+const tell = (phase: Phase, share: number): void => {
+  const now = opening.peek();
+  if (now) opening.value = { ...now, phase, share };
+};
+
+async function openModel(files: readonly PathFile[], signal: AbortSignal): Promise<void> {
+  const opened: Opened = await openInWorker(files, tell, signal);
+  if (!opened.ok) return refuse(opened.file, opened.problems);
+  const { file, report, bytes } = opened;
+  const scene = await adoptScene(opened.prepared);
+  signal.throwIfAborted();
+  try {
+    await show({ id: 'file', scene, original: scene, fileName: file, report, bytes });
+  } catch (error) {
+    // The scene is good; what draws it cannot.
+    const message = reasonOf(error);
+    refuse(file, [{ path: '', found: 'what cannot be drawn here', allowed: 'what can be', message }]);
+  }
+}
+
+async function openSky(file: File, signal: AbortSignal): Promise<void> {
+  const opened: OpenedEnvironment = await openSkyInWorker(file, tell, signal);
+  if (!opened.ok) return refuse(opened.file, opened.problems);
+  takeSkyFile(opened.file, opened.map);
+  if (opened.notes.length > 0) notify('file', () => opened.notes.join(' '));
+}
+
+function refuse(name: string, problems: readonly Problem[]): void {
+  refusedFile.value = { name, problems };
+}

@@ -1,0 +1,134 @@
+import { zipSync } from 'fflate';
+import { expect, test } from 'vitest';
+import { triangleFile } from '../../../../tests/fixtures/gltf.ts';
+import { cubeMesh } from '../../../../tests/fixtures/meshes/solids.ts';
+import { writePly } from '../mesh-file/ply/write-ply.ts';
+import { isParsedScene } from '../scene-file/parse-scene.ts';
+import type { GivenFile } from './file-set.ts';
+import { type OpenedFiles, openFiles } from './open-files.ts';
+
+type Content = string | Uint8Array;
+const bytesOf = (content: Content) => (typeof content === 'string' ? new TextEncoder().encode(content) : content);
+const given = (files: Record<string, Content>): GivenFile[] =>
+  Object.entries(files).map(([path, content]) => {
+    const bytes = bytesOf(content);
+    return { path, size: bytes.length, read: async () => bytes };
+  });
+const open = (files: Record<string, Content>) => openFiles(given(files));
+
+function good(opened: OpenedFiles) {
+  if (!opened.ok) throw new Error(JSON.stringify(opened.problems));
+  return opened;
+}
+
+const glb = () => triangleFile().glb();
+/** Numbers and a picture beside it. */
+const gltf = () => {
+  const file = triangleFile();
+  const buffer = file.buffer;
+  file.json.buffers = [{ byteLength: buffer.length, uri: 'numbers%20here.bin' }];
+  file.json.images = [{ uri: 'tex/a.png' }, { uri: 'tex/b.png' }];
+  file.json.textures = [{ source: 0 }, { source: 1 }];
+  return { text: JSON.stringify(file.json), buffer };
+};
+const OBJ = 'mtllib cube.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n';
+const MTL = 'newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n';
+
+test('a model alone is framed and lit', async () => {
+  const opened = good(await open({ 'thing.glb': glb() }));
+  expect(opened).toMatchObject({ file: 'thing.glb', scene: { name: 'thing' }, report: { counts: { triangles: 1 } } });
+  expect(opened.scene.sky.map).toBeDefined();
+});
+
+test('a model with its files, in a folder or in an archive, whatever the letter case and the escapes', async () => {
+  const { text, buffer } = gltf();
+  const files = { 'm/thing.gltf': text, 'm/Numbers here.bin': buffer, 'm/tex/a.png': 'x', 'm/tex/b.png': 'x' };
+  expect(good(await open(files)).file).toBe('thing.gltf');
+  const zip = zipSync(Object.fromEntries(Object.entries(files).map(([path, content]) => [path, bytesOf(content)])));
+  expect(good(await open({ 'thing.zip': zip })).scene.name).toBe('thing');
+});
+
+test('all files that are missing are told by their names at once', async () => {
+  const opened = await open({ 'thing.gltf': gltf().text });
+  expect(opened.ok).toBe(false);
+  const messages = opened.ok ? [] : opened.problems.map(({ message }) => message);
+  for (const name of ['numbers here.bin', 'a.png', 'b.png'])
+    expect(messages.some((message) => message.includes(`open ${name} together with thing.gltf`))).toBe(true);
+});
+
+test('triangles alone are a grey thing in a studio, in the middle of the picture', async () => {
+  const { scene, report } = good(await open({ 'my cube.ply': writePly(cubeMesh()) }));
+  expect(isParsedScene(scene)).toBe(true);
+  expect(scene).toMatchObject({
+    name: 'my cube',
+    camera: { target: [0, 0, 0] },
+    render: { integrator: 'path', toneMapping: 'neutral' },
+    materials: { 'part 1': { type: 'metallicRoughness' } },
+  });
+  expect(scene.sky.map?.width).toBe(128);
+  expect(report.counts).toMatchObject({ triangles: 12, placements: 1 });
+});
+
+test('an .obj file has the materials of its .mtl file', async () => {
+  const { scene, report } = good(await open({ 'cube.obj': OBJ, 'cube.mtl': MTL }));
+  expect(scene.materials.red!.baseColor).toEqual([1, 0, 0]);
+  expect(scene.materials.blue!.baseColor).toEqual([0, 0, 1]);
+  expect(report.entries).toEqual([]);
+});
+
+test('without its .mtl file it is grey and that is told; a broken one is a problem', async () => {
+  const { scene, report } = good(await open({ 'cube.obj': OBJ }));
+  expect(scene.materials.red!.baseColor).toEqual([0.6, 0.6, 0.6]);
+  expect(report.entries.map(({ message }) => message).join(' ')).toContain('open cube.mtl together with cube.obj');
+  const broken = await open({ 'cube.obj': OBJ, 'cube.mtl': 'newmtl red\nKd x\n' });
+  expect(broken).toMatchObject({ ok: false, problems: [{ path: '/cube.mtl/line 2' }] });
+});
+
+test('a scene file with meshes beside it', async () => {
+  const scene = {
+    version: 1,
+    name: 'Cubes',
+    camera: { eye: [0, 0, 5], target: [0, 0, 0] },
+    materials: { grey: {} },
+    meshes: { cube: { file: '../models/cube.ply' } },
+    shapes: { cube: { type: 'mesh', mesh: 'cube', material: 'grey' } },
+  };
+  const files = { 'scenes/cubes.json': JSON.stringify(scene), 'models/cube.ply': writePly(cubeMesh()) };
+  const opened = good(await open(files));
+  expect(opened.scene.meshes!.cube!.data).toEqual(cubeMesh());
+  expect(opened.report.counts).toMatchObject({ triangles: 12, materials: 1 });
+});
+
+test('of several models one is shown, and the report tells the others', async () => {
+  const opened = good(await open({ 'a.glb': glb(), 'b.glb': glb(), 'deep/c.glb': glb() }));
+  expect(opened.file).toBe('a.glb');
+  expect(opened.report.entries.at(-1)!.message).toContain('"b.glb", "c.glb"');
+});
+
+test.each([
+  ['nothing', {}, 'no file'],
+  ['a file of another kind', { 'a.fbx': 'x' }, 'a file of another kind'],
+  ['an archive without a model', { 'a.zip': zipSync({ 'b.txt': new Uint8Array(3) }) }, 'a file of another kind'],
+  ['an archive that is none', { 'a.zip': 'x' }, 'an archive that cannot be opened'],
+  ['a broken model', { 'a.glb': glb().slice(0, 30) }, 'cut off'],
+  ['broken triangles', { 'a.ply': 'ply\nformat ascii 1.0\n' }, ''],
+  ['a broken scene', { 'a.json': '{' }, ''],
+])('%s is refused with all that is wrong', async (_, files, found) => {
+  const opened = await open(files as Record<string, Content>);
+  expect(opened.ok).toBe(false);
+  if (opened.ok) return;
+  expect(opened.problems.length).toBeGreaterThan(0);
+  expect(opened.problems[0]!.found).toContain(found);
+  for (const { message, allowed } of opened.problems) expect(message && allowed).not.toBe('');
+});
+
+test('a file that cannot be read is a problem, and one in an archive that is damaged', async () => {
+  const bad: GivenFile = { path: 'a.glb', size: 9, read: () => Promise.reject(new Error('it has moved')) };
+  expect(await openFiles([bad])).toMatchObject({ ok: false, problems: [{ message: '"a.glb" cannot be read: it has moved.' }] }); // biome-ignore format: one line
+});
+
+test('what was aborted rejects with the reason', async () => {
+  const controller = new AbortController();
+  controller.abort(new Error('enough'));
+  await expect(openFiles(given({ 'a.glb': glb() }), { signal: controller.signal })).rejects.toThrow('enough');
+});

@@ -1,0 +1,53 @@
+/** A scene with its trees, on the way from a worker, where it was read, to the page that shows it: what is large goes over without a copy. */
+import type { Mesh } from '../scene/mesh.ts';
+import type { Scene } from '../scene/scene.ts';
+import { trustScene } from '../scene-file/parse-scene.ts';
+import { loadGeometryPacker, packHere } from './geometry-packer.ts';
+import type { PackedMesh } from './packed-mesh.ts';
+
+/** Plain data that can be posted; a mesh here and in the scene is the same object, and stays so on the way. */
+export interface PreparedScene {
+  readonly scene: Scene;
+  readonly meshes: readonly (readonly [Mesh, PackedMesh])[];
+}
+
+/** In the worker: packs the scene's meshes, on this thread. `onProgress` gets the share that is done, 0 … 1. */
+export async function prepareScene(scene: Scene, onProgress?: (done: number) => void): Promise<PreparedScene> {
+  return { scene, meshes: await packHere(scene, onProgress) };
+}
+
+/** All memory that the value's typed arrays stand on, to be transferred. What shares memory is there once. */
+export function buffersOf(value: unknown): ArrayBuffer[] {
+  const buffers = new Set<ArrayBuffer>();
+  const seen = new Set<object>();
+  const look = (part: unknown): void => {
+    if (typeof part !== 'object' || part === null || seen.has(part)) return;
+    seen.add(part);
+    if (!ArrayBuffer.isView(part)) for (const inner of Object.values(part)) look(inner);
+    else if (part.buffer instanceof ArrayBuffer) buffers.add(part.buffer);
+  };
+  look(value);
+  return [...buffers];
+}
+
+/** On the page: the scene as good as it was in the worker. Only for what `prepareScene` has given there. */
+export async function adoptScene({ scene, meshes }: PreparedScene): Promise<Scene> {
+  if (meshes.length > 0) {
+    const { keepPacked } = await loadGeometryPacker();
+    for (const [mesh, packed] of meshes) keepPacked(mesh, packed);
+  }
+  // Maps from names inherit nothing, so that no name finds more than the file gave; on the way they have become ordinary objects.
+  for (const name of BY_NAME) if (scene[name]) Object.setPrototypeOf(scene[name], null);
+  freeze(scene);
+  trustScene(scene);
+  return scene;
+}
+
+const BY_NAME = ['materials', 'meshes', 'nodes', 'skins', 'images', 'textures', 'clips', 'variants', 'cameras', 'shapes', 'lights'] as const satisfies readonly (keyof Scene)[]; // biome-ignore format: a list
+
+/** Everything but the arrays of numbers, which cannot be. */
+function freeze(value: unknown): void {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || Object.isFrozen(value)) return;
+  Object.freeze(value);
+  for (const part of Object.values(value)) freeze(part);
+}
