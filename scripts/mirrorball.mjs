@@ -9,4 +9,5 @@ import { root } from './run-command.mjs';
 const code = await buildCliIfStale();
 if (code !== 0) process.exit(code);
 // The program takes its arguments from the process, where they begin at the same place.
-await import(pathToFileURL(join(root, 'packages/cli/dist/mirrorball.mjs')).href);
+const { main } = await import(pathToFileURL(join(root, 'packages/cli/dist/mirrorball.mjs')).href);
+await main();

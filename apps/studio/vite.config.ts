@@ -3,12 +3,13 @@ import { defineConfig } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { lazyParts } from '../../scripts/lazy-parts.mjs';
 import { shaderText } from '../../scripts/shader-text.mjs';
+import { layoutWithoutDocs } from '../../scripts/without-docs.mjs';
 
 // One file comes out: apps/studio/dist/index.html, which works from file:// and asks the network for nothing.
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
-  plugins: [shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
+  plugins: [layoutWithoutDocs(), shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { outDir: 'dist', emptyOutDir: true, target: 'es2022', modulePreload: false, reportCompressedSize: true },
 });

@@ -17,6 +17,33 @@ for (const backend of backends) {
     }
   });
 
+  test(`${backend}: meshes give the irradiance of Lambert's formula, with the densities they tell (seed 52)`, async ({
+    harness,
+  }) => {
+    for (const report of await harness.evaluate((b) => window.harness.probeMeshLamps(b), backend)) {
+      const { name, error, noise, z, samples, missed, faults, examples } = report;
+      expect.soft(samples, `${name}: samples`).toBeGreaterThan(5000);
+      expect.soft(examples, `${name}: ${faults} faults`).toEqual([]);
+      // Where a part of the triangles is dark the grid of samples is no help.
+      const most = name.startsWith('one-sided') ? 3.5 * noise : 0.003;
+      expect.soft(noise, `${name}: noise`).toBeLessThan(0.04);
+      expect.soft(Math.abs(error), `${name}: irradiance`).toBeLessThan(most);
+      expect.soft(z, `${name}: distribution of directions`).toBeLessThan(4);
+      expect.soft(missed, `${name}: rays that pass it by`).toBeLessThanOrEqual(0.001 * samples);
+    }
+  });
+
+  test(`${backend}: a tree chooses lights as often as is told (seed 74)`, async ({ harness }) => {
+    const report = await harness.evaluate((b) => window.harness.probeTree(b, 74), backend);
+    expect(report.emitters).toBe(227);
+    expect(report.different).toBe(0);
+    // What is missing was led to lights none of which reaches the point.
+    expect(report.leastSum).toBeGreaterThan(0.9);
+    expect(report.mostSum).toBeLessThan(1 + 1e-5);
+    // Two neighbouring numbers of 16,384 may fall on either side of an end.
+    expect(report.worstFrequency).toBeLessThan(3e-4);
+  });
+
   test(`${backend}: lights without surface shine as in double precision (seed 61)`, async ({ harness }) => {
     for (const { name, worst, meanError, faults } of await harness.evaluate(
       (b) => window.harness.probeFarLights(b),

@@ -20,6 +20,7 @@ type Files = Readonly<Record<string, Content>>;
 
 const models = fileURLToPath(new URL('../fixtures/models/', import.meta.url));
 const fixture = (name: string): Uint8Array => readFileSync(`${models}${name}`);
+const image = (name: string): Uint8Array => readFileSync(`${models}../images/${name}`);
 const text = (content: string) => new TextEncoder().encode(content);
 
 const triangleGlb = () => triangleFile().glb();
@@ -29,6 +30,15 @@ function gltfFiles(): Files {
   file.json.buffers = [{ byteLength: file.buffer.length, uri: 'Data/my%20numbers.bin' }];
   return { 'thing.gltf': JSON.stringify(file.json), 'data/My numbers.bin': file.buffer };
 }
+/** A textured triangle with this image. */
+const textured = (image: Uint8Array): Uint8Array =>
+  triangleFile((file) => {
+    file.add('images', { name: 'picture', bufferView: file.view(image) });
+    file.add('textures', { source: 0 });
+    const primitive = file.json.meshes[0].primitives[0];
+    primitive.material = file.add('materials', { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } });
+    primitive.attributes.TEXCOORD_0 = file.floats('VEC2', 0, 0, 1, 0, 0, 1);
+  }).glb();
 const OBJ = 'mtllib thing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n';
 const STL =
   'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n';
@@ -87,6 +97,8 @@ for (const backend of backends)
       ['an archive', { 'packed.zip': zipSync({ deep: { 'in.gltf': text(gltfFiles()['thing.gltf'] as string), Data: { 'my numbers.bin': gltfFiles()['data/My numbers.bin'] as Uint8Array } } }) }, 'in', 1], // biome-ignore format: one row
       ['Draco', { 'BoxDraco.gltf': fixture('BoxDraco.gltf'), '0.bin': fixture('0.bin') }, 'BoxDraco', 12],
       ['meshoptimizer', { 'BoxMeshopt.glb': fixture('BoxMeshopt.glb') }, 'BoxMeshopt', 12],
+      ['KTX2', { 'blocks.glb': textured(image('uastc-alpha.ktx2')) }, 'blocks', 1],
+      ['JPEG', { 'photo.glb': textured(image('gradient-progressive.jpg')) }, 'photo', 1],
       ['PLY', { 'cube.ply': writePly(cubeMesh()) }, 'cube', 12],
       ['OBJ', { 'thing.obj': OBJ, 'thing.mtl': 'newmtl red\nKd 1 0 0\n' }, 'thing', 1],
       ['STL', { 'solid.stl': STL }, 'solid', 1],
@@ -282,7 +294,7 @@ test('from a file, a folder is opened, with nothing from the network; the panel 
     await page.keyboard.press('Escape');
     await page.getByLabel('Animation', { exact: true }).selectOption('None');
     await soon(() => page.evaluate(() => window.mirrorball.renderer!.scene!.clip ?? null)).toBeNull();
-    await page.getByText('1 thing not taken').click();
+    await page.getByText('Import report: 1 note').click();
     await expect(page.locator('#import-report')).toContainText('VENDOR_unknown');
   });
 

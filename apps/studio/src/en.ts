@@ -52,7 +52,7 @@ export const en = {
   variantOwn: 'The file’s own',
   frame: 'Fit into view',
   ground: 'Floor',
-  report: (n: number) => `${plural(n, 'thing', 'things')} not taken as they are`,
+  report: (n: number) => `Import report: ${plural(n, 'note', 'notes')}`,
   reportKinds: { unsupported: 'Left out', changed: 'Changed', unused: 'Not used' },
   reportEntry: ({ message, count }: ReportEntry) => (count > 1 ? `${message} (${count} places)` : message),
 

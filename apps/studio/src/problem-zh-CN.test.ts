@@ -83,6 +83,18 @@ test('files that cannot be used: what is wrong inside of them stays in English',
   ]);
 });
 
+test('models and images that cannot be used', () => {
+  const say = (found: string, allowed: string) => problemInChinese({ path: '/x', found, allowed, message: '' });
+  expect(say('17 lights together with those of the scene', 'at most 16')).toBe(
+    '在 /x 处：找到连同场景自己的共 17 个光源，应为最多 16 个。',
+  );
+  expect(say('images of 9 bytes once they are decoded', 'at most 8 bytes')).toBe(
+    '在 /x 处：找到解码后共 9 字节的图片，应为最多 8 字节。',
+  );
+  expect(say('the name "dusk"', 'no "variant", as the file has none')).toContain('没有其他外观');
+  expect(say('nothing', 'a glTF 2.0 file that can be read')).toContain('应为可以读取的 glTF 2.0 文件');
+});
+
 test('a phrase that has no form here stays as it is', () => {
   expect(problemInChinese({ path: '/x', found: 'a unicorn', allowed: 'a horse', message: '' })).toBe(
     '在 /x 处：找到 a unicorn，应为 a horse。',

@@ -96,6 +96,10 @@ const allowedForms: readonly Form[] = [
   [/^a variant: an object with materials by the names of shapes$/, () => '以形体名称为键、材质名称为值的对象'],
   [/^a pointer to numbers under (.*)$/, (names) => `JSON Pointer，指向 ${listed(names)} 之下的数`],
   [/^no "part", as the file has none$/, () => '不写 "part"，因为该文件没有分部'],
+  [/^no "variant", as the file has none$/, () => '不写 "variant"，因为该文件没有其他外观'],
+  [/^a glTF 2\.0 file that can be read$/, () => '可以读取的 glTF 2.0 文件'],
+  [/^at most (\d+) bytes$/, (most) => `最多 ${most} 字节`],
+  [/^at most (\d+)$/, (most) => `最多 ${most} 个`],
   [/^fewer of them$/, () => '更少的数量'],
   [/^the last row 0 0 0 1$/, () => '最后一行 0 0 0 1'],
   [/^three columns that do not lie in one plane$/, () => '不在同一平面内的三列'],
@@ -111,6 +115,7 @@ const allowedForms: readonly Form[] = [
   [/^a direction across the line from "eye" to "target"$/, () => '与视线（从 "eye" 到 "target"）不平行的方向'],
   [/^at least one shape or a visible light$/, () => '至少一个形体或一个可见的光源'],
   [/^at most (\d+) of this type$/, (most) => `这种形体最多 ${most} 个`],
+  [/^at most (\d+) of these types$/, (most) => `这两种光源合计最多 ${most} 个`],
   [
     /^an? (\w+); this scene has none yet$/,
     (kind) => `${KINDS[kind] ?? kind}的名称，而此场景还没有定义任何${KINDS[kind] ?? kind}`,
@@ -171,6 +176,9 @@ const allowedForms: readonly Form[] = [
 
 const foundForms: readonly Form[] = [
   [/^(\d+) numbers$/, (count) => `${count} 个数`],
+  [/^images of (\d+) bytes once they are decoded$/, (bytes) => `解码后共 ${bytes} 字节的图片`],
+  [/^(\d+) lights together with those of the scene$/, (count) => `连同场景自己的共 ${count} 个光源`],
+  [/^(\d+) placed meshes together with those of the scene$/, (count) => `连同场景自己的共 ${count} 个放置的网格`],
   [/^the text (".*")$/, (text) => `文本 ${text}`],
   [/^an object \((.*)\)$/, (kind) => `对象（${kind}）`],
   [/^an object$/, () => '一个对象'],
@@ -181,6 +189,7 @@ const foundForms: readonly Form[] = [
   [/^the place of the eye$/, () => '与 "eye" 相同的位置'],
   [/^no shape, and no visible light$/, () => '0 个形体和 0 个可见的光源'],
   [/^(\d+) shapes of type (".*")$/, (count, type) => `${count} 个 ${type} 形体`],
+  [/^(\d+) lights of the types "sphere" and "quad"$/, (count) => `${count} 个 "sphere" 或 "quad" 光源`],
   [/^more than (\d+) names$/, (most) => `超过 ${most} 个名称`],
   [/^the name (".*")$/, (name) => `名称 ${name}`],
   [

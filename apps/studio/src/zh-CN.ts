@@ -50,7 +50,7 @@ export const zhCN: Dictionary = {
   variantOwn: '文件默认',
   frame: '缩放至全貌',
   ground: '地面',
-  report: (n) => `${n} 项内容未能原样导入`,
+  report: (n) => `导入报告：${n} 条`,
   reportKinds: { unsupported: '不支持', changed: '有改动', unused: '未用到' },
   reportEntry: reportText,
 

@@ -26,7 +26,7 @@ export interface Ours extends Contestant {
 
 export function ours(mesh: TriangleMesh): Ours {
   const played = testScene({ once: ONCE }, {}, { meshes: { mesh: { data: mesh } } });
-  const packed = packGeometry({ played, time: 0 }, { first: 0, covers: [0] }, [0, 0, 0]);
+  const packed = packGeometry({ played, time: 0 }, { first: 0, covers: [0], glows: [] }, [0, 0, 0]);
   const frame = createBlock(structSize('Frame'));
   const values: { [F in FieldName<'Frame'>]?: number } = {
     instances: packed.instances,

@@ -7,4 +7,5 @@ if (!existsSync(program)) {
   console.error('Mirrorball’s command line is not built yet. Please run: npm run build');
   process.exit(1);
 }
-await import(program.href);
+const { main } = await import(program.href);
+await main();

@@ -137,7 +137,10 @@ function addRender(program: Command, actions: Actions): void {
     .command('render')
     .description('render a scene file or a model (or a built-in scene by its name)');
   command
-    .argument('<scene>', 'scene.json, model.glb, or cube-room, mirror-blocks, moving-shadows, materials')
+    .argument(
+      '<scene>',
+      'scene.json, model.glb, - (standard input), or cube-room, mirror-blocks, moving-shadows, materials',
+    )
     .addOption(output());
   const option = (flags: string, about: string) => new Option(flags, about);
   command

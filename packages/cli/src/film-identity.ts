@@ -82,9 +82,31 @@ export function identityOf(
   return { scene: sceneHash(scene), time, width, height, region, integrator, seed, settings };
 }
 
-export const regionOf = ({ region: [x, y, width, height] }: FilmIdentity): FilmArea => ({ x, y, width, height });
+export const regionOf = ({ region: [x, y, width, height] }: Pick<FilmIdentity, 'region'>): FilmArea => ({
+  x,
+  y,
+  width,
+  height,
+});
 /** All pixels of the picture. */
 export const wholeOf = ({ width, height }: FilmIdentity): FilmArea => ({ x: 0, y: 0, width, height });
+
+const isCount = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
+
+/** Whether a file says one: its region lies in its picture, and all else has its type. */
+export function isIdentity(value: FilmIdentity): boolean {
+  const { scene, time, width, height, region, integrator, seed, settings } = value;
+  return (
+    [width, height, seed, ...region].every(isCount) &&
+    region.length === 4 &&
+    region[2] * region[3] > 0 &&
+    region[0] + region[2] <= width &&
+    region[1] + region[3] <= height &&
+    Number.isFinite(time) &&
+    [scene, integrator].every((text) => typeof text === 'string') &&
+    Object.values(settings).every(Number.isFinite)
+  );
+}
 
 /** In what two differ, each as a phrase for people; empty: they are parts of one picture. */
 export function differences(there: FilmIdentity, here: FilmIdentity): string[] {

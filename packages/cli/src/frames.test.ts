@@ -7,6 +7,8 @@ test("a frame's number goes where the name says, or before the ending", () => {
   expect(frameFile('out-###.png', 7, 9)).toBe('out-007.png');
   expect(frameFile('out-%05d.png', 7, 9)).toBe('out-00007.png');
   expect(frameFile('out-%d.png', 7, 9)).toBe('out-7.png');
+  expect(frameFile('C#/out.png', 7, 9)).toBe('C#/out.0007.png');
+  expect(frameFile('#%d/out##.png', 7, 9)).toBe('#%d/out07.png');
 });
 
 test('times', () => {

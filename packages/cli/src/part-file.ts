@@ -8,7 +8,7 @@ import { readFile } from 'node:fs/promises';
 import { endianness } from 'node:os';
 import { AccumulatedFilm } from './accumulated-film.ts';
 import { CommandError, EXIT, usage } from './exit-codes.ts';
-import type { FilmIdentity } from './film-identity.ts';
+import { type FilmIdentity, isIdentity } from './film-identity.ts';
 import type { SampleRange } from './sample-ranges.ts';
 import { writeAtomically } from './write-atomically.ts';
 
@@ -85,22 +85,17 @@ function readHeader(text: string): Header | null {
   try {
     const header = JSON.parse(text) as Header;
     const { identity, ranges, blocks, openFirst, texts, exposure, sha256 } = header;
-    const { region, scene, settings, integrator } = identity;
     const good =
-      [identity.width, identity.height, identity.seed, ...region, blocks].every(isCount) &&
-      region.length === 4 &&
-      region[2] * region[3] > 0 &&
-      region[2] * region[3] <= MOST_PIXELS &&
-      region[0] + region[2] <= identity.width &&
-      region[1] + region[3] <= identity.height &&
+      isIdentity(identity) &&
+      isCount(blocks) &&
+      identity.region[2] * identity.region[3] <= MOST_PIXELS &&
       Array.isArray(ranges) &&
       ranges.every(
         ({ first, last }, i) => isCount(first) && isCount(last) && first <= last && first > (ranges[i - 1]?.last ?? -1),
       ) &&
       (openFirst === null || isCount(openFirst)) &&
-      [identity.time, exposure].every(Number.isFinite) &&
-      [scene, integrator, sha256, ...Object.values(texts)].every((value) => typeof value === 'string') &&
-      Object.values(settings).every(Number.isFinite);
+      Number.isFinite(exposure) &&
+      [sha256, ...Object.values(texts)].every((value) => typeof value === 'string');
     return good ? header : null;
   } catch {
     return null;

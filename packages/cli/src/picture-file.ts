@@ -17,7 +17,7 @@ import { CommandError, EXIT, usage } from './exit-codes.ts';
 import { regionOf } from './film-identity.ts';
 import { type Part, readPart, writePart } from './part-file.ts';
 import { assembled } from './regions.ts';
-import { formatRanges } from './sample-ranges.ts';
+import { renderText } from './render-text.ts';
 import { writeAtomically } from './write-atomically.ts';
 
 export const PART = '.part';
@@ -63,7 +63,9 @@ export async function writePictures(
 ): Promise<string[]> {
   const [{ part, aovs }] = films as [FilmToWrite];
   const exposure = options.exposure ?? part.exposure;
-  const texts = { ...part.texts, Render: renderText(films, area), ...(aovs && aovTexts(aovs)) };
+  const parts = films.map((film) => film.part);
+  const look = formatOf(path).forScreens ? { exposure } : null;
+  const texts = { ...part.texts, Render: renderText(parts, area, look), ...(aovs && aovTexts(aovs)) };
   const together = (pictureOf: (film: FilmToWrite) => FloatPicture): FloatPicture => ({
     ...assembled(
       area,
@@ -98,19 +100,6 @@ function withLayers(film: FilmToWrite): FloatPicture {
   const picture = colours(film);
   const { part, aovs } = film;
   return aovs ? { ...picture, channels: [...picture.channels, ...aovChannels(part.film, aovs)] } : picture;
-}
-
-/** Of what the picture is; where not all pixels have the same samples, region by region. */
-function renderText(films: readonly FilmToWrite[], { x, y, width, height }: FilmArea): string {
-  const [{ part }] = films as [FilmToWrite];
-  const regions = films.map(({ part: { identity, film } }) => ({
-    region: identity.region,
-    samples: formatRanges(film.ranges),
-  }));
-  const pixels = films.reduce((sum, film) => sum + film.part.film.pixels, 0);
-  const [{ samples }] = regions as [(typeof regions)[0]];
-  const even = pixels === width * height && regions.every((each) => each.samples === samples);
-  return JSON.stringify({ ...part.identity, region: [x, y, width, height], ...(even ? { samples } : { regions }) });
 }
 
 async function writePicture(

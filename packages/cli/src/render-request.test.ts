@@ -11,9 +11,14 @@ test('a region or pixel must lie in the picture', () => {
   expect(areaOf({ size })).toEqual({ x: 0, y: 0, width: 64, height: 40 });
   expect(areaOf({ size, pixel: { x: 63, y: 39 } })).toEqual({ x: 63, y: 39, width: 1, height: 1 });
   expect(areaOf({ size, region: { x: 60, y: 0, width: 4, height: 40 } }).x).toBe(60);
-  expect(() => areaOf({ size, pixel: { x: 64, y: 0 } })).toThrow('The pixel 64,0 lies outside the picture of 64 × 40');
+  expect(() => areaOf({ size, pixel: { x: 64, y: 0 } })).toThrow(
+    'The pixel 64,0 lies outside: the picture has 64 × 40',
+  );
   expect(() => areaOf({ size, region: { x: 60, y: 0, width: 5, height: 1 } })).toThrow(
-    'The region 60,0,5,1 lies outside',
+    'The region 60,0,5,1 reaches outside, to 65,1: the picture has 64 × 40 pixels',
+  );
+  expect(() => areaOf({ size, region: { x: 0, y: 40, width: 5, height: 1 } })).toThrow(
+    'The region 0,40,5,1 lies outside:',
   );
 });
 
@@ -37,4 +42,15 @@ test("the scene's settings where none are given, and no setting that would be ig
   expect(() => settingsOf(scene, options({ maxDepth: 3 }))).toThrow(
     '--max-depth means nothing to the integrator "classic"',
   );
+});
+
+test('paths on the CPU are refused before anything is opened', () => {
+  const paths = builtInScenes.find(({ id }) => id === 'materials')!.scene;
+  expect(() => settingsOf(scene, options({ integrator: 'path', backend: 'cpu' }))).toThrow(
+    'the classic integrator only. Say',
+  );
+  expect(() => settingsOf(paths, options({ backend: 'cpu' }))).toThrow(
+    'and this scene asks for paths. Say --integrator classic',
+  );
+  expect(settingsOf(paths, options({ integrator: 'classic', backend: 'cpu' })).integrator).toBe('classic');
 });

@@ -3,6 +3,7 @@ import { type FilmArea, type FilmSettings, HEADLESS_INTEGRATORS } from 'mirrorba
 import type { Scene } from 'mirrorball/scene';
 import type { RenderOptions } from './arguments.ts';
 import { usage } from './exit-codes.ts';
+import { formatRegion } from './regions.ts';
 import type { SampleRange } from './sample-ranges.ts';
 
 /** Samples a pixel when nothing is said, and at most when a run ends by its error or time. */
@@ -13,12 +14,14 @@ const SAMPLES_UNTIL = 2 ** 20;
 export function areaOf({ size, region, pixel }: Pick<RenderOptions, 'size' | 'region' | 'pixel'>): FilmArea {
   if (region && pixel) throw usage('--region and --pixel cannot both be given.');
   const area = pixel ? { ...pixel, width: 1, height: 1 } : (region ?? { x: 0, y: 0, ...size });
-  if (area.x + area.width > size.width || area.y + area.height > size.height)
-    throw usage(
-      `${pixel ? `The pixel ${area.x},${area.y}` : `The region ${Object.values(area).join(',')}`} ` +
-        `lies outside the picture of ${size.width} × ${size.height} (--size).`,
-    );
-  return area;
+  const [right, bottom] = [area.x + area.width, area.y + area.height];
+  if (right <= size.width && bottom <= size.height) return area;
+  const what = pixel ? `The pixel ${area.x},${area.y}` : `The region ${formatRegion(area)}`;
+  const isBeside = area.x >= size.width || area.y >= size.height;
+  const reach = `reaches outside, to ${right},${bottom}:`;
+  throw usage(
+    `${what} ${isBeside ? 'lies outside:' : reach} the picture has ${size.width} × ${size.height} pixels (--size).`,
+  );
 }
 
 export function wantedOf(options: Pick<RenderOptions, 'spp' | 'samples' | 'untilError' | 'untilTime'>): SampleRange {
@@ -35,6 +38,11 @@ export function settingsOf({ render }: Scene, options: RenderOptions): FilmSetti
   const integrator = options.integrator ?? render.integrator;
   if (!HEADLESS_INTEGRATORS.includes(integrator))
     throw usage(`The integrator "${integrator}" is not in this version; there is ${HEADLESS_INTEGRATORS.join(', ')}.`);
+  if (integrator === 'path' && options.backend === 'cpu')
+    throw usage(
+      `The backend "cpu" traces the classic integrator only${options.integrator ? '' : ', and this scene asks for paths'}. ` +
+        'Say --integrator classic, or another --backend.',
+    );
   const strange = integrator === 'classic' ? (['maxDepth'] as const) : (['maxReflections', 'lightSamples'] as const);
   for (const key of strange) {
     if (options[key] === undefined) continue;

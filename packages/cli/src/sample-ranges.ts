@@ -46,3 +46,17 @@ export function missingFrom(wanted: SampleRange, held: readonly SampleRange[]): 
 
 export const formatRanges = (ranges: readonly SampleRange[]): string =>
   ranges.map(({ first, last }) => (first === last ? `${first}` : `${first}-${last}`)).join(', ') || 'none';
+
+/** What `formatRanges` writes; null when it is something else. */
+export function readRanges(text: string): SampleRange[] | null {
+  const ranges = text === 'none' ? [] : text.split(', ').map(readRange);
+  const inOrder = ranges.every((range, i) => range !== null && range.first > (ranges[i - 1]?.last ?? -1));
+  return inOrder ? (ranges as SampleRange[]) : null;
+}
+
+function readRange(text: string): SampleRange | null {
+  const match = /^(\d{1,15})(?:-(\d{1,15}))?$/.exec(text);
+  if (!match) return null;
+  const [first, last] = [Number(match[1]), Number(match[2] ?? match[1])];
+  return first <= last ? { first, last } : null;
+}

@@ -2,9 +2,10 @@
 import { readFile, stat } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { builtInScenes } from 'mirrorball/built-in';
-import { isModelName, MOST_FILE_BYTES, openModel } from 'mirrorball/open';
+import { nearest } from 'mirrorball/headless';
+import { MOST_FILE_BYTES, openModel } from 'mirrorball/open';
 import type { Scene } from 'mirrorball/scene';
-import { type BadScene, BadSceneError, usage } from './exit-codes.ts';
+import { BadFilesError, type BadScene, usage } from './exit-codes.ts';
 import type { Terminal } from './terminal.ts';
 
 export interface GoodScene {
@@ -21,11 +22,29 @@ export const isModel = (file: string): boolean => /\.(glb|gltf)$/i.test(file);
 /** What the file holds, whatever kind it is of; null when it is no file. */
 async function bytesOf(file: string): Promise<Uint8Array | null> {
   try {
-    return await readFile(file);
+    return file === STDIN ? await readStdin(process.stdin) : await readFile(file);
   } catch (error) {
     if (builtInScenes.some(({ id }) => id === file)) return null;
-    throw usage(`The ${isModelName(file) ? 'model' : 'scene'} ${file} cannot be read: ${(error as Error).message}`);
+    throw usage(whyUnreadable(file, error as NodeJS.ErrnoException));
   }
+}
+
+/** The scene comes on standard input; files that it names are looked for in the working folder. */
+const STDIN = '-';
+
+async function readStdin(stream: NodeJS.ReadableStream): Promise<Uint8Array> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of stream) chunks.push(Buffer.from(chunk));
+  return Buffer.concat(chunks);
+}
+
+/** What is neither a file nor the name of a built-in scene may have been meant to be one. */
+export function whyUnreadable(file: string, { code, message }: NodeJS.ErrnoException): string {
+  if (code !== 'ENOENT') return `The scene ${file} cannot be read: ${message}.`;
+  const ids = builtInScenes.map(({ id }) => id);
+  const meant = nearest(file, ids);
+  const hint = meant === null ? '' : ` Did you mean ${meant}?`;
+  return `There is no file ${file}, and no built-in scene of this name: these are ${ids.join(', ')}.${hint}`;
 }
 
 /** Rejects only when the file cannot be read at all. A file goes before a built-in scene of its name. */
@@ -33,7 +52,7 @@ export async function readScene(file: string): Promise<SceneSource> {
   const bytes = await bytesOf(file);
   if (bytes === null) return { file, scene: builtInScenes.find(({ id }) => id === file)!.scene, notes: [] };
   const { nodeDecoder } = await import('mirrorball/node-images');
-  const opened = await openModel(bytes, basename(file), {
+  const opened = await openModel(bytes, file === STDIN ? 'scene.json' : basename(file), {
     readFile: (name) => readBeside(file, name),
     decoder: nodeDecoder(),
   });
@@ -55,7 +74,7 @@ async function readBeside(sceneFile: string, name: string): Promise<Uint8Array> 
 
 export async function requireSceneFile(file: string, terminal: Terminal): Promise<Scene> {
   const source = await readScene(file);
-  if ('problems' in source) throw new BadSceneError([source]);
+  if ('problems' in source) throw new BadFilesError([source]);
   for (const note of source.notes) terminal.note(note);
   return source.scene;
 }

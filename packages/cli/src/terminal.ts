@@ -16,15 +16,20 @@ export interface Terminal {
 }
 
 /** What a terminal needs of Node's streams. */
-interface Stream {
+export interface Stream {
   readonly isTTY?: boolean;
   write(text: string): boolean;
+}
+
+export interface Streams {
+  readonly stdout: Stream;
+  readonly stderr: Stream;
 }
 
 export function openTerminal(
   json: boolean,
   env: Readonly<Record<string, string | undefined>> = process.env,
-  { stdout, stderr }: { readonly stdout: Stream; readonly stderr: Stream } = process,
+  { stdout, stderr }: Streams = process,
 ): Terminal {
   const live = !json && stderr.isTTY === true && env.TERM !== 'dumb';
   const coloured = live && !env.NO_COLOR;

@@ -83,7 +83,7 @@ export function onePart(tiles: readonly Tile[]): Part {
 }
 
 /** The estimated error of all these pixels; null where one of the tiles does not know its own. */
-export function errorOf(tiles: readonly Tile[]): number | null {
+export function errorOf(tiles: readonly Pick<Tile, 'part'>[]): number | null {
   let [squares, pixels] = [0, 0];
   for (const { part } of tiles) {
     const error = part.film.error();

@@ -16,6 +16,8 @@ import {
   largestDifference,
   mirrorball,
   pixelsOf,
+  started,
+  stopServer,
 } from './command.ts';
 
 // A busy machine may take its time; what hangs is broken.
@@ -28,7 +30,10 @@ const backend = dawn ? 'webgpu' : 'cpu';
 const SMALL = '--size 24x16 --light-samples 4';
 
 beforeAll(() => writeFileSync(inFolder('bad.json'), '{"version":2,"name":"Bad","materials":{"a":{"roughness":7}}}'));
-afterAll(() => rmSync(folder, { recursive: true, force: true }));
+afterAll(async () => {
+  await stopServer();
+  rmSync(folder, { recursive: true, force: true });
+});
 
 describe('files of triangles', () => {
   test('are scenes by themselves, with the materials that lie beside them', async () => {
@@ -107,7 +112,7 @@ describe('meshes', () => {
     put('cubes.json', meshScene({ file: 'cube.ply' }));
     expect(await mirrorball('validate cubes.json')).toMatchObject({
       code: 0,
-      stdout: 'cubes.json: good, with 12 triangles of 8 vertices.\n',
+      stdout: 'cubes.json: valid, with 12 triangles of 8 vertices.\n',
     });
     const facts = (await mirrorball('info cubes.json --json')).events[0]!;
     expect(facts).toMatchObject({ vertices: 8, triangles: 12, shapes: { mesh: 1 } });
@@ -160,6 +165,7 @@ describe('exit codes', () => {
     ['render cube-room -o none/x.exr', 2],
     ['render none.json -o x.exr', 2],
     ['render cube-room -o x.exr --resume --size 4x4 --region 0,0,9,9', 2],
+    ['render cube-room -o x.exr --integrator path --backend cpu', 2],
     ['merge none.part -o x.exr', 2],
     ['compare none.exr none.exr', 2],
     ['info none.exr', 2],
@@ -171,9 +177,18 @@ describe('exit codes', () => {
     expect(existsSync(inFolder('x.exr'))).toBe(false);
   });
 
+  test.each([
+    ['--help', 0],
+    ['', 2],
+    ['validate bad.json', 4],
+  ])('as a process, mirrorball %s: %i', async (args, code) => {
+    const [ended, same] = [await started(args), await mirrorball(args)];
+    expect([ended.code, ended.stdout, ended.stderr]).toEqual([code, same.stdout, same.stderr]);
+  });
+
   test('3 when nothing can render, and what to install', async () => {
     if (process.platform !== 'linux') return; // others do not reach their GPU by Vulkan
-    const ended = await mirrorball('render cube-room -o x.exr --size 4x4 --backend webgpu', undefined, {
+    const ended = await started('render cube-room -o x.exr --size 4x4 --backend webgpu', undefined, {
       VK_ICD_FILENAMES: '/nowhere.json',
     });
     expect(ended.code).toBe(3);
@@ -190,7 +205,14 @@ test('a bad scene: all problems, each with file and JSON path, for people and fo
     'bad.json#/materials/a/roughness',
     'bad.json#/shapes',
   ]);
-  expect(plain.stdout).toBe('cube-room: good.\n');
+  expect(plain.stdout).toBe('cube-room: valid.\n');
+  const some = await mirrorball('validate bad.json none.json cube-room');
+  expect([some.code, some.stdout]).toEqual([4, 'cube-room: valid.\n']);
+  expect(some.stderr).toContain('There is no file none.json');
+  expect(some.stderr).toContain('4 problems in bad.json. 1 file cannot be read.');
+  const facts = await mirrorball('info none.exr cube-room none.json');
+  expect([facts.code, facts.stdout]).toEqual([2, expect.stringContaining('Cube room')]);
+  expect(facts.stderr.trim().split('\n')).toHaveLength(3);
   const { events } = await mirrorball('render bad.json -o x.exr --json');
   expect(events.map(({ event, file, path }) => [event, file, path])).toEqual([
     ['problem', 'bad.json', '/version'],
@@ -212,7 +234,7 @@ describe(`films, by ${backend}`, () => {
   test('kill -TERM leaves a part and no picture; --resume ends with the film of an undisturbed run, bit for bit', async () => {
     writeFileSync(inFolder('a.exr'), 'the old file');
     const args = `render cube-room --backend ${backend} ${SMALL} --spp 1000000 --json -o`;
-    const killed = await mirrorball(`${args} a.exr`, killedOnTheWay('SIGTERM'));
+    const killed = await started(`${args} a.exr`, killedOnTheWay('SIGTERM'));
     expect(killed.code).toBe(143);
     expect(bytesOf('a.exr').toString()).toBe('the old file');
     const { events } = await mirrorball('info a.exr.part --json');
@@ -228,7 +250,7 @@ describe(`films, by ${backend}`, () => {
 
   test('kill -KILL leaves what was saved on the way; --resume ends with the film of an undisturbed run, bit for bit', async () => {
     const args = `render cube-room --backend ${backend} ${SMALL} --json --save-every 0.1 -o k.exr`;
-    const killed = await mirrorball(`${args} --spp 1000000`, (stdout, child) => {
+    const killed = await started(`${args} --spp 1000000`, (stdout, child) => {
       if (stdout.includes('"saved"') && !child.killed) child.kill('SIGKILL');
     });
     expect([killed.code, existsSync(inFolder('k.exr'))]).toEqual([null, false]);
@@ -256,7 +278,7 @@ describe(`films, by ${backend}`, () => {
 
   test('Ctrl+C ends with 130, and a part of another picture is refused', async () => {
     const args = `render cube-room --backend cpu ${SMALL} --spp 1000000 --json -o c.png`;
-    expect((await mirrorball(args, killedOnTheWay('SIGINT'))).code).toBe(130);
+    expect((await started(args, killedOnTheWay('SIGINT'))).code).toBe(130);
     const other = await render('--seed 5 --spp 8 -o c.png --resume');
     expect([other.code, other.stderr]).toEqual([2, expect.stringContaining('seed 0 instead of 5')]);
     rmSync(inFolder('c.png.part'));
@@ -353,6 +375,24 @@ describe(`films, by ${backend}`, () => {
     expect(existsSync(inFolder('f.0003.npy'))).toBe(true);
   });
 
+  test('--resume keeps a finished picture, and refuses one of another scene or with fewer samples, before it traces', async () => {
+    const args = `--backend ${backend} --size 16x12 --light-samples 1 --frames 0-2 -o kept####.png`;
+    expect((await mirrorball(`render moving-shadows ${args} --spp 2`)).code).toBe(0);
+    rmSync(inFolder('kept0000.png'));
+    const before = bytesOf('kept0001.png');
+    const fewer = await mirrorball(`render moving-shadows ${args} --spp 8 --resume`);
+    expect([fewer.code, fewer.stderr]).toEqual([2, expect.stringContaining('only the samples 0-1 of 0-7')]);
+    const other = await mirrorball(`render cube-room ${args} --spp 2 --resume`);
+    expect([other.code, other.stderr]).toEqual([2, expect.stringContaining('it has another scene')]);
+    expect([existsSync(inFolder('kept0000.png')), bytesOf('kept0001.png').equals(before)]).toEqual([false, true]);
+    const { events } = await mirrorball(`render moving-shadows ${args} --spp 1 --resume --json`);
+    expect(events.filter(({ event }) => event === 'kept')).toHaveLength(2);
+    const single = await mirrorball(
+      `render moving-shadows ${args.replace('--frames 0-2 -o kept####', '-o kept0000')} --spp 1 --resume`,
+    );
+    expect([single.code, single.stderr]).toEqual([0, 'kept0000.png is there already.\n']);
+  });
+
   test('with --json every line is an object, and the last says what came of it', async () => {
     const { events, stderr, code } = await mirrorball(
       `render cube-room --backend ${backend} ${SMALL} --spp 64 -o j.png --bits 16 --json`,
@@ -372,7 +412,7 @@ describe(`films, by ${backend}`, () => {
   });
 
   test('plain output has no colour, no cursor movement and no bar under NO_COLOR in a pipe', async () => {
-    const { stdout, stderr } = await render('--spp 2 -o n.hdr');
+    const { stdout, stderr } = await started(`render cube-room --backend ${backend} ${SMALL} --spp 2 -o n.hdr`);
     expect(stdout + stderr).not.toContain('\u001b');
     expect(stdout).toContain('n.hdr: 2 samples a pixel');
   });
@@ -494,7 +534,7 @@ describe(`AOVs, by ${backend}`, () => {
     expect((await render('--spp 2 -o n.pfm --aov normal,depth')).code).toBe(0);
     expect(readPfm(bytesOf('n.normal.pfm')).channels).toHaveLength(3);
     const again = await render('--spp 2 -o n.pfm --resume --aov position');
-    expect([again.code, existsSync(inFolder('n.position.pfm'))]).toEqual([0, true]);
+    expect([again.code, again.stderr]).toEqual([2, expect.stringContaining('without the AOVs position')]);
     const refused = await render('--spp 2 -o t.png --aov depth');
     expect([refused.code, refused.stderr]).toEqual([2, expect.stringContaining('Write .exr, .npy or .pfm')]);
     const strange = await render('--spp 2 -o t.exr --aov depht');

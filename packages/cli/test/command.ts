@@ -1,12 +1,13 @@
-/** Starts the built program as a person would, in a folder of its own. */
-import { type ChildProcess, spawn } from 'node:child_process';
+/** Runs the built program in a folder of its own: as a person would, or many times in one process. */
+import { type ChildProcess, fork, spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { arrayAsPicture, interleave, readNpyArray } from 'mirrorball/picture-files';
 
 const program = fileURLToPath(new URL('../dist/mirrorball.mjs', import.meta.url));
+const serve = fileURLToPath(new URL('serve.mjs', import.meta.url));
 
 /** Chromium's software Vulkan, where it is installed: then the tests need no GPU and give the same numbers everywhere. */
 const SWIFTSHADER = ['/usr/lib/chromium/vk_swiftshader_icd.json', '/opt/google/chrome/vk_swiftshader_icd.json'].find(
@@ -31,8 +32,8 @@ const parseLines = (text: string) =>
     .filter(Boolean)
     .map((line) => JSON.parse(line) as { event: string });
 
-/** `watch` sees standard output as it comes, and may end the program. */
-export function mirrorball(
+/** A process of its own. `watch` sees standard output as it comes, and may end the program. */
+export function started(
   args: string,
   watch: (stdout: string, child: ChildProcess) => void = () => {},
   more: Readonly<Record<string, string>> = {},
@@ -56,6 +57,32 @@ export function mirrorball(
     });
   });
 }
+
+let server: ChildProcess | null = null;
+let runs = 0;
+
+/** In the one process that all such runs share, with the GPU that it has open: for whatever is not about processes. */
+export function mirrorball(args: string): Promise<Ended> {
+  const child = (server ??= fork(serve, [pathToFileURL(program).href], { cwd: folder, env }).setMaxListeners(0));
+  const id = runs++;
+  return new Promise((resolve, reject) => {
+    const hear = (message: Omit<Ended, 'events'> & { readonly id: number }) => {
+      if (message.id !== id) return;
+      child.off('message', hear).off('exit', fail);
+      resolve({ ...message, events: args.includes('--json') ? parseLines(message.stdout) : [] });
+    };
+    const fail = () => reject(new Error(`The process ended at: mirrorball ${args}`));
+    child.on('message', hear).on('exit', fail);
+    child.send({ id, args: args.split(' ').filter(Boolean) });
+  });
+}
+
+export const stopServer = (): Promise<unknown> =>
+  new Promise((resolve) => {
+    if (server === null) return resolve(null);
+    server.removeAllListeners('exit').once('exit', resolve).disconnect();
+    server = null;
+  });
 
 /** Ends the program by this signal when it first tells of a whole sample. */
 export const killedOnTheWay = (signal: NodeJS.Signals) => (stdout: string, child: ChildProcess) => {

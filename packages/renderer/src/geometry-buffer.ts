@@ -2,6 +2,7 @@
 import type { DataBuffer, Device } from './gpu/device.ts';
 import { GEOMETRY_ROW } from './packed-scene/layout.ts';
 import type { PackedGeometry } from './packed-scene/pack-geometry.ts';
+import type { LampTable } from './packed-scene/pack-lamps.ts';
 import { type PackedMesh, wordsOf } from './packed-scene/packed-mesh.ts';
 
 /** A mesh that the buffer holds, as it was when it was uploaded. */
@@ -10,10 +11,13 @@ interface HeldMesh {
   revision: number;
 }
 
+const equal = <T>(a: readonly T[], b: readonly T[]): boolean => a.length === b.length && a.every((x, i) => x === b[i]);
+
 export class GeometryBuffer {
   readonly #device: Device;
   #buffer: DataBuffer | null = null;
   #meshes: readonly HeldMesh[] = [];
+  #tables: readonly LampTable[] = [];
   #movingRows = -1;
   /** What the rows that move were made of. */
   #moving: { readonly geometry: PackedGeometry; readonly revision: number } | null = null;
@@ -24,9 +28,9 @@ export class GeometryBuffer {
 
   /** Throws a `DeviceError`, and keeps what it holds, when the device has no room. */
   hold(geometry: PackedGeometry): void {
-    const { movingRows, meshes, rows } = geometry;
-    const same = movingRows === this.#movingRows && meshes.length === this.#meshes.length;
-    if (!same || meshes.some((mesh, i) => mesh !== this.#meshes[i]!.mesh)) {
+    const { movingRows, meshes, tables, rows } = geometry;
+    const held = this.#meshes.map(({ mesh }) => mesh);
+    if (movingRows !== this.#movingRows || !equal(meshes, held) || !equal(tables, this.#tables)) {
       if (this.#buffer?.rows !== rows) {
         const buffer = this.#device.createData(rows, 'meshes');
         this.#buffer?.destroy();
@@ -35,9 +39,19 @@ export class GeometryBuffer {
       this.#meshes = meshes.map((mesh) => ({ mesh, revision: -1 }));
       this.#movingRows = movingRows;
       this.#moving = null;
+      this.#tables = tables;
+      this.#writeTables(geometry.lampTables);
     }
     this.#writeMeshes();
     this.#writeMoving(geometry);
+  }
+
+  #writeTables(first: number): void {
+    let row = first;
+    for (const { words } of this.#tables) {
+      this.#buffer!.write(row, words);
+      row += words.length / GEOMETRY_ROW;
+    }
   }
 
   #writeMeshes(): void {

@@ -11,8 +11,9 @@ import type { SketchView } from './sketch/sketch.ts';
 const COARSENESS = [16, 8, 4, 2] as const;
 /** Pixels that a sketch may have. */
 const MOST_PIXELS = 300_000;
-/** Longest stretch of work in a frame, milliseconds: the page stays alive. */
-const SLICE_MS = 10;
+/** Longest stretch of work in a frame, milliseconds: the page stays alive. The first sketch is worth a longer one. */
+const SLICE_MS = 12;
+const FIRST_SLICE_MS = 80;
 
 /** What is to be sketched, on a canvas of this size. */
 export interface SketchWish {
@@ -55,7 +56,7 @@ export class Sketcher {
       this.#work = null;
       this.#packed = null;
     }
-    const ends = performance.now() + SLICE_MS;
+    const ends = performance.now() + (this.#next === 0 ? FIRST_SLICE_MS : SLICE_MS);
     this.#work ??= this.#begin(wish);
     if (!this.#work) return false;
     while (!this.#work.steps.next().done) if (performance.now() > ends) return false;

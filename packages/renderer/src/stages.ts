@@ -17,9 +17,8 @@ import type { ProgramPlan } from './integrator/path/path-programs.ts';
 import { geometryPacker, loadGeometryPacker } from './packed-scene/geometry-packer.ts';
 import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
-import { packPathScene } from './packed-scene/pack-path-scene.ts';
+import { needsPacker, packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
-import { hasMeshes } from './packed-scene/refuse-meshes.ts';
 import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
@@ -136,14 +135,14 @@ export class Stages {
 
   /** Whether the film of this subject gets what it asks for and not the preview's samples. */
   has(subject: Subject): boolean {
-    return this.#programs.get(subject) !== undefined && (geometryPacker() !== null || !hasMeshes(subject.scene));
+    return this.#programs.get(subject) !== undefined && (geometryPacker() !== null || !needsPacker(subject.scene));
   }
 
   /** Compiles the subject's program, and what shows it, once. Call it when the first picture is on its way. */
   async ready(subject: Subject): Promise<void> {
     const content = contentOfSubject(subject);
     const display = isAov(content) ? this.#aovReady() : this.#display.ready();
-    const packer = hasMeshes(subject.scene) && loadGeometryPacker();
+    const packer = needsPacker(subject.scene) && loadGeometryPacker();
     await Promise.all([this.#programs.ready(subject), packer, display, content === 'path' && this.#filmErrorReady()]);
   }
 

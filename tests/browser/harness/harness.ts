@@ -6,10 +6,11 @@ import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
 import { displayed } from './displayed.ts';
 import { displayedView } from './displayed-views.ts';
-import { probeChoices } from './emitters/choices.ts';
+import { probeChoices, probeTree } from './emitters/choices.ts';
 import { probeEnvironments } from './emitters/environments.ts';
 import { probeFarLights } from './emitters/far-lights.ts';
 import { probeLamps } from './emitters/lamps.ts';
+import { probeMeshLamps } from './emitters/mesh-lamps.ts';
 import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
@@ -54,11 +55,13 @@ export const harness = {
   pictureOf,
   probeSampler,
   probeChoices,
+  probeTree,
   probeEnvironments,
   probeFarLights,
   probeLamps,
   probeLayerEdges,
   probeLayers,
+  probeMeshLamps,
   probeLookups,
   probeShapes,
   probeWildLamps,

@@ -1,6 +1,6 @@
 import { Button } from '../controls/button.tsx';
 import { dictionary } from '../i18n.ts';
-import { compiling, renderer } from '../state.ts';
+import { compiling, hasTriangles, renderer } from '../state.ts';
 import { PHASES } from './job.ts';
 import { cancelOpening, opening } from './under-way.ts';
 
@@ -8,7 +8,8 @@ import { cancelOpening, opening } from './under-way.ts';
 export function OpeningCard() {
   const t = dictionary.value;
   const now = opening.value;
-  if (!now) return compiling.value ? <Compiling /> : null;
+  // Without triangles a coarser program draws meanwhile, and nothing has to be said.
+  if (!now) return compiling.value && hasTriangles.value ? <Compiling /> : null;
   const share = (PHASES.indexOf(now.phase) + now.share) / PHASES.length;
   return (
     <div id="opening" class="opening" role="status">

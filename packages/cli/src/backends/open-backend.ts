@@ -17,8 +17,23 @@ const OPEN: Readonly<Record<BackendName, () => Promise<FilmTracer>>> = {
   cpu: async () => openCpu(),
 };
 
+/** What was opened and stays so. */
+let kept: Map<BackendName, Promise<FilmTracer>> | null = null;
+
+/** From now on a backend is opened once and serves all runs of this process, with the programs that it has compiled. */
+export const keepBackends = (): void => void (kept ??= new Map());
+
 /** This one. Rejects with `DeviceError` when it does not work here. */
-export const openNamed = (name: BackendName): Promise<FilmTracer> => OPEN[name]();
+export async function openNamed(name: BackendName): Promise<FilmTracer> {
+  if (kept === null) return OPEN[name]();
+  const tracer = await (kept.get(name) ?? kept.set(name, OPEN[name]()).get(name)!);
+  return {
+    description: tracer.description,
+    begin: (job) => tracer.begin(job),
+    trace: (...samples) => tracer.trace(...samples),
+    dispose: () => {},
+  };
+}
 
 const ADVICE =
   'Install the package "webgpu" (npm install webgpu@0.6.2) and a Vulkan driver for your GPU, or Chromium; ' +
@@ -30,7 +45,7 @@ export async function openBackend(choice: BackendChoice): Promise<Backend> {
   const reasons: string[] = [];
   for (const name of names) {
     try {
-      return { name, tracer: await OPEN[name]() };
+      return { name, tracer: await openNamed(name) };
     } catch (error) {
       if (!(error instanceof DeviceError)) throw error;
       reasons.push(`${name}: ${error.message}`);

@@ -1,7 +1,7 @@
 /** `mirrorball info`: what is in a file. */
 import { readFile } from 'node:fs/promises';
 import { type FloatPicture, formatOf, ImageError } from 'mirrorball/picture-files';
-import { type BadScene, BadSceneError, usage } from '../exit-codes.ts';
+import { type BadScene, lookAtAll, usage } from '../exit-codes.ts';
 import { meshFileFacts } from '../mesh-facts.ts';
 import { readPart } from '../part-file.ts';
 import { isPart } from '../picture-file.ts';
@@ -13,23 +13,18 @@ import { percent, type Terminal } from '../terminal.ts';
 /** What is told about a file, by name. */
 type Facts = Readonly<Record<string, unknown>>;
 
-export async function info(files: readonly string[], terminal: Terminal): Promise<void> {
-  const bad: BadScene[] = [];
-  for (const file of files) {
+export const info = (files: readonly string[], terminal: Terminal): Promise<void> =>
+  lookAtAll(files, async (file) => {
     const facts = await factsOf(file);
-    if ('problems' in facts) {
-      bad.push(facts as unknown as BadScene);
-      continue;
-    }
+    if ('problems' in facts) return facts as unknown as BadScene;
     terminal.event('info', { file, ...facts });
     terminal.result(file);
     for (const [name, value] of Object.entries(facts))
       if (Array.isArray(value) && typeof value[0] === 'string' && value[0].length > 40)
         for (const line of value) terminal.result(`  ${name.padEnd(12)} ${line}`);
       else terminal.result(`  ${name.padEnd(12)} ${told(value)}`);
-  }
-  if (bad.length > 0) throw new BadSceneError(bad);
-}
+    return null;
+  });
 
 const told = (value: unknown): string => (typeof value === 'object' ? JSON.stringify(value) : String(value));
 

@@ -12,6 +12,7 @@ import type { RenderOptions } from '../arguments.ts';
 import { type Backend, openBackend } from '../backends/open-backend.ts';
 import { CommandError, EXIT, usage } from '../exit-codes.ts';
 import { differences, identityOf } from '../film-identity.ts';
+import { checkFinished } from '../finished-picture.ts';
 import { type Frame, framesOf } from '../frames.ts';
 import { type Interruption, listenForInterruption } from '../interruption.ts';
 import { type Part, readPart, writePart } from '../part-file.ts';
@@ -39,6 +40,8 @@ interface Run {
   readonly terminal: Terminal;
   readonly interruption: Interruption;
   readonly backend: () => Promise<Backend>;
+  /** What --resume finds done, by the name of the frame: what to tell of it. */
+  readonly finished: ReadonlyMap<string, string>;
 }
 
 export async function render(file: string, options: RenderOptions, terminal: Terminal): Promise<void> {
@@ -51,13 +54,22 @@ export async function render(file: string, options: RenderOptions, terminal: Ter
   const { untilError, untilTime } = options;
   const goal = { wanted: wantedOf(options), untilError, untilTime };
   checkErrorKnown(options.aov, goal.wanted);
+  const wantedPicture = { goal, exposure: options.exposure ?? scene.render.exposure, aov: options.aov };
+  const finished = new Map<string, string>();
+  // All of them before anything is traced: a refusal must not come after hours.
+  for (const frame of options.resume ? frames : [])
+    if (isFinished(frame)) {
+      const identity = identityOf(scene, frame.time, settings, { ...options.size, area });
+      finished.set(frame.name, await checkFinished(frame.output, { identity, ...wantedPicture }));
+    }
   const interruption = listenForInterruption();
   let opened: Promise<Backend> | null = null;
   const backend = () => (opened ??= open(options, terminal));
   try {
-    const run = { file, scene, options, settings, area, goal, terminal, interruption, backend };
+    const run = { file, scene, options, settings, area, goal, terminal, interruption, backend, finished };
     for (const frame of frames) await renderFrame(run, frame);
   } finally {
+    interruption.stop();
     // Also when it was never used, or failed.
     await (opened as Promise<Backend> | null)?.then(({ tracer }) => tracer.dispose()).catch(() => {});
   }
@@ -79,14 +91,21 @@ async function checkOutput({ output, pixel, resume, aov }: RenderOptions, frames
   for (const { output: file } of frames.slice(0, 1)) await checkWritable(file!);
 }
 
+const partFileOf = (output: string): string => (isPart(output) ? output : `${output}${PART}`);
+
+/** Whether there is a picture and nothing that could go on. */
+const isFinished = (frame: Frame): frame is Frame & { readonly output: string } =>
+  frame.output !== undefined && existsSync(frame.output) && !existsSync(partFileOf(frame.output));
+
 async function renderFrame(run: Run, frame: Frame): Promise<void> {
-  const { options, terminal, interruption } = run;
+  const { options, terminal, interruption, finished } = run;
   interruption.check('Nothing was begun.');
-  const partFile = frame.output && (isPart(frame.output) ? frame.output : `${frame.output}${PART}`);
-  if (options.resume && options.frames && frame.output && existsSync(frame.output) && !existsSync(partFile!)) {
+  const kept = finished.get(frame.name);
+  if (kept) {
     terminal.event('kept', { picture: frame.name });
-    return terminal.note(`${frame.name} is there already.`);
+    return terminal.note(kept);
   }
+  const partFile = frame.output && partFileOf(frame.output);
   const part = await partFor(run, frame, partFile);
   const held = part.film.samples;
   const job = jobOf(run, frame);
@@ -285,6 +304,6 @@ function report(
   const rate = (part.film.pixels * (samples - held)) / Math.max(seconds, 1e-3) / 1e6;
   const told = ending === 'all samples' ? '' : ` (${ending})`;
   terminal.result(
-    `${frame.output}: ${samples} samples a pixel${told}, error ${percent(error)}, ${duration(seconds)}, ${rate.toPrecision(3)} million samples/s`,
+    `${frame.output}: ${samples} ${samples === 1 ? 'sample' : 'samples'} a pixel${told}, error ${percent(error)}, ${duration(seconds)}, ${rate.toPrecision(3)} million samples/s`,
   );
 }

@@ -25,7 +25,7 @@ const SOURCE: PassSource = {
 const KINDS: readonly AovViewSource['kind'][] = ['colour', 'normal', 'depth', 'place', 'number'];
 /** Shapes that there can be, lamps too, and nothing. */
 const MOST_NUMBERS =
-  1 + SCENE_LIMITS.sphere + SCENE_LIMITS.box + SCENE_LIMITS.plane + SCENE_LIMITS.quad + SCENE_LIMITS.light;
+  1 + SCENE_LIMITS.sphere + SCENE_LIMITS.box + SCENE_LIMITS.plane + SCENE_LIMITS.quad + SCENE_LIMITS.surfaceLight;
 
 /** What is looked at, and how. */
 export interface Sight {

@@ -4,6 +4,7 @@ export { type Device, DeviceError } from '../gpu/device.ts';
 export { openWebGl2 } from '../gpu/webgl2/webgl2-device.ts';
 export { openWebGpu } from '../gpu/webgpu/webgpu-device.ts';
 export { type AovIds, aovIds } from '../integrator/aov/aov-ids.ts';
+export { nearest } from '../scene-file/problem.ts';
 export { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
 export * from './aovs.ts';
 export * from './film-tracer.ts';

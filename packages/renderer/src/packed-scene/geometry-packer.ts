@@ -1,5 +1,5 @@
 /**
- * What packs meshes, with all that builds trees, and their textures comes when the first scene with some does: see
+ * What packs meshes, their textures, and trees over many lights, with all that builds trees, comes when the first scene with some does: see
  * scripts/lazy-parts.mjs.
  */
 
@@ -8,7 +8,9 @@ import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import type { Moment } from '../scene/motion.ts';
 import { meshShapes } from '../scene/placed.ts';
 import type { Material, Scene, Vec3 } from '../scene/scene.ts';
+import type { EmitterValues } from './emitter-values.ts';
 import { geometryRows } from './layout.ts';
+import type { LightTree } from './light-tree.ts';
 import type * as PackGeometry from './pack-geometry.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
@@ -71,8 +73,13 @@ export function texturesOf(scene: Scene, materials: readonly Material[]): Textur
   return materials.length === 0 ? NO_TEXTURES : loaded().packTextures(scene, materials);
 }
 
+/** `treeOfEmitters`. Throws when the packer has not been loaded. */
+export const lightTreeOf = (emitters: readonly EmitterValues[], far: number): LightTree =>
+  loaded().treeOfEmitters(emitters, far);
+
 function loaded(): Packer {
-  if (packer === null) throw new Error('Meshes are to be packed, and loadGeometryPacker() has not been awaited.');
+  if (packer === null)
+    throw new Error('Meshes or many lights are to be packed, and loadGeometryPacker() has not been awaited.');
   return packer;
 }
 
@@ -87,6 +94,9 @@ const NO_GEOMETRY: PackedGeometry = {
   revision: 0,
   changedInstances: [0, 0],
   meshes: [],
+  lampTables: rows,
+  tables: [],
+  emitters: [],
   rows,
 };
 

@@ -4,7 +4,8 @@
  * by hand anywhere.
  *
  * The scene lies in a table of RGBA float texels, a texture that both GPU interfaces read alike: row i holds shape i, its
- * material, and light i; below lie the layers of the materials that have some. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
+ * material, light i and emitter i; below lie the tree over lights and the layers of the materials that have some. (Uniform blocks were
+ * tried: Windows' shader compiler takes twice as long over large ones.)
  * What belongs to the frame lies in small uniform blocks. Triangles and the trees over them lie in rows of four words, the geometry:
  * a storage buffer or a texture, whichever the device has.
  *
@@ -101,19 +102,22 @@ export const STRUCTS = {
   Emitter: {
     position: field(
       'vec3f',
-      'eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light',
+      'eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light',
     ),
-    kind: field('f32', '0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky'),
+    kind: field('f32', '0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh'),
     u: field(
       'vec3f',
-      'edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box',
+      'edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals',
     ),
     radius: field(
       'f32',
-      'of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light',
+      'of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter',
     ),
-    v: field('vec3f', 'other edge of a quad'),
-    cosInner: field('f32', 'cosine of the inner angle of a spot'),
+    v: field('vec3f', 'other edge of a quad; mean of the normals of a mesh, weighted by area'),
+    cosInner: field(
+      'f32',
+      'cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other',
+    ),
     radiance: field(
       'vec3f',
       'radiance; of a point or spot: intensity; of directional light without angular size: irradiance',
@@ -123,9 +127,28 @@ export const STRUCTS = {
       'of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size',
     ),
     shape: field('f32', 'row of the shape that rays meet; -1: none, only light sampling finds it'),
-    oneSided: field('f32', '1: a quad that shines to the side of u x v only'),
+    oneSided: field('f32', '1: a quad that shines to the side of u x v only, a mesh to the front of its triangles'),
     power: field('f32', 'for choosing among emitters: power / distance^2 estimates the irradiance in front of it'),
     reach: field('f32', 'radius of the bounding sphere; of directional light: sine of half the angular diameter'),
+    leaf: field('f32', 'its place among the leaves of the light tree; -1: it is in none'),
+    table: field('f32', 'mesh: row of its first triangle among the tables of lamps'),
+    triangles: field('f32', 'mesh: how many'),
+    instance: field('f32', 'mesh: of which instance'),
+  },
+  /** Rows of their own in the scene table: of four children side by side. light-tree.ts. */
+  LightNode: {
+    x: field('vec4f', 'of each child the centre of a sphere about its lights, eye-relative'),
+    y: field('vec4f', 'y'),
+    z: field('vec4f', 'z'),
+    reach: field('vec4f', 'radius of the sphere'),
+    axisX: field('vec4f', 'unit axis of the cone that holds all normals of the lights'),
+    axisY: field('vec4f', 'y'),
+    axisZ: field('vec4f', 'z'),
+    cosWidth: field('vec4f', 'cosine of that cone, from its axis'),
+    cosEdge: field('vec4f', 'cosine of the angle from a normal up to which there is light'),
+    bothSides: field('vec4f', '1: also against the normals'),
+    power: field('vec4f', 'sum of what Emitter has; 0: there is no such child'),
+    emitters: field('vec4f', 'in the lowest nodes: which emitter the child is'),
   },
   // The geometry's: pack-geometry.ts.
   WideNode: {
@@ -188,6 +211,12 @@ export const STRUCTS = {
     height: field('u32', 'of the image, texels'),
     scale: field('f32', 'of a normal map: factor on the first two components'),
   },
+  LampTriangle: {
+    own: field('f32', 'alias table: probability to take this triangle and not the other one'),
+    place: field('u32', 'of this triangle, in the order of its mesh'),
+    other: field('u32', 'place of the other one'),
+    density: field('f32', 'how likely its points are: as a factor on 1 / area of the emitter'),
+  },
   Frame: {
     right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
     width: field('f32', 'film pixels'),
@@ -226,6 +255,10 @@ export const STRUCTS = {
     shares: field('u32', 'threads that share the samples of a pixel'),
     tile: field('vec2u', 'pixels of a workgroup'),
     instanceCount: field('u32', 'instances of meshes'),
+    farEmitters: field('u32', 'emitters that are infinitely far: they come first'),
+    lightTree: field('u32', 'row of the root of the light tree'),
+    lightTreeDepth: field('u32', 'levels of it; 0: there is none, and all emitters are looked at'),
+    lampTables: field('u32', 'row of the geometry where the tables of lamps begin'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
@@ -291,7 +324,7 @@ export function fieldOffset<S extends StructName>(name: S, field: FieldName<S>):
 export const GEOMETRY_ROW = 4;
 /** Rows of a struct in either. */
 export const geometryRows = (name: DataStruct): number => structSize(name) / 16;
-const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance', 'Vertex', 'VertexMore'] as const;
+const GEOMETRY_STRUCTS = ['WideNode', 'Triangle', 'Instance', 'Vertex', 'VertexMore', 'LampTriangle'] as const;
 
 /**
  * In `Instance.cover`: a bit for triangles that are not there from behind, and in the other bits the row of the MaterialTextures that say
@@ -342,15 +375,14 @@ export const MATERIAL_FLAGS = { isUnlit: 1, hasOpacityTexture: 2 } as const;
 
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
-/** Those that have rows of their own, since few shapes need one. */
-const OWN_ROW_STRUCTS = ['Layers'] as const;
-type SharedRowStruct = (typeof TABLE_STRUCTS)[number];
-export type TableStruct = SharedRowStruct | (typeof OWN_ROW_STRUCTS)[number];
+/** Structs that have rows of the scene table for themselves, after those. */
+const WHOLE_ROWS = ['LightNode', 'Layers'] as const;
+export type TableStruct = (typeof TABLE_STRUCTS)[number] | (typeof WHOLE_ROWS)[number];
 
 /** Texels (of 16 bytes) left of the struct in its row. */
 export function tableColumn(name: TableStruct): number {
-  if ((OWN_ROW_STRUCTS as readonly string[]).includes(name)) return 0;
   let column = 0;
+  if ((WHOLE_ROWS as readonly string[]).includes(name)) return column;
   for (const s of TABLE_STRUCTS) {
     if (s === name) break;
     column += structSize(s) / 16;
@@ -359,6 +391,8 @@ export function tableColumn(name: TableStruct): number {
 }
 /** Texels in a row of the scene table. */
 export const TABLE_WIDTH = TABLE_STRUCTS.reduce((sum, s) => sum + structSize(s) / 16, 0);
+
+const FETCHED = [...TABLE_STRUCTS, ...WHOLE_ROWS];
 
 const GENERATED = '// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.\n';
 
@@ -414,7 +448,7 @@ export function fetchGeometryWgsl(): string {
     `const vertexRows = ${geometryRows('Vertex')}u;`,
     ...Object.entries({ ...COVER, ...VERTEX_FLAGS }).map(([name, bit]) => `const ${name} = ${bit}u;`),
   ];
-  const fetched = ['Triangle', 'Instance', 'Vertex', 'VertexMore'] as const;
+  const fetched = ['Triangle', 'Instance', 'Vertex', 'VertexMore', 'LampTriangle'] as const;
   const functions = fetched.map((name) => fetchRowsFunction(name, 'geometryRow'));
   return `${GENERATED}${imports}\n${constants.join('\n')}\n\n${functions.join('\n')}`;
 }
@@ -435,7 +469,6 @@ export function fetchTexturesWgsl(): string {
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */
 export function fetchWgsl(): string {
-  const structs = [...TABLE_STRUCTS, ...OWN_ROW_STRUCTS];
-  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${structs.join(', ')}};\n`;
-  return `${GENERATED}${imports}\n${structs.map(fetchFunction).join('\n')}`;
+  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${FETCHED.join(', ')}};\n`;
+  return `${GENERATED}${imports}\n${FETCHED.map(fetchFunction).join('\n')}`;
 }

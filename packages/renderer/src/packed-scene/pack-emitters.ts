@@ -1,43 +1,42 @@
 /**
  * Everything that shines, as the path integrator samples it: lights, shapes of an emissive material, the sky. What is left out
- * (more emissive shapes than a loop should run over) still shines, and is found by rays that happen to meet it.
+ * (more of them than the scene table should hold) still shines, and is found by rays that happen to meet it.
  */
-import { emissionOf, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
-import { isLayered } from '../scene/layered.ts';
-import type { Color, DirectionalLight, LampShape, Light, QuadLight, Sky, SpotLight, Vec3 } from '../scene/scene.ts';
+import { emissionOf, lampsAsShapes, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
+import { hasCoat } from '../scene/layered.ts';
+import type {
+  Color,
+  DirectionalLight,
+  LampShape,
+  Light,
+  QuadLight,
+  Scene,
+  Sky,
+  SpotLight,
+  Vec3,
+} from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
+import { EMITTER_KIND, type EmitterValues, NO_EMITTER as NOTHING } from './emitter-values.ts';
+import { clustersOf, type MeshGlow } from './lamp-clusters.ts';
 import { packEnvironment } from './pack-environment.ts';
-import type { StructValues } from './write-struct.ts';
+import { isOneSided } from './texture-slots.ts';
 
-/** What `frame.emitterCount` may be. */
-export const MOST_EMITTERS = 64;
-
-/** The kinds as shading/light/emitter/emitter.wesl numbers them. */
-export const EMITTER_KIND = { sphere: 0, quad: 1, box: 2, point: 3, spot: 4, directional: 5, sky: 6 } as const;
-
-/** All fields of the struct. */
-export type EmitterValues = Required<StructValues<'Emitter'>>;
+/** What `frame.emitterCount` may be: a table of so many rows is a texture that every device has. */
+export const MOST_EMITTERS = 8192;
+/** Of more than these, the infinitely far ones not counted, a tree chooses: docs/lights.md. */
+export const LISTED_EMITTERS = 16;
+/** Triangles of all lamps together: 64 MiB of tables. */
+const MOST_LAMP_TRIANGLES = 2 ** 22;
 
 export interface PackedEmitters {
+  /** Those that are infinitely far come first. */
   readonly emitters: readonly EmitterValues[];
+  readonly far: number;
   /** Index of the emitter that a shape is, by the shape's name; a shape that is none is not in it. */
   readonly emitterOfShape: ReadonlyMap<string, number>;
 }
 
-const NOTHING: EmitterValues = {
-  position: [0, 0, 0],
-  kind: 0,
-  u: [0, 0, 0],
-  radius: 0,
-  v: [0, 0, 0],
-  cosInner: 0,
-  radiance: [0, 0, 0],
-  area: 0,
-  shape: -1,
-  oneSided: 0,
-  power: 0,
-  reach: 0,
-};
+const isFar = ({ kind }: EmitterValues): boolean => kind === EMITTER_KIND.sky || kind === EMITTER_KIND.directional;
 
 const RADIANS = Math.PI / 180;
 /** Where the falloff of a spot has no width its outer cosine is less than the inner by this. */
@@ -149,6 +148,7 @@ function shapeEmitter(shape: LampShape, radiance: Color): EmitterValues {
   return shape.type === 'box' ? boxEmitter(shape.center, shape.size, radiance) : quadEmitter(shape, radiance);
 }
 
+/** An emitter in the world, and the shape that it is. */
 interface Found {
   readonly values: EmitterValues;
   readonly shape: string | null;
@@ -171,22 +171,75 @@ function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
     const material = scene.materials[shape.material]!;
     const emission = emissionOf(material);
     // What shines through a coat is not as bright to all sides: rays find it by themselves.
-    if (isLayered(material) && (material.clearcoat?.weight ?? 0) > 0) continue;
-    // A plane has no area to sample; scene files with such a lamp are refused. Rays find the light of meshes by themselves.
+    if (hasCoat(material)) continue;
+    // A plane has no area to sample; scene files with such a lamp are refused.
     if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
     found.push({ values: shapeEmitter(shape, emission), shape: name });
   }
   return found.sort((a, b) => (b.values.power as number) - (a.values.power as number));
 }
 
-/** `rowOf`: where in the scene table the shape of that name lies. */
+function emittersWithoutMeshes(lamps: SceneWithLamps): Found[] {
+  const lights = lightsOf(lamps);
+  const near = [...lights.filter(({ values }) => !isFar(values)), ...emissiveShapes(lamps)];
+  return [...lights.filter(({ values }) => isFar(values)), ...near].slice(0, MOST_EMITTERS);
+}
+
+/** The meshes whose light is sampled, by the names of their shapes: in the order of the file, as long as there is room. */
+export function meshGlows({ scene }: SceneWithLamps, room: number): Map<string, MeshGlow> {
+  const glows = new Map<string, MeshGlow>();
+  let [emitters, triangles] = [room, MOST_LAMP_TRIANGLES];
+  for (const [name, shape] of Object.entries(scene.shapes)) {
+    const cut = shape.type === 'mesh' ? clustersOf(scene, shape) : null;
+    if (!cut || cut.instances * cut.clusters > emitters || cut.triangles > triangles) continue;
+    emitters -= cut.instances * cut.clusters;
+    triangles -= cut.triangles;
+    const material = scene.materials[shape.material]!;
+    glows.set(name, { ...cut, radiance: emissionOf(material), oneSided: isOneSided(material) });
+  }
+  return glows;
+}
+
+/** What a packed scene's emitters may be at most, without looking at the triangles of meshes. */
+export interface EmitterPlan {
+  readonly kinds: ReadonlySet<number>;
+  readonly far: number;
+  readonly near: number;
+  readonly glows: ReadonlyMap<string, MeshGlow>;
+}
+
+/** A scene does not change. */
+const known = new WeakMap<Scene, EmitterPlan>();
+
+export function planEmitters(scene: Scene): EmitterPlan {
+  let plan = known.get(scene);
+  if (!plan) known.set(scene, (plan = planOf(lampsAsShapes(scene))));
+  return plan;
+}
+
+function planOf(lamps: SceneWithLamps): EmitterPlan {
+  const found = emittersWithoutMeshes(lamps);
+  const glows = meshGlows(lamps, MOST_EMITTERS - found.length);
+  const far = found.filter(({ values }) => isFar(values)).length;
+  let near = found.length - far;
+  for (const { instances, clusters } of glows.values()) near += instances * clusters;
+  const kinds = new Set(found.map(({ values }) => values.kind as number));
+  if (glows.size > 0) kinds.add(EMITTER_KIND.mesh);
+  return { kinds, far, near, glows };
+}
+
+/** All but meshes. `rowOf`: where in the scene table the shape of that name lies. */
 export function emittersOf(lamps: SceneWithLamps, eye: Vec3, rowOf: (shape: string) => number): PackedEmitters {
-  const kept = [...lightsOf(lamps), ...emissiveShapes(lamps)].slice(0, MOST_EMITTERS);
-  const emitters = kept.map(({ values, shape }) => ({
-    ...values,
-    position: subtract(values.position as unknown as Vec3, eye),
+  const found = emittersWithoutMeshes(lamps);
+  const emitters = found.map(({ values, shape }) => ({
+    ...seenFrom(eye, values),
     shape: shape === null ? -1 : rowOf(shape),
   }));
-  const named = kept.flatMap(({ shape }, index) => (shape === null ? [] : [[shape, index] as const]));
-  return { emitters, emitterOfShape: new Map(named) };
+  const named = found.flatMap(({ shape }, index) => (shape === null ? [] : [[shape, index] as const]));
+  return { emitters, far: found.filter(({ values }) => isFar(values)).length, emitterOfShape: new Map(named) };
 }
+
+export const seenFrom = (eye: Vec3, values: EmitterValues): EmitterValues => ({
+  ...values,
+  position: subtract(values.position as unknown as Vec3, eye),
+});

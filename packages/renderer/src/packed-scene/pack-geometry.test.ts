@@ -16,7 +16,7 @@ import { packVertices } from './pack-vertices.ts';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
-const rowsFrom = (first: number): BodyRows => ({ first, covers: new Array<number>(40).fill(0) });
+const rowsFrom = (first: number): BodyRows => ({ first, covers: new Array<number>(40).fill(0), glows: [] });
 
 interface Wanted {
   readonly mesh: Mesh;
@@ -244,7 +244,7 @@ test('another scene gets a geometry of its own; what meshes are made of may chan
   expect(packGeometry(b, rowsFrom(0), [0, 0, 9], first)).not.toBe(first);
   const { revision } = first;
   const covers = rowsFrom(3).covers.map((_, i) => (i === 8 ? 5 : 0));
-  expect(packGeometry(a, { first: 3, covers }, [0, 0, 9], first)).toBe(first);
+  expect(packGeometry(a, { first: 3, covers, glows: [] }, [0, 0, 9], first)).toBe(first);
   expect(first.revision).toBe(revision + 1);
   const words = wordsOf(first);
   const row = (i: number) => first.instances + i * geometryRows('Instance');

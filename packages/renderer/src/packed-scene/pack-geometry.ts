@@ -11,9 +11,13 @@ import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Moment } from '../scene/motion.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
+import type { EmitterValues } from './emitter-values.ts';
 import { WideEncoder } from './encode-wide-bvh.ts';
 import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
+import type { MeshGlow } from './lamp-clusters.ts';
 import { GEOMETRY_ROW, geometryRows } from './layout.ts';
+import { MeshLamps } from './mesh-lamps.ts';
+import type { LampTable } from './pack-lamps.ts';
 import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { PosedMesh } from './posed-mesh.ts';
@@ -22,6 +26,7 @@ import { type Block, createBlock } from './write-struct.ts';
 // Comes with the rest of what meshes need.
 export { sketchInSteps } from '../sketch/sketch.ts';
 export { packMeshes } from './pack-in-worker.ts';
+export { treeOfEmitters } from './pack-light-tree.ts';
 export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
 export { packTextures } from './pack-textures.ts';
 
@@ -40,6 +45,11 @@ export interface PackedGeometry {
   readonly changedInstances: readonly [begin: number, end: number];
   /** In the order in which their rows follow one another. */
   readonly meshes: readonly PackedMesh[];
+  /** Row of the first table of lamps, after the meshes, and all tables. */
+  readonly lampTables: number;
+  readonly tables: readonly LampTable[];
+  /** What shines among the meshes, in the world. Another object when it is worked out anew. */
+  readonly emitters: readonly EmitterValues[];
   /** All rows. */
   readonly rows: number;
 }
@@ -61,6 +71,8 @@ export interface BodyRows {
   readonly first: number;
   /** `Instance.cover` of each. */
   readonly covers: readonly number[];
+  /** How the light of each is sampled; null: it does not shine, or only rays find its light. */
+  readonly glows: readonly (MeshGlow | null)[];
 }
 
 /**
@@ -121,7 +133,7 @@ class GeometryOfScene implements PackedGeometry {
   readonly moving: Block;
   readonly instances: number;
   readonly meshes: readonly PackedMesh[];
-  readonly rows: number;
+  readonly lampTables: number;
   readonly changedInstances: [number, number] = [0, 0];
   treeRows = 0;
   revision = 0;
@@ -135,6 +147,7 @@ class GeometryOfScene implements PackedGeometry {
   readonly #deepest: number;
   readonly #builder = new InstanceTree();
   readonly #encoder = new WideEncoder();
+  readonly #lamps = new MeshLamps();
   /** The good tree, while it is the one in use. */
   #tree: Bvh | null = null;
 
@@ -156,11 +169,11 @@ class GeometryOfScene implements PackedGeometry {
     this.instances = room * NODE_ROWS;
     this.movingRows = this.instances + room * INSTANCE_ROWS;
     this.moving = createBlock(this.movingRows * ROW_BYTES);
-    this.rows = this.#placeMeshes();
+    this.lampTables = this.#placeMeshes();
     this.#instanceRows = new InstanceRows(this.moving, this.instances * ROW_BYTES, this.#meshOf.length);
   }
 
-  /** Gives the number of all rows. */
+  /** Gives the row after them. */
   #placeMeshes(): number {
     const starts = new Map<PackedMesh, number>();
     let rows = this.movingRows;
@@ -187,14 +200,26 @@ class GeometryOfScene implements PackedGeometry {
     return this.#instanceRows.count;
   }
 
+  get rows(): number {
+    return this.lampTables + this.#lamps.rows;
+  }
+  get tables(): readonly LampTable[] {
+    return this.#lamps.tables;
+  }
+  get emitters(): readonly EmitterValues[] {
+    return this.#lamps.emitters;
+  }
+
   /** Throws a `DeepTreeError`; then the geometry is of no use any more. */
   update(time: number, bodyRows: BodyRows, eye: Vec3): void {
     if (time !== this.#time) this.#bodies.goTo(time);
     this.#time = time;
     for (const packed of this.#packed) packed.update();
-    if (bodyRows !== this.#bodyRows) this.#take(bodyRows);
+    const otherRows = bodyRows !== this.#bodyRows;
+    if (otherRows) this.#take(bodyRows);
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
+    if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
     for (const packed of this.#packed) packed.rowChanged = false;
     if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
     if (news !== 'nothing' || !this.#tree) this.#growTree(news);

@@ -1,4 +1,4 @@
-/** Scene → the scene table for the path integrator: visible lights are shapes, and what shines is an emitter. */
+/** Scene → the scene table for the path integrator: visible lights are shapes, and what shines is an emitter, or several. */
 
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
@@ -6,12 +6,16 @@ import { isLayered } from '../scene/layered.ts';
 import type { Moment } from '../scene/motion.ts';
 import { meshShapes } from '../scene/placed.ts';
 import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
-import { geometryOf, texturesOf } from './geometry-packer.ts';
+import type { EmitterValues } from './emitter-values.ts';
+import { geometryOf, lightTreeOf, texturesOf } from './geometry-packer.ts';
+import type { MeshGlow } from './lamp-clusters.ts';
 import { layerValues } from './layer-values.ts';
 import { COVER } from './layout.ts';
-import { emittersOf, MOST_EMITTERS } from './pack-emitters.ts';
+import { treeNodes } from './light-tree-size.ts';
+import { emittersOf, LISTED_EMITTERS, planEmitters, seenFrom } from './pack-emitters.ts';
 import { noEnvironment, packEnvironment } from './pack-environment.ts';
 import { isPackedFrom, type PackedScene, type PackOptions, packScene, writeRow } from './pack-scene.ts';
+import { hasMeshes } from './refuse-meshes.ts';
 import { refuseUndrawn } from './refuse-undrawn.ts';
 import { type Lamp, surfaceValues } from './surface-values.ts';
 import { isOneSided, mayBeMissing } from './texture-slots.ts';
@@ -33,30 +37,43 @@ function layeredMaterials({ shapes, materials }: Scene): Material[] {
   const used = new Set(Object.values(shapes).map(({ material }) => materials[material]!));
   return [...used].filter(isLayered);
 }
+/** Whether to pack it needs the part that packs meshes and trees over many lights. */
+export const needsPacker = (scene: Scene): boolean => hasMeshes(scene) || planEmitters(scene).near > LISTED_EMITTERS;
 
 /** `moment`: the scene with its meshes, at the time that is to be seen. */
 export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = {}): PackedScene {
   const { scene } = moment;
   const { reuse } = options;
   // Where nothing but meshes has moved the table holds what it should.
-  const packed = reuse && isPackedFrom(reuse, scene, eye, options) ? reuse : packRows(scene, eye, options);
-  return { ...packed, geometry: geometryOf(moment, packed.bodies!, eye, reuse?.geometry ?? null) };
+  const still = reuse && isPackedFrom(reuse, scene, eye, options);
+  const packed = still ? reuse : packRows(scene, eye, options);
+  const geometry = geometryOf(moment, packed.bodies!, eye, reuse?.geometry ?? null);
+  const lit = still && packed.glowing === geometry.emitters ? packed : withEmitters(packed, geometry.emitters, eye);
+  return { ...lit, geometry };
 }
 
 function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
   refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
+  const { far, near, glows } = planEmitters(scene);
   const layered = layeredMaterials(lamps.scene);
-  const moreRows = layered.length;
-  const packed = packScene(lamps.scene, eye, { ...options, leastRows: MOST_EMITTERS, moreRows, meshes: true });
+  const packed = packScene(lamps.scene, eye, {
+    ...options,
+    leastRows: Math.max(far + near, 1),
+    // The tree over lights, and behind it the layers.
+    moreRows: (near > LISTED_EMITTERS ? treeNodes(near) : 0) + layered.length,
+    meshes: true,
+  });
   const { table, shapeNames } = packed;
-  const layerRows = new Map(layered.map((material, index) => [material, packed.rows - moreRows + index]));
+  const layerRows = new Map(layered.map((material, index) => [material, packed.rows - layered.length + index]));
   for (const [material, row] of layerRows) writeRow(table, 'Layers', row, layerValues(material));
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
-  const { emitters, emitterOfShape } = emittersOf(lamps, eye, (name) => rows.get(name)!);
+  const lights = emittersOf(lamps, eye, (name) => rows.get(name)!);
+  const firstOfMesh = placesOf(glows, lights.emitters.length);
   const lampOf = (name: string): Lamp | null => {
-    const emitter = emitterOfShape.get(name);
-    return emitter === undefined ? null : { emitter, oneSided: emitters[emitter]!.oneSided === 1 };
+    const emitter = lights.emitterOfShape.get(name);
+    if (emitter !== undefined) return { emitter, oneSided: lights.emitters[emitter]!.oneSided === 1 };
+    return firstOfMesh.has(name) ? { emitter: firstOfMesh.get(name)!, oneSided: glows.get(name)!.oneSided } : null;
   };
   const { shapes } = lamps.scene;
   const materialOf = (name: string) => lamps.scene.materials[shapes[name]!.material]!;
@@ -74,16 +91,51 @@ function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
       surfaceValues(material, lampOf(name), rowOf.get(material), layerRows.get(material)),
     );
   });
-  emitters.forEach((values, row) => {
-    writeRow(table, 'Emitter', row, values);
-  });
-  const covers = meshShapes(lamps.scene).map(([name, shape]) => coverOf(shape, materialOf(name)));
+  const meshes = meshShapes(lamps.scene);
   return {
     ...packed,
     ...skyOf(scene.sky),
     source: { ...packed.source, scene, surfaces: true },
-    bodies: { first: packed.shapeEnds[3], covers },
+    bodies: {
+      first: packed.shapeEnds[3],
+      covers: meshes.map(([name, shape]) => coverOf(shape, materialOf(name))),
+      glows: meshes.map(([name]) => glows.get(name) ?? null),
+    },
+    lights,
     textures,
+  };
+}
+
+/** Number of the first emitter of each, as mesh-lamps.ts has them one after the other. */
+function placesOf(glows: ReadonlyMap<string, MeshGlow>, first: number): Map<string, number> {
+  let place = first;
+  return new Map(
+    [...glows].map(([name, { instances, clusters }]) => {
+      place += instances * clusters;
+      return [name, place - instances * clusters];
+    }),
+  );
+}
+
+/** The rows of all emitters written, and the tree over them where they are too many to look at each. `glowing`: those of meshes. */
+function withEmitters(packed: PackedScene, glowing: readonly EmitterValues[], eye: Vec3): PackedScene {
+  const { table, lightTree, source } = packed;
+  const { emitters: others, far } = packed.lights!;
+  const emitters = [...others, ...glowing.map((values) => seenFrom(eye, values))];
+  const tree = emitters.length - far > LISTED_EMITTERS ? lightTreeOf(emitters, far) : null;
+  emitters.forEach((values, row) => {
+    const leaf = tree && row >= far ? tree.leaves[row - far]! : -1;
+    writeRow(table, 'Emitter', row, { ...values, leaf });
+  });
+  tree?.nodes.forEach((values, k) => {
+    writeRow(table, 'LightNode', lightTree + k, values);
+  });
+  return {
+    ...packed,
+    source: { ...source },
+    glowing,
     emitterCount: emitters.length,
+    farEmitters: far,
+    lightTreeDepth: tree?.depth ?? 0,
   };
 }

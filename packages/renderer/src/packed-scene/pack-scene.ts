@@ -5,7 +5,9 @@
 import { sphereLights } from '../scene/lights.ts';
 import type { Box, Color, Material, Plane, Quad, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene/scene.ts';
 import { add, cross, dot, length, normalize, scale, subtract } from '../scene/vec3.ts';
+import type { EmitterValues } from './emitter-values.ts';
 import { TABLE_WIDTH, type TableStruct, tableColumn } from './layout.ts';
+import type { PackedEmitters } from './pack-emitters.ts';
 import type { PackedEnvironment } from './pack-environment.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { PackedTextures } from './pack-textures.ts';
@@ -33,8 +35,12 @@ export interface PackedScene {
   readonly lightCount: number;
   /** Index past the last light that camera and mirrors see. */
   readonly seenLightEnd: number;
-  /** Rows that hold an emitter of the path integrator. */
+  /** Rows that hold an emitter of the path integrator; the first ones of them are infinitely far. */
   readonly emitterCount: number;
+  readonly farEmitters: number;
+  /** Row of the root of the tree over the others, and its levels; 0: there is no tree. */
+  readonly lightTree: number;
+  readonly lightTreeDepth: number;
   /** Sky colours. */
   readonly horizon: Color;
   readonly zenith: Color;
@@ -44,8 +50,11 @@ export interface PackedScene {
   readonly environmentTurn: number;
   /** Meshes and where they stand; null in scenes packed for the classic integrator. */
   readonly geometry: PackedGeometry | null;
-  /** What meshes are made of; null likewise. */
+  /** What meshes are made of, and what shines beside them; null likewise. */
   readonly bodies: BodyRows | null;
+  readonly lights: PackedEmitters | null;
+  /** What shines among the meshes, where the table has it. */
+  readonly glowing: readonly EmitterValues[];
   /** What their materials use; null likewise. */
   readonly textures: PackedTextures | null;
   /** Whether rays of the camera start on both sides of some plane. */
@@ -76,9 +85,9 @@ export interface PackOptions {
   readonly reach?: ViewReach;
   /** Whether meshes get rows too, after all other shapes; without it a scene that has some is refused. */
   readonly meshes?: boolean;
-  /** Room that is needed for more than shapes and lights. */
+  /** Rows that are needed beside shapes and lights, and those after them all. */
   readonly leastRows?: number;
-  /** Rows of their own after all of these. */
+  /** Rows of their own after all of these: of the tree over lights, and of layers. */
   readonly moreRows?: number;
 }
 
@@ -124,12 +133,17 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
     planesCutView: planes.some(([, plane]) => cuts(plane as Plane, eye, reach)),
     seenLightEnd: lights.findLastIndex((l) => l.visible) + 1,
     emitterCount: 0,
+    farEmitters: 0,
+    lightTree: rows - moreRows,
+    lightTreeDepth: 0,
     horizon: scene.sky.horizon,
     zenith: scene.sky.zenith,
     environment: null,
     environmentTurn: 0,
     geometry: null,
     bodies: null,
+    lights: null,
+    glowing: [],
     textures: null,
     shapeNames: ordered.map(([name]) => name),
   };

@@ -16,7 +16,7 @@ const LEAST_ALPHA = 1e-3;
 /** An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats. */
 const LEAST_CONTRAST = 1e-3;
 
-/** What a shape is as a lamp: the emitter that light sampling knows it by. */
+/** What a shape is as a lamp: the emitter that light sampling knows it by, the first one of several. */
 export interface Lamp {
   readonly emitter: number;
   readonly oneSided: boolean;

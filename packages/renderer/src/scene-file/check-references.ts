@@ -17,7 +17,10 @@ const KINDS = {
 } as const;
 type Section = keyof typeof KINDS;
 
-/** Tells of names that lead nowhere; passes over sections that could not be read. */
+/**
+ * Tells of names that lead nowhere; passes over sections that could not be read. A thing that has another mistake is looked at all the
+ * same, as it stands in the file: so everything in it may be missing or be anything.
+ */
 export class References {
   readonly #scene: Sections;
   readonly #faulty: FaultyPlaces;
@@ -30,9 +33,10 @@ export class References {
   }
 
   /** `path`: where the name stands; `who`: what has it, such as `The shape "ball"`. */
-  check(path: Path, who: string, section: Section, wanted: string | undefined): void {
+  check(path: Path, who: string, section: Section, wanted: unknown): void {
     const things = this.#scene[section] ?? {};
-    if (wanted === undefined || this.#faulty.has(section) || Object.hasOwn(things, wanted)) return;
+    if (typeof wanted !== 'string' || this.#faulty.has(section) || Object.hasOwn(things, wanted)) return;
+    if (this.#faulty.isAt(path)) return;
     const kind = KINDS[section];
     const names = Object.keys(things);
     const listed = listOfNames(names, `a${kind === 'image' ? 'n' : ''} ${kind}`);
@@ -42,14 +46,13 @@ export class References {
     this.#problems.add(path, `the name ${quote(wanted)}`, listed, message);
   }
 
-  /** Each thing of a section that could be read. */
-  each<Key extends keyof Sections>(section: Key, check: (name: string, thing: ThingOf<Key>) => void): void {
+  /** Each thing of a section, as far as it could be read. */
+  each(section: keyof Sections, check: (name: string, thing: Readonly<Record<string, unknown>>) => void): void {
+    if (this.#faulty.has(section)) return;
     for (const [name, thing] of Object.entries(this.#scene[section] ?? {}))
-      if (!this.#faulty.has(section, name)) check(name, thing as ThingOf<Key>);
+      if (typeof thing === 'object' && thing !== null) check(name, thing as Readonly<Record<string, unknown>>);
   }
 }
-type ThingOf<Key extends keyof Sections> =
-  NonNullable<Sections[Key]> extends Readonly<Record<string, infer T>> ? T : never;
 
 /** In words what may stand where one of these names is wanted. */
 export function listOfNames(names: readonly string[], one: string): string {
@@ -60,7 +63,7 @@ export function listOfNames(names: readonly string[], one: string): string {
 
 export function checkReferences(scene: Sections, faulty: FaultyPlaces, problems: ProblemList): void {
   const references = new References(scene, faulty, problems);
-  const carried = (path: Path, who: string, thing: { readonly node?: string }) =>
+  const carried = (path: Path, who: string, thing: { readonly node?: unknown }) =>
     references.check([...path, 'node'], who, 'nodes', thing.node);
   references.each('shapes', (name, shape) => {
     const [path, who] = [['shapes', name], `The shape ${quote(name)}`];
@@ -73,19 +76,17 @@ export function checkReferences(scene: Sections, faulty: FaultyPlaces, problems:
   references.each('lights', (name, light) => carried(['lights', name], `The light ${quote(name)}`, light));
   references.each('cameras', (name, camera) => carried(['cameras', name], `The camera ${quote(name)}`, camera));
   references.each('models', (name, model) => carried(['models', name], `The model ${quote(name)}`, model));
-  if (!faulty.touches('camera')) carried(['camera'], 'The camera', scene.camera);
-  references.each('skins', (name, { joints }) =>
-    joints.forEach((joint, i) => {
+  if (!faulty.has('camera')) carried(['camera'], 'The camera', scene.camera);
+  references.each('skins', (name, { joints }) => {
+    for (const [i, joint] of Array.isArray(joints) ? joints.entries() : [])
       references.check(['skins', name, 'joints', i], `The skin ${quote(name)}`, 'nodes', joint);
-    }),
-  );
+  });
   references.each('textures', (name, texture) =>
     references.check(['textures', name, 'image'], `The texture ${quote(name)}`, 'images', texture.image),
   );
   if (!faulty.has('materials'))
     for (const { texture, path } of usesIn(scene.materials))
-      if (!faulty.has('materials', path[0]!))
-        references.check(['materials', ...path], `The material ${quote(path[0]!)}`, 'textures', texture);
+      references.check(['materials', ...path], `The material ${quote(path[0]!)}`, 'textures', texture);
   references.each('variants', (name, variant) => {
     for (const [shape, material] of Object.entries(variant)) {
       const [path, who] = [['variants', name, shape], `The variant ${quote(name)}`];

@@ -22,6 +22,7 @@ export function checkScene(scene: Sections, faulty: FaultyPlaces, problems: Prob
   if (!faulty.touches('shapes') && !faulty.touches('lights') && !scene.models) checkNotEmpty(scene, problems);
   const shapes = Object.entries(scene.shapes).filter(([name]) => !faulty.has('shapes', name));
   checkCounts(shapes, problems);
+  if (!faulty.touches('lights')) checkLightCount(scene, problems);
   checkReferences(scene, faulty, problems);
   checkNodes(scene, faulty, problems);
   checkClips(scene, faulty, problems);
@@ -62,6 +63,13 @@ function checkCounts(shapes: readonly (readonly [string, Shape])[], problems: Pr
     const most = SCENE_LIMITS[type];
     if (count > most) problems.add(['shapes'], `${count} shapes of type "${type}"`, `at most ${most} of this type`);
   }
+}
+
+function checkLightCount({ lights }: Sections, problems: ProblemList): void {
+  const count = Object.values(lights).filter(({ type }) => type === 'sphere' || type === 'quad').length;
+  const most = SCENE_LIMITS.surfaceLight;
+  if (count > most)
+    problems.add(['lights'], `${count} lights of the types "sphere" and "quad"`, `at most ${most} of these types`);
 }
 
 function checkForm(name: string, shape: Shape, problems: ProblemList): void {

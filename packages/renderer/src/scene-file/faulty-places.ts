@@ -1,3 +1,4 @@
+import { formatPointer } from '../scene/pointer.ts';
 import type { Path } from './problem.ts';
 
 /**
@@ -7,8 +8,11 @@ import type { Path } from './problem.ts';
 export class FaultyPlaces {
   readonly #sections = new Set<string>();
   readonly #things = new Set<string>();
+  readonly #places = new Set<string>();
 
-  add([section, name]: Path): void {
+  add(path: Path): void {
+    const [section, name] = path;
+    this.#places.add(formatPointer(path));
     if (section === undefined) return;
     if (name === undefined) this.#sections.add(String(section));
     else this.#things.add(this.#key(section, name));
@@ -22,6 +26,11 @@ export class FaultyPlaces {
   /** Whether anything in the section failed. */
   touches(section: string): boolean {
     return this.has(section) || [...this.#things].some((thing) => thing.startsWith(`${section}/`));
+  }
+
+  /** Whether just this place failed. */
+  isAt(path: Path): boolean {
+    return this.#places.has(formatPointer(path));
   }
 
   #key(section: string | number, name: string | number): string {

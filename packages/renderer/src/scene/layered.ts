@@ -33,3 +33,6 @@ export const isSolid = (m: Layered): boolean => isClear(m) && (m.volume?.thickne
 
 const isTextured = ({ weightTexture, colorTexture }: SpecularLobe): boolean =>
   weightTexture !== undefined || colorTexture !== undefined;
+
+/** Whether what it sends out goes through a coat first. */
+export const hasCoat = (m: Layered): boolean => isLayered(m) && (m.clearcoat?.weight ?? 0) > 0;

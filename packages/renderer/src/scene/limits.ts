@@ -8,7 +8,9 @@ export const SCENE_LIMITS = {
   plane: 64,
   quad: 512,
   mesh: 32_768,
-  light: 16,
+  light: 4096,
+  /** Of lights those with a surface, spheres and quads: they are shapes too, and the classic integrator looks at each. */
+  surfaceLight: 64,
   material: 4096,
   /** Meshes that shapes may name. */
   meshSource: 4096,

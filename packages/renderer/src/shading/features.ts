@@ -17,6 +17,8 @@ export const FEATURES = [
   'hasSky',
   'hasEnvironment',
   'hasManyLights',
+  'hasMeshLamps',
+  'hasLightTree',
   'hasMirrorLayers',
   'hasMetallicRoughness',
   'hasConductors',
@@ -31,7 +33,7 @@ export const FEATURES = [
 export type Feature = (typeof FEATURES)[number];
 
 /**
- * What only scenes with models ask for: meshes and glTF's materials. Their programs are twice as long; so there are two texts of each, one
+ * What only scenes with models ask for: meshes, glTF's materials, and lights by the hundred. Their programs are twice as long; so there are two texts of each, one
  * that knows nothing of these, and one of everything, which a page loads when such a scene comes (model-shaders.ts).
  */
 export const MODEL_FEATURES: readonly Feature[] = [
@@ -41,6 +43,8 @@ export const MODEL_FEATURES: readonly Feature[] = [
   'hasCutouts',
   'hasLayers',
   'hasIridescence',
+  'hasMeshLamps',
+  'hasLightTree',
 ];
 
 export const drawsModels = (features: ReadonlySet<Feature>): boolean =>

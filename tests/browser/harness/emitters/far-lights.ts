@@ -11,12 +11,13 @@ const color: Color = [1, 2, 4];
 const direction: Vec3 = [1, -2, 0.5];
 const position: Vec3 = [0.5, 2, -1];
 const spot = { type: 'spot', position, direction, intensity: 3, color } as const;
-/** In this order they become emitters, the sky after them. */
-const FAR_LIGHTS = {
+const NEAR_LIGHTS = {
   point: { type: 'point', position, intensity: 3, color },
   spot: { ...spot, innerAngle: 20, outerAngle: 50 },
   'narrow spot': { ...spot, innerAngle: 2, outerAngle: 5 },
   'hard spot': { ...spot, innerAngle: 30, outerAngle: 30 },
+} as const satisfies Record<string, Light>;
+const FAR_LIGHTS = {
   star: { type: 'directional', direction, irradiance: 3, color, angle: 0 },
   sun: { type: 'directional', direction, irradiance: 3, color, angle: 0.53 },
   'small disc': { type: 'directional', direction, irradiance: 3, color, angle: 0.01 },
@@ -35,10 +36,15 @@ export interface FarReport {
 
 /** Points below the light; the red irradiance of each on what faces the light. */
 export async function probeFarLights(backend: GpuBackend): Promise<FarReport[]> {
-  const scene = testScene({}, FAR_LIGHTS, { ...eyeAtOrigin, sky: SKY });
+  const scene = testScene({}, { ...NEAR_LIGHTS, ...FAR_LIGHTS }, { ...eyeAtOrigin, sky: SKY });
   const sky: Emitter = { kind: 'sky', ...SKY };
-  const emitters = [...Object.values(FAR_LIGHTS).map(emitterOfLight), sky];
-  const names = [...Object.keys(FAR_LIGHTS), 'sky'];
+  // The order in which they become emitters.
+  const emitters = [
+    ...Object.values(FAR_LIGHTS).map(emitterOfLight),
+    sky,
+    ...Object.values(NEAR_LIGHTS).map(emitterOfLight),
+  ];
+  const names = [...Object.keys(FAR_LIGHTS), 'sky', ...Object.keys(NEAR_LIGHTS)];
   return withProbe(backend, async (probe) => {
     const reports: FarReport[] = [];
     for (const [index, e] of emitters.entries()) reports.push(await judgeFar(probe, scene, e, index, names[index]!));

@@ -1,10 +1,13 @@
 /** Asks the kernels' own light sampling on a GPU, question by question. */
+import { GeometryBuffer } from '../../../../packages/renderer/src/geometry-buffer.ts';
 import type { Device, Pass, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
+import { loadGeometryPacker } from '../../../../packages/renderer/src/packed-scene/geometry-packer.ts';
 import { structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import type { PackedEnvironment } from '../../../../packages/renderer/src/packed-scene/pack-environment.ts';
 import { packFrame } from '../../../../packages/renderer/src/packed-scene/pack-frame.ts';
+import type { PackedGeometry } from '../../../../packages/renderer/src/packed-scene/pack-geometry.ts';
 import { packPathScene } from '../../../../packages/renderer/src/packed-scene/pack-path-scene.ts';
 import { createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { stillMoment } from '../../../../packages/renderer/src/scene/motion.ts';
@@ -53,6 +56,8 @@ const PROBE: PassSource = {
     { texture: 'questions' },
     { texture: 'unused' },
     { texture: 'environment' },
+    { data: 'geometry' },
+    { data: 'texels' },
   ],
   target: 'film',
   switches: ALL_SWITCHES,
@@ -63,6 +68,7 @@ interface PackedLights {
   readonly rows: number;
   readonly frame: ArrayBuffer;
   readonly environment: PackedEnvironment;
+  readonly geometry: PackedGeometry;
 }
 
 function packLights(scene: Scene): PackedLights {
@@ -70,7 +76,13 @@ function packLights(scene: Scene): PackedLights {
   const block = createBlock(structSize('Frame'));
   const settings = { ...DEFAULT_SETTINGS, seed: 0 };
   packFrame(block, { width: SIDE, height: SIDE }, scene.camera, packed, settings, 0);
-  return { table: packed.table.f32, rows: packed.rows, frame: block.bytes, environment: packed.environment! };
+  return {
+    table: packed.table.f32,
+    rows: packed.rows,
+    frame: block.bytes,
+    environment: packed.environment!,
+    geometry: packed.geometry!,
+  };
 }
 
 function questionTexels(questions: readonly Question[]): Float32Array<ArrayBuffer> {
@@ -92,6 +104,7 @@ export class EmitterProbe {
 
   static async open(backend: GpuBackend): Promise<EmitterProbe> {
     const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
+    await loadGeometryPacker();
     return new EmitterProbe(device, await device.createPass(PROBE));
   }
 
@@ -110,17 +123,20 @@ export class EmitterProbe {
     const { environment } = packed;
     const map = device.createTable(environment.width, environment.rows);
     map.write(environment.texels, environment.rows);
+    const geometry = new GeometryBuffer(device);
+    geometry.hold(packed.geometry);
+    const texels = device.createData(1, 'textures');
     const asked = device.createTable(3 * SIDE, SIDE);
     asked.write(questionTexels(questions), SIDE);
     const film = device.createFilm(SIDE, SIDE);
-    device.draw(this.#pass, film, [frame, table, asked, asked, map], {
+    device.draw(this.#pass, film, [frame, table, asked, asked, map, geometry.buffer, texels], {
       width: SIDE,
       height: SIDE,
       firstRow: 0,
       rowCount: SIDE,
     });
     const values = await device.read(film.layers[0]!, SIDE, SIDE);
-    for (const resource of [frame, table, asked, map, film]) resource.destroy();
+    for (const resource of [frame, table, asked, map, film, geometry.buffer, texels]) resource.destroy();
     return questions.map((_, k) => Array.from(values.subarray(4 * k, 4 * k + 4)) as unknown as Answer);
   }
 }

@@ -131,6 +131,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;

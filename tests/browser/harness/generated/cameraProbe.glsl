@@ -48,6 +48,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 const bool hasLens = false;
 

@@ -12,10 +12,14 @@ vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
 vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
 uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
 
+struct Odds {
+    float total;
+    float tree;
+};
 struct EmitterChoice {
     uint index;
     float probability;
-    float total;
+    Odds odds;
 };
 struct Frame {
     vec3 right;
@@ -49,6 +53,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 struct Emitter {
     vec3 position;
@@ -63,6 +71,30 @@ struct Emitter {
     float oneSided;
     float power;
     float reach;
+    float leaf;
+    float table;
+    float triangles;
+    float instance;
+};
+struct TreeChoice {
+    uint emitter;
+    float probability;
+    float share;
+    bool taken;
+};
+struct LightNode {
+    vec4 x;
+    vec4 y;
+    vec4 z;
+    vec4 reach;
+    vec4 axisX;
+    vec4 axisY;
+    vec4 axisZ;
+    vec4 cosWidth;
+    vec4 cosEdge;
+    vec4 bothSides;
+    vec4 power;
+    vec4 emitters;
 };
 struct LightSample {
     vec3 direction;
@@ -113,6 +145,38 @@ struct Slabs {
     float near;
     float far;
 };
+struct ChosenTriangle {
+    uint place;
+    float density;
+    vec2 u;
+};
+struct LampTriangle {
+    float own;
+    uint place;
+    uint other;
+    float density;
+};
+struct Instance {
+    vec4 toMeshX;
+    vec4 toMeshY;
+    vec4 toMeshZ;
+    uint nodes;
+    uint triangles;
+    uint row;
+    uint cover;
+    uint vertices;
+    uint vertexRows;
+    uint vertexFlags;
+    uint spare0_;
+};
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
+};
 struct EnvironmentLight {
     vec3 radiance;
     float pdf;
@@ -135,6 +199,108 @@ struct Corners {
     vec4 c;
     vec4 d;
 };
+struct LeftTriangle {
+    uint instance;
+    uint triangle;
+};
+struct RayPair {
+    vec3 point;
+    uint shape;
+    LeftTriangle left;
+    float tMin;
+    bool goesOn;
+    vec3 direction;
+    bool inwards;
+    vec3 lightDirection;
+    bool lightInwards;
+    float lightDistance;
+    uint lightShape;
+    uint number;
+};
+struct PairHit {
+    float t;
+    uint shape;
+    bool blocked;
+    LeftTriangle triangle;
+    vec2 weights;
+};
+struct Bounds {
+    vec3 center;
+    float radius;
+};
+struct MeshRays {
+    vec3 origin;
+    vec3 direction;
+    vec3 lightDirection;
+    float least;
+    float most;
+    float lightMost;
+    uint number;
+};
+struct MeshHit {
+    float t;
+    uint instance;
+    uint triangle;
+    vec2 weights;
+    bool blocked;
+};
+struct SlabRay {
+    vec3 inverse_;
+    vec3 offset;
+    uvec3 near;
+};
+struct MeshRay {
+    vec3 origin;
+    uint axis;
+    vec3 shear;
+};
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
+struct MaterialTextures {
+    uint count;
+    uint flags;
+    float opacity;
+    float cutoff;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
+struct VertexMore {
+    uint redGreen;
+    uint blueAlpha;
+    vec2 uv;
+};
+struct TextureUse {
+    vec3 toU;
+    uint slot;
+    vec3 toV;
+    uint flags;
+    uint first;
+    uint width;
+    uint height;
+    float scale;
+};
+struct Neighbours {
+    uint first;
+    uint second;
+    float share;
+};
+struct MeshPoint {
+    vec3 geometric;
+    vec3 shading;
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+    vec4 uv;
+    vec4 color;
+};
 struct Start {
     vec3 point;
     uint leaves;
@@ -145,10 +311,6 @@ struct Ray {
     Start start;
     vec3 direction;
 };
-struct Bounds {
-    vec3 center;
-    float radius;
-};
 struct FarLight {
     vec3 radiance;
     float pdf;
@@ -156,11 +318,42 @@ struct FarLight {
 const uint directionAndPdf = 0u;
 const uint radianceAndDistance = 1u;
 const uint pdfOfSample = 2u;
-const uint choice_1 = 4u;
+const uint choice_2 = 4u;
+const uint instanceRows = 5u;
+const uint triangleRows = 3u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;
+const uint noInstance = 4294967295u;
+const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
+const uint placeMask = 268435455u;
+const uint beginning = 2415919101u;
+const uint instances = 2147483648u;
+const uint ending = 2415919103u;
+const uint noLeaf0_ = 0u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint leastToGreatest = 3u;
+const uint leaves = 2415919104u;
+const uint countShift = 28u;
+const uint isOneSided = 2147483648u;
+const uint coverRow = 2147483647u;
+const uint leaving = 2415919102u;
+const uint vertexRows = 1u;
+const uint hasOpacityTexture = 2u;
+const uint materialTexturesRows = 1u;
+const uint isNearest = 4u;
+const uint clampsU = 8u;
+const uint mirrorsU = 16u;
+const uint clampsV = 32u;
+const uint mirrorsV = 64u;
+const uint isColor = 2u;
+const uint usesSecondSet = 1u;
+const uint hasNormals = 1u;
+const uint hasTangents = 2u;
 
 uniform highp sampler2D questions;
+
+const bool hasLightTree = false;
 
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -169,6 +362,8 @@ const bool hasManyLights = true;
 const bool hasQuadLights = false;
 
 const bool hasSuns = false;
+
+const bool hasMeshLamps = false;
 
 const bool hasPointLights = false;
 
@@ -180,9 +375,33 @@ const bool hasSphereLights = true;
 
 const bool hasBoxLights = false;
 
+uniform highp usampler2D geometry;
+
 const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
+
+const bool hasSpheres = true;
+
+const bool hasBoxes = true;
+
+const bool hasTurnedBoxes = true;
+
+const bool hasQuads = false;
+
+const bool hasPlanes = true;
+
+const bool hasMeshes = false;
+
+uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+
+const bool hasOneSided = false;
+
+const bool hasCutouts = false;
+
+uniform highp usampler2D texels;
+
+const bool hasTextures = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -198,35 +417,45 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_1.kind == 5.0), false);
     vec3 middle = (e_1.position + pick(isQuad, (0.5 * (e_1.u + e_1.v)), vec3(0.0)));
-    vec3 toLight_1 = pick(isFar, -(e_1.u), (middle - point));
-    float distance2_ = dot(toLight_1, toLight_1);
-    float distance_5 = sqrt(distance2_);
-    float grown = max((distance_5 + e_1.reach), 1e-15);
-    float above = clamp(((dot(normal_1, toLight_1) + e_1.reach) / grown), 0.0, 1.0);
-    float cosine = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
+    vec3 toLight_2 = pick(isFar, -(e_1.u), (middle - point));
+    float distance2_ = dot(toLight_2, toLight_2);
+    float distance_6 = sqrt(distance2_);
+    float grown = max((distance_6 + e_1.reach), 1e-15);
+    float above = clamp(((dot(normal_1, toLight_2) + e_1.reach) / grown), 0.0, 1.0);
+    float cosine_1 = pick((dot(normal_1, normal_1) == 0.0), 1.0, above);
     float square = pick(isQuad, (distance2_ + (e_1.area / 3.1415927)), max(distance2_, (e_1.area / 12.566371)));
-    estimate = ((e_1.power * cosine) / pick(isFar, 1.0, max(square, 1e-15)));
+    estimate = ((e_1.power * cosine_1) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_1)) / max(e_1.area, 1e-30));
+        float height_1 = (-(dot(cross(e_1.u, e_1.v), toLight_2)) / max(e_1.area, 1e-30));
         float side = pick((e_1.oneSided == 1.0), max(height_1, 0.0), abs(height_1));
         float lampCosine = pick((side > 0.0), ((side + e_1.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
-    const bool _e94 = hasPointLights;
+    const bool _e94 = hasMeshLamps;
     if (_e94) {
-        float _e95 = estimate;
-        float _e100 = spotFalloff(e_1, (toLight_1 / vec3(max(distance_5, 1e-15))));
-        estimate = (_e95 * pick((e_1.kind == 4.0), _e100, 1.0));
+        float alike = length(e_1.v);
+        float across = -(dot(e_1.v, toLight_2));
+        float side_1 = pick((e_1.oneSided == 1.0), max(across, 0.0), abs(across));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_1 + (alike * e_1.reach)) / grown));
+        float sizeOfMesh = (distance2_ + ((e_1.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e125 = estimate;
+        estimate = pick((e_1.kind == 7.0), (((e_1.power * cosine_1) * shown) / max(sizeOfMesh, 1e-15)), _e125);
     }
-    const bool _e108 = hasSky;
-    if (_e108) {
-        float _e109 = estimate;
-        estimate = pick((e_1.kind == 6.0), e_1.power, _e109);
+    const bool _e137 = hasPointLights;
+    if (_e137) {
+        float _e138 = estimate;
+        float _e143 = spotFalloff(e_1, (toLight_2 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e138 * pick((e_1.kind == 4.0), _e143, 1.0));
     }
-    float _e115 = estimate;
-    return _e115;
+    const bool _e151 = hasSky;
+    if (_e151) {
+        float _e152 = estimate;
+        estimate = pick((e_1.kind == 6.0), e_1.power, _e152);
+    }
+    float _e158 = estimate;
+    return _e158;
 }
 
 Emitter fetchEmitter(uint i) {
@@ -235,61 +464,196 @@ Emitter fetchEmitter(uint i) {
     vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(16u, i)), 0);
     vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(17u, i)), 0);
     vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(18u, i)), 0);
-    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i)), 0);
+    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w, t5_.x, t5_.y, t5_.z, t5_.w);
 }
 
-EmitterChoice chooseEmitter(vec3 point_1, vec3 normal_2, float u) {
-    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
-    float total = 0.0;
+LightNode fetchLightNode(uint i_1) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
+    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
+    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_1)), 0);
+    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_1)), 0);
+    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_1)), 0);
+    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_1)), 0);
+    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_1)), 0);
+    return LightNode(t0_1.xyzw, t1_1.xyzw, t2_1.xyzw, t3_1.xyzw, t4_1.xyzw, t5_1.xyzw, t6_.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
+}
+
+vec4 sineOf(vec4 cosine) {
+    return sqrt(max((vec4(1.0) - (cosine * cosine)), vec4(0.0)));
+}
+
+vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
+    return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
+}
+
+vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
+    vec4 x_7 = (n.x - vec4(point_1.x));
+    vec4 y_3 = (n.y - vec4(point_1.y));
+    vec4 z = (n.z - vec4(point_1.z));
+    vec4 distance2_1 = (((x_7 * x_7) + (y_3 * y_3)) + (z * z));
+    vec4 inverse_1 = inversesqrt(max(distance2_1, vec4(1e-30)));
+    bvec4 inside = lessThanEqual(distance2_1, (n.reach * n.reach));
+    vec4 sinB_1 = min((n.reach * inverse_1), vec4(1.0));
+    vec4 _e33 = sineOf(sinB_1);
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside);
+    vec4 along = (-((((n.axisX * x_7) + (n.axisY * y_3)) + (n.axisZ * z))) * inverse_1);
+    vec4 cosW = clamp(mix(along, abs(along), greaterThan(n.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
+    vec4 _e58 = sineOf(cosW);
+    vec4 _e60 = sineOf(n.cosWidth);
+    vec4 _e62 = cosineLess(cosW, _e58, n.cosWidth, _e60);
+    vec4 _e63 = sineOf(_e62);
+    vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
+    vec4 cosOut = mix(_e64, vec4(1.0), inside);
+    vec4 cosN = clamp(((((normal_2.x * x_7) + (normal_2.y * y_3)) + (normal_2.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
+    vec4 _e82 = sineOf(cosN);
+    vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
+    vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside);
+    vec4 cosIn = pick((dot(normal_2, normal_2) == 0.0), vec4(1.0), above_1);
+    vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_1, (n.reach * n.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
+}
+
+float shareOfTree(float total, float far) {
+    float share_1 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_1));
+}
+
+TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) {
+    uint level = 0u;
+    uint node = 0u;
+    float rest = 0.0;
+    TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
+    uint _e7 = frame.lightTreeDepth;
+    level = _e7;
+    rest = u;
+    while(true) {
+        uint _e19 = level;
+        level = (_e19 - 1u);
+        uint _e23 = frame.lightTree;
+        uint _e24 = node;
+        LightNode _e26 = fetchLightNode((_e23 + _e24));
+        vec4 _e27 = estimatesOfChildren(_e26, point_2, normal_3);
+        float two = (_e27.x + _e27.y);
+        float three = (two + _e27.z);
+        float total_2 = (three + _e27.w);
+        uint _e35 = node;
+        if ((_e35 == 0u)) {
+            float _e39 = shareOfTree(total_2, far_1);
+            choice.share = _e39;
+            float _e41 = rest;
+            float _e43 = choice.share;
+            choice.taken = (_e41 < _e43);
+            float _e45 = rest;
+            float _e47 = choice.share;
+            rest = min((_e45 / max(_e47, 1e-37)), 0.99999994);
+        }
+        float _e53 = rest;
+        float at_1 = (_e53 * total_2);
+        uint byChance = ((uint((at_1 >= _e27.x)) + uint((at_1 >= two))) + uint((at_1 >= three)));
+        uint _e68 = level;
+        uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
+        bool low = (child < 2u);
+        bool odd = ((child & 1u) == 1u);
+        float own_1 = pick(low, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before = pick(low, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float _e95 = choice.probability;
+        choice.probability = (_e95 * (own_1 / max(total_2, 1e-37)));
+        choice.emitter = uint(pick(low, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        rest = clamp(((at_1 - before) / max(own_1, 1e-37)), 0.0, 0.99999994);
+        uint _e121 = node;
+        node = (((4u * _e121) + 1u) + child);
+        uint _e126 = level;
+        if ((_e126 == 0u)) {
+            break;
+        }
+    }
+    TreeChoice _e129 = choice;
+    return _e129;
+}
+
+EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
+    bool hasTree = false;
+    EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
+    float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
-    float rest = 0.0;
-    uint i_1 = 0u;
-    uint _e6 = frame.emitterCount;
-    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
-    const bool _e14 = hasManyLights;
-    if (_e14) {
-        uint _e17 = frame.emitterCount;
-        if ((_e17 > 1u)) {
-            rest = u;
+    float rest_1 = 0.0;
+    uint i_2 = 0u;
+    const bool _e6 = hasLightTree;
+    if (_e6) {
+        uint _e9 = frame.lightTreeDepth;
+        hasTree = (_e9 > 0u);
+    }
+    uint _e14 = frame.emitterCount;
+    uint _e17 = frame.farEmitters;
+    bool _e18 = hasTree;
+    uint listed = pick(_e18, _e17, _e14);
+    uint _e23 = frame.emitterCount;
+    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
+    const bool _e33 = hasManyLights;
+    if (_e33) {
+        uint _e36 = frame.emitterCount;
+        if ((_e36 > 1u)) {
+            rest_1 = u_1;
             while(true) {
-                uint _e29 = i_1;
-                Emitter _e30 = fetchEmitter(_e29);
-                float _e31 = estimatedIrradiance(_e30, point_1, normal_2);
-                float _e32 = total;
-                total = (_e32 + _e31);
-                float _e34 = total;
-                float share_1 = (_e31 / max(_e34, 1e-37));
-                float _e38 = rest;
-                bool take = (_e38 < share_1);
-                uint _e40 = chosen;
-                uint _e41 = i_1;
-                chosen = pick(take, _e41, _e40);
-                float _e43 = chosenWeight;
-                chosenWeight = pick(take, _e31, _e43);
-                float _e45 = rest;
-                float _e52 = rest;
-                rest = pick(take, (_e52 / max(share_1, 1e-37)), ((_e45 - share_1) / max((1.0 - share_1), 1e-7)));
-                uint _e58 = i_1;
-                i_1 = (_e58 + 1u);
-                uint _e60 = i_1;
-                uint _e63 = frame.emitterCount;
-                if ((_e60 >= _e63)) {
+                uint _e48 = i_2;
+                Emitter _e49 = fetchEmitter(_e48);
+                float _e50 = estimatedIrradiance(_e49, point_3, normal_4);
+                uint _e51 = i_2;
+                float weight = pick((_e51 < listed), _e50, 0.0);
+                float _e55 = total_1;
+                total_1 = (_e55 + weight);
+                float _e57 = total_1;
+                float share_2 = (weight / max(_e57, 1e-37));
+                float _e61 = rest_1;
+                bool take = (_e61 < share_2);
+                uint _e63 = chosen;
+                uint _e64 = i_2;
+                chosen = pick(take, _e64, _e63);
+                float _e66 = chosenWeight;
+                chosenWeight = pick(take, weight, _e66);
+                float _e68 = rest_1;
+                float _e75 = rest_1;
+                rest_1 = pick(take, (_e75 / max(share_2, 1e-37)), ((_e68 - share_2) / max((1.0 - share_2), 1e-7)));
+                uint _e81 = i_2;
+                i_2 = (_e81 + 1u);
+                uint _e83 = i_2;
+                if ((_e83 >= listed)) {
                     break;
                 }
             }
-            uint _e65 = chosen;
-            float _e66 = chosenWeight;
-            float _e67 = total;
-            float _e71 = total;
-            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
+            uint _e85 = chosen;
+            float _e86 = chosenWeight;
+            float _e87 = total_1;
+            float _e91 = total_1;
+            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
+            const bool _e96 = hasLightTree;
+            if (_e96) {
+                bool _e97 = hasTree;
+                if (_e97) {
+                    float _e98 = rest_1;
+                    float _e100 = total_1;
+                    TreeChoice _e101 = descend(point_3, normal_4, _e98, -1, _e100);
+                    choice_1.odds.tree = _e101.share;
+                    uint _e106 = chosen;
+                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
+                    float _e112 = choice_1.probability;
+                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
+                }
+            }
         }
     }
-    EmitterChoice _e73 = choice;
-    return _e73;
+    EmitterChoice _e122 = choice_1;
+    return _e122;
 }
 
-float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
+float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -297,120 +661,129 @@ float probabilityOf(Emitter e_2, vec3 point_2, vec3 normal_3, float total_1) {
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_2, point_2, normal_3);
-            probability = (_e18 / max(total_1, 1e-37));
+            float _e18 = estimatedIrradiance(e_2, point_4, normal_5);
+            probability = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                uint _e27 = frame.lightTreeDepth;
+                if ((_e27 > 0u)) {
+                    TreeChoice _e36 = descend(point_4, normal_5, 0.0, int(max(e_2.leaf, 0.0)), odds.total);
+                    float _e37 = probability;
+                    probability = pick((e_2.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
+                }
+            }
         }
     }
-    float _e22 = probability;
-    return _e22;
+    float _e49 = probability;
+    return _e49;
 }
 
-SphereView viewSphere(Emitter e_3, vec3 point_3) {
-    vec3 toCenter = (e_3.position - point_3);
-    float d_1 = length(toCenter);
-    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
-    bool inside = (d_1 <= e_3.radius);
-    float sine_1 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
-    float cosine_1 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter, d_1, power, inside, pick(inside, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_1))));
+SphereView viewSphere(Emitter e_3, vec3 point_5) {
+    vec3 toCenter = (e_3.position - point_5);
+    float d_2 = length(toCenter);
+    float power = abs(((d_2 - e_3.radius) * (d_2 + e_3.radius)));
+    bool inside_1 = (d_2 <= e_3.radius);
+    float sine_1 = min((e_3.radius / max(d_2, 1e-30)), 1.0);
+    float cosine_2 = (sqrt(power) / max(d_2, 1e-30));
+    return SphereView(toCenter, d_2, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_2))));
 }
 
 vec3 turnTo(vec3 axis, vec3 v) {
     float s_3 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_1 = (-1.0 / (s_3 + axis.z));
-    float b_2 = ((axis.x * axis.y) * a_1);
-    vec3 x_5 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_1)), (s_3 * b_2), (-(s_3) * axis.x));
-    vec3 y_3 = vec3(b_2, (s_3 + ((axis.y * axis.y) * a_1)), -(axis.y));
-    return (((v.x * x_5) + (v.y * y_3)) + (v.z * axis));
+    float a_2 = (-1.0 / (s_3 + axis.z));
+    float b_3 = ((axis.x * axis.y) * a_2);
+    vec3 x_8 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_2)), (s_3 * b_3), (-(s_3) * axis.x));
+    vec3 y_4 = vec3(b_3, (s_3 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    return (((v.x * x_8) + (v.y * y_4)) + (v.z * axis));
 }
 
-ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_1) {
-    float oneMinusCosine = (u_1.x * width);
-    float cosine_2 = (1.0 - oneMinusCosine);
+ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
+    float oneMinusCosine = (u_2.x * width);
+    float cosine_3 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_2 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_1.y);
+    float phi = (6.2831855 * u_2.y);
     vec2 turn = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_2));
-    return ConeDirection(_e23, cosine_2, sine2_);
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_3));
+    return ConeDirection(_e23, cosine_3, sine2_);
 }
 
 float conePdf(float width_1) {
     return (1.0 / (6.2831855 * max(width_1, 1e-31)));
 }
 
-LightSample sampleSphere(Emitter e_4, vec3 point_4, vec2 u_2) {
-    SphereView _e3 = viewSphere(e_4, point_4);
-    vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_2);
-    float along = (_e3.distance_ * _e19.cosine);
+LightSample sampleSphere(Emitter e_4, vec3 point_6, vec2 u_3) {
+    SphereView _e3 = viewSphere(e_4, point_6);
+    vec3 axis_3 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
+    ConeDirection _e19 = sampleCone(axis_3, _e3.width, u_3);
+    float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_4.radius * e_4.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along > 0.0), false);
-    float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    float larger = (abs(along_1) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
+    float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_4.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_4.radiance, _e49, false);
 }
 
 float arctangent(float x) {
-    float a_2 = abs(x);
-    bool steep = (a_2 > 2.4142137);
-    bool middle_1 = pick((a_2 > 0.41421357), !(steep), false);
-    float r = pick(steep, (-1.0 / max(a_2, 1.0)), pick(middle_1, ((a_2 - 1.0) / (a_2 + 1.0)), a_2));
+    float a_3 = abs(x);
+    bool steep = (a_3 > 2.4142137);
+    bool middle_1 = pick((a_3 > 0.41421357), !(steep), false);
+    float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_1, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
     float base = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
-    float z = (r * r);
-    float series = ((((((0.080537446 * z) - 0.13877685) * z) + 0.19977711) * z) - 0.3333295);
-    return (sign(x) * (base + (((series * z) * r) + r)));
+    float z_1 = (r_1 * r_1);
+    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
+    return (sign(x) * (base + (((series * z_1) * r_1) + r_1)));
 }
 
 float stretch(float x_1, vec2 y, float h) {
-    vec2 r_1 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
-    float _e16 = arctangent(((x_1 * y.y) / (h * r_1.y)));
-    float _e22 = arctangent(((x_1 * y.x) / (h * r_1.x)));
+    vec2 r_2 = sqrt(((vec2((x_1 * x_1)) + (y * y)) + vec2((h * h))));
+    float _e16 = arctangent(((x_1 * y.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_1 * y.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_5, vec3 point_5) {
-    vec3 corner = (e_5.position - point_5);
+QuadView viewQuad(Emitter e_5, vec3 point_7) {
+    vec3 corner = (e_5.position - point_7);
     vec2 lengths = vec2(length(e_5.u), length(e_5.v));
     vec3 axisX = (e_5.u / vec3(lengths.x));
     vec3 axisY = (e_5.v / vec3(lengths.y));
-    vec3 normal_7 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_7);
+    vec3 normal_10 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_10);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
     bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high = (low + lengths);
-    vec2 y_4 = vec2(low.y, high.y);
-    float _e44 = stretch(low.x, y_4, height_2);
-    float _e46 = stretch(high.x, y_4, height_2);
+    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high = (low_1 + lengths);
+    vec2 y_5 = vec2(low_1.y, high.y);
+    float _e44 = stretch(low_1.x, y_5, height_2);
+    float _e46 = stretch(high.x, y_5, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_7 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low, high, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    vec3 axisZ = (normal_10 * pick((signedHeight > 0.0), 1.0, -1.0));
+    return QuadView(corner, axisX, axisY, axisZ, low_1, high, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 vec2 cosineAndSine(float x_2) {
-    float h_1 = (0.5 * x_2);
-    float z_1 = (h_1 * h_1);
-    float sine_3 = (((((((-0.00019515296 * z_1) + 0.008332161) * z_1) - 0.16666655) * z_1) * h_1) + h_1);
+    float h_2 = (0.5 * x_2);
+    float z_2 = (h_2 * h_2);
+    float sine_3 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_2) + h_2);
     return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
 }
 
-vec3 sphericalRectangle(QuadView q, vec2 u_3) {
-    float h_2 = q.height;
-    vec2 y_5 = vec2(q.low.y, q.high.y);
-    vec2 s_4 = (y_5 / sqrt(((y_5 * y_5) + vec2((h_2 * h_2)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_3.x * q.solidAngle))));
-    vec2 across = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
-    float w = (((2.0 * _e21.x) * _e21.y) / max(length(across), 1e-15));
-    float x_6 = clamp(((h_2 * w) * inversesqrt(max((1.0 - (w * w)), 1e-12))), q.low.x, q.high.x);
-    float d2_ = ((x_6 * x_6) + (h_2 * h_2));
-    vec2 ends = (y_5 * inversesqrt((vec2(d2_) + (y_5 * y_5))));
-    float v_3 = mix(ends.x, ends.y, u_3.y);
-    float atY = clamp(((v_3 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_3 * v_3)), 1e-12))), y_5.x, y_5.y);
-    return (((x_6 * q.axisX) + (atY * q.axisY)) + (h_2 * q.axisZ));
+vec3 sphericalRectangle(QuadView q, vec2 u_4) {
+    float h_3 = q.height;
+    vec2 y_6 = vec2(q.low.y, q.high.y);
+    vec2 s_4 = (y_6 / sqrt(((y_6 * y_6) + vec2((h_3 * h_3)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_4.x * q.solidAngle))));
+    vec2 across_1 = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
+    float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
+    float x_9 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q.low.x, q.high.x);
+    float d2_ = ((x_9 * x_9) + (h_3 * h_3));
+    vec2 ends = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
+    float v_5 = mix(ends.x, ends.y, u_4.y);
+    float atY = clamp(((v_5 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_5 * v_5)), 1e-12))), y_6.x, y_6.y);
+    return (((x_9 * q.axisX) + (atY * q.axisY)) + (h_3 * q.axisZ));
 }
 
 float areaPdf(float area, float height, float distance_) {
@@ -424,47 +797,47 @@ float pdfOfView(QuadView q_1, float area_1, float distance_1) {
     return pick(q_1.lit, pdf_2, 0.0);
 }
 
-LightSample sampleQuad(Emitter e_6, vec3 point_6, vec2 u_4) {
-    QuadView _e3 = viewQuad(e_6, point_6);
-    vec3 onArea = ((_e3.corner + (u_4.x * e_6.u)) + (u_4.y * e_6.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_4);
-    vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_2), _e3.height);
-    float _e23 = pdfOfView(_e3, e_6.area, distance_7);
-    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_6.radiance, _e23, false);
+LightSample sampleQuad(Emitter e_6, vec3 point_8, vec2 u_5) {
+    QuadView _e3 = viewQuad(e_6, point_8);
+    vec3 onArea = ((_e3.corner + (u_5.x * e_6.u)) + (u_5.y * e_6.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_5);
+    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_3), _e3.height);
+    float _e23 = pdfOfView(_e3, e_6.area, distance_8);
+    return LightSample((toLight_3 / vec3(distance_8)), distance_8, e_6.radiance, _e23, false);
 }
 
-Extent fetchExtent(uint i_2) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
-    return Extent(t0_1.xyzw, t1_1.xyzw);
+Extent fetchExtent(uint i_3) {
+    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
+    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
+    return Extent(t0_2.xyzw, t1_2.xyzw);
 }
 
 vec3 rotate(vec4 q_2, vec3 v_1) {
-    vec3 t_2 = (2.0 * cross(q_2.xyz, v_1));
-    return ((v_1 + (q_2.w * t_2)) + cross(q_2.xyz, t_2));
+    vec3 t_6 = (2.0 * cross(q_2.xyz, v_1));
+    return ((v_1 + (q_2.w * t_6)) + cross(q_2.xyz, t_6));
 }
 
-BoxView viewBox(Emitter e_7, vec3 point_7) {
+BoxView viewBox(Emitter e_7, vec3 point_9) {
     Extent _e4 = fetchExtent(uint(e_7.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_7 - e_7.position));
+    vec3 _e8 = rotate(rotation, (point_9 - e_7.position));
     bvec3 seen = greaterThan(abs(_e8), e_7.u);
     vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen);
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_5) {
+vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_6) {
     float both = (b.faces.x + b.faces.y);
-    float at_1 = (u_5.x * b.area);
-    bool onX = (at_1 < b.faces.x);
-    bool onY = pick(!(onX), (at_1 < both), false);
+    float at_2 = (u_6.x * b.area);
+    bool onX = (at_2 < b.faces.x);
+    bool onY = pick(!(onX), (at_2 < both), false);
     float face = pick(onX, b.faces.x, pick(onY, b.faces.y, b.faces.z));
-    float within = clamp(((at_1 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
-    vec3 axis_3 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
-    vec3 p = vec3(pick((dot(axis_3, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_5.y) - 1.0));
-    vec3 toLight_3 = ((pick(onX, p.xyz, pick(onY, p.zxy, p.yzx)) * e_8.u) - b.point);
-    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
+    float within = clamp(((at_2 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    vec3 axis_4 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
+    vec3 p_9 = vec3(pick((dot(axis_4, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_6.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX, p_9.xyz, pick(onY, p_9.zxy, p_9.yzx)) * e_8.u) - b.point);
+    return vec4(toLight_4, abs(dot(axis_4, toLight_4)));
 }
 
 vec3 safeReciprocal(vec3 d, vec3 origin) {
@@ -486,53 +859,29 @@ vec3 rotateBack(vec4 q_3, vec3 v_2) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_9, vec3 point_8, vec2 u_6) {
-    BoxView _e3 = viewBox(e_9, point_8);
-    vec4 _e4 = pointOnFaces(e_9, _e3, u_6);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_6);
+LightSample sampleBox(Emitter e_9, vec3 point_10, vec2 u_7) {
+    BoxView _e3 = viewBox(e_9, point_10);
+    vec4 _e4 = pointOnFaces(e_9, _e3, u_7);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_9.u);
-    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_16 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
-    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
+    float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_16);
-    return LightSample(_e37, distance_8, e_9.radiance, pdf_3, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
+    return LightSample(_e37, distance_9, e_9.radiance, pdf_3, false);
 }
 
-LightSample samplePoint(Emitter e_10, vec3 point_9) {
-    vec3 toLight_4 = (e_10.position - point_9);
-    float distance_9 = length(toLight_4);
-    float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_10.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+uvec4 geometryRow(uint i_4) {
+    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_4 & 2047u), (i_4 >> 11u))), 0);
+    return _e8;
 }
 
-LightSample sampleSpot(Emitter e_11, vec3 point_10) {
-    LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_11, point_10);
-    s = _e2;
-    vec3 _e5 = s.direction;
-    float _e6 = spotFalloff(e_11, _e5);
-    vec3 _e8 = s.radiance;
-    s.radiance = (_e8 * _e6);
-    float _e12 = s.pdf;
-    s.pdf = pick((_e6 > 0.0), _e12, 0.0);
-    LightSample _e17 = s;
-    return _e17;
-}
-
-LightSample sampleDirectional(Emitter e_12, vec2 u_7) {
-    bool delta = (e_12.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_12.u), (e_12.area / 6.2831855), u_7);
-    return LightSample(_e10.direction, 1e30, e_12.radiance, pick(delta, 1.0, (1.0 / max(e_12.area, 1e-31))), delta);
-}
-
-Parts splitProduct(vec2 u_8, uvec2 n) {
-    uvec2 digits = uvec2((u_8 * 16777216.0));
-    uvec2 low_1 = ((digits & uvec2(4095u)) * n);
-    uvec2 high_1 = (((digits >> uvec2(12u)) * n) + (low_1 >> uvec2(12u)));
-    return Parts((high_1 >> uvec2(12u)), vec2((((high_1 & uvec2(4095u)) << uvec2(12u)) | (low_1 & uvec2(4095u)))));
+LampTriangle fetchLampTriangle(uint row) {
+    uvec4 _e3 = geometryRow((row + 0u));
+    return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
 uint mixBits(uint x_3) {
@@ -546,46 +895,144 @@ uint mixBits(uint x_3) {
     return (_e14 ^ (_e15 >> 15u));
 }
 
-ChosenCell chooseCell(vec2 u_9) {
+ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
+    uint _e4 = frame.lampTables;
+    uint first = (_e4 + uint(e_10.table));
+    uint column = min(uint((u_8.x * e_10.triangles)), (uint(e_10.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first + column));
+    uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
+    uint hash = (_e26 >> 8u);
+    float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
+    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column)) + fine), 0.0, 0.99999994);
+    bool own_2 = (x_10 < _e18.own);
+    float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_4 = pick(own_2, _e18.place, _e18.other);
+    LampTriangle _e67 = fetchLampTriangle((((first + column) + place_4) - _e18.place));
+    float density = _e67.density;
+    return ChosenTriangle(place_4, density, vec2(min(rest_2, 1.0), u_8.y));
+}
+
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+Triangle fetchTriangle(uint row_2) {
+    uvec4 _e3 = geometryRow((row_2 + 0u));
+    uvec4 _e6 = geometryRow((row_2 + 1u));
+    uvec4 _e9 = geometryRow((row_2 + 2u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+vec2 weightsOnTriangle(vec2 u_9) {
+    float low_2 = (0.5 * min(u_9.x, u_9.y));
+    float high_1 = (max(u_9.x, u_9.y) - low_2);
+    return pick((u_9.x < u_9.y), vec2(low_2, high_1), vec2(high_1, low_2));
+}
+
+vec3 outOfMesh(Instance i_5, vec3 p) {
+    vec3 q_6 = (p - vec3(i_5.toMeshX.w, i_5.toMeshY.w, i_5.toMeshZ.w));
+    vec3 x_11 = cross(i_5.toMeshY.xyz, i_5.toMeshZ.xyz);
+    vec3 y_7 = cross(i_5.toMeshZ.xyz, i_5.toMeshX.xyz);
+    vec3 z_3 = cross(i_5.toMeshX.xyz, i_5.toMeshY.xyz);
+    return ((((q_6.x * x_11) + (q_6.y * y_7)) + (q_6.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_11)));
+}
+
+LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
+    ChosenTriangle _e3 = chooseTriangle(e_11, u_10);
+    uint _e6 = frame.instances;
+    Instance _e12 = fetchInstance((_e6 + (uint(e_11.instance) * instanceRows)));
+    Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
+    vec2 _e20 = weightsOnTriangle(_e3.u);
+    vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
+    vec3 toLight_5 = (_e34 - point_11);
+    vec3 across_2 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
+    float height_3 = (dot(across_2, toLight_5) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
+    float distance_10 = length(toLight_5);
+    float _e62 = areaPdf((e_11.area / _e3.density), abs(height_3), distance_10);
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_11.oneSided == 0.0), (height_3 > 0.0), false));
+    float reached = max((distance_10 - (1e-5 * (length(point_11) + distance_10))), 0.0);
+    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, e_11.radiance, pick(lit_1, _e62, 0.0), false);
+}
+
+LightSample samplePoint(Emitter e_12, vec3 point_12) {
+    vec3 toLight_6 = (e_12.position - point_12);
+    float distance_11 = length(toLight_6);
+    float safe = max(distance_11, 1e-15);
+    return LightSample((toLight_6 / vec3(safe)), distance_11, (e_12.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_13, vec3 point_13) {
+    LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
+    LightSample _e2 = samplePoint(e_13, point_13);
+    s = _e2;
+    vec3 _e5 = s.direction;
+    float _e6 = spotFalloff(e_13, _e5);
+    vec3 _e8 = s.radiance;
+    s.radiance = (_e8 * _e6);
+    float _e12 = s.pdf;
+    s.pdf = pick((_e6 > 0.0), _e12, 0.0);
+    LightSample _e17 = s;
+    return _e17;
+}
+
+LightSample sampleDirectional(Emitter e_14, vec2 u_11) {
+    bool delta = (e_14.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_14.u), (e_14.area / 6.2831855), u_11);
+    return LightSample(_e10.direction, 1e30, e_14.radiance, pick(delta, 1.0, (1.0 / max(e_14.area, 1e-31))), delta);
+}
+
+Parts splitProduct(vec2 u_12, uvec2 n_1) {
+    uvec2 digits = uvec2((u_12 * 16777216.0));
+    uvec2 low_3 = ((digits & uvec2(4095u)) * n_1);
+    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_3 >> uvec2(12u)));
+    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_3 & uvec2(4095u)))));
+}
+
+ChosenCell chooseCell(vec2 u_13) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size = uvec2(_e3);
-    Parts _e9 = splitProduct(u_9, (size + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_9.x) ^ (floatBitsToUint(u_9.y) * 2654435761u)));
-    uint hash = (_e17 >> 8u);
+    uvec2 size_1 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_13, (size_1 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
+    uint hash_1 = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
-    float fine = ((float(hash) * 5.9604645e-8) * _e26);
-    float x_7 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
-    uint rows = ((size.y + 2u) / 2u);
+    float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
+    float x_12 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
+    uint rows = ((size_1.y + 2u) / 2u);
     bool second = (_e9.whole.y >= rows);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size.y) - pick(second, rows, 0u)))), 0);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_1.y) - pick(second, rows, 0u)))), 0);
     vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own = (x_7 < entry.x);
+    bool own_3 = (x_12 < entry.x);
     uint other = uint(entry.y);
-    uint otherRow = (other / size.x);
-    uvec2 cell_1 = pick(own, _e9.whole, uvec2((other - (otherRow * size.x)), otherRow));
-    float rest_1 = pick(own, (x_7 / max(entry.x, 1e-37)), ((x_7 - entry.x) / max((1.0 - entry.x), 1e-7)));
-    return ChosenCell(cell_1, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+    uint otherRow = (other / size_1.x);
+    uvec2 cell_1 = pick(own_3, _e9.whole, uvec2((other - (otherRow * size_1.x)), otherRow));
+    float rest_3 = pick(own_3, (x_12 / max(entry.x, 1e-37)), ((x_12 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_1, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_1 = uvec2(_e3);
-    uint left = (pick((cell.x == 0u), size_1.x, cell.x) - 1u);
-    uint right = pick((cell.x == size_1.x), 0u, cell.x);
+    uvec2 size_2 = uvec2(_e3);
+    uint left_1 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_2.x), 0u, cell.x);
     uint upper = (max(cell.y, 1u) - 1u);
-    uint lower = min(cell.y, (size_1.y - 1u));
-    vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_1.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
+    uint lower = min(cell.y, (size_2.y - 1u));
+    vec4 above_2 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
-    return Corners((above_1 * _e52), (above_1 * _e57), (below * _e62), (below * _e67));
+    return Corners((above_2 * _e52), (above_2 * _e57), (below * _e62), (below * _e67));
 }
 
-float linearSample(float u_10, float a, float b_1) {
+float linearSample(float u_14, float a, float b_1) {
     vec2 ends_1 = (vec2(a, b_1) / vec2(max((a + b_1), 1e-37)));
-    return min((u_10 / max((ends_1.x + sqrt(mix((ends_1.x * ends_1.x), (ends_1.y * ends_1.y), u_10))), 1e-9)), 1.0);
+    return min((u_14 / max((ends_1.x + sqrt(mix((ends_1.x * ends_1.x), (ends_1.y * ends_1.y), u_14))), 1e-9)), 1.0);
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -593,28 +1040,28 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_11) {
-    vec2 size_2 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_11);
+EnvironmentSample sampleEnvironment(vec2 u_15) {
+    vec2 size_3 = frame.environmentSize;
+    ChosenCell _e4 = chooseCell(u_15);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_2 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_2.y));
+    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_3.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_3 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_3), mix(_e6.b.w, _e6.d.w, t_3));
-    bool isLower = ((2.0 * cell_2.y) > size_2.y);
-    float fromPole = pick(isLower, ((size_2.y - cell_2.y) + (0.5 - t_3)), (cell_2.y + (t_3 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_2.y)));
+    float t_7 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_7), mix(_e6.b.w, _e6.d.w, t_7));
+    bool isLower = ((2.0 * cell_2.y) > size_3.y);
+    float fromPole = pick(isLower, ((size_3.y - cell_2.y) + (0.5 - t_7)), (cell_2.y + (t_7 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_3.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_2.x) - _e85));
-    float nearest = floor((halfTurns + 0.5));
-    bool back = (fract((0.5 * nearest)) > 0.0);
-    vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
+    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float nearest_1 = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest_1)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest_1) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_17 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_3), sine_4);
-    return EnvironmentSample(direction_17, _e119);
+    vec3 direction_21 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_7), sine_4);
+    return EnvironmentSample(direction_21, _e119);
 }
 
 vec3 sky(vec3 direction_1) {
@@ -623,13 +1070,13 @@ vec3 sky(vec3 direction_1) {
     return mix(_e3, _e6, max(direction_1.y, 0.0));
 }
 
-LightSample sampleSky(vec2 u_12) {
+LightSample sampleSky(vec2 u_16) {
     EnvironmentSample s_1 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
     s_1 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_12);
+        EnvironmentSample _e13 = sampleEnvironment(u_16);
         s_1 = _e13;
     }
     vec3 _e15 = s_1.direction;
@@ -640,350 +1087,1044 @@ LightSample sampleSky(vec2 u_12) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_13, vec3 point_11, vec2 u_13) {
+LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_17) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_13.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_13, point_11, u_13);
+        if ((e_15.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_15, point_14, u_17);
             s_2 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_13.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_13, point_11, u_13);
+        if ((e_15.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_15, point_14, u_17);
             s_2 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_13.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_13, point_11, u_13);
+        if ((e_15.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_15, point_14, u_17);
             s_2 = _e31;
         }
     }
-    const bool _e33 = hasPointLights;
+    const bool _e33 = hasMeshLamps;
     if (_e33) {
-        if ((e_13.kind == 3.0)) {
-            LightSample _e37 = samplePoint(e_13, point_11);
+        if ((e_15.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_15, point_14, u_17);
             s_2 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_13.kind == 4.0)) {
-            LightSample _e43 = sampleSpot(e_13, point_11);
+        if ((e_15.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_15, point_14);
             s_2 = _e43;
         }
     }
-    const bool _e45 = hasSuns;
+    const bool _e45 = hasPointLights;
     if (_e45) {
-        if ((e_13.kind == 5.0)) {
-            LightSample _e49 = sampleDirectional(e_13, u_13);
+        if ((e_15.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_15, point_14);
             s_2 = _e49;
         }
     }
-    const bool _e51 = hasSky;
+    const bool _e51 = hasSuns;
     if (_e51) {
-        if ((e_13.kind == 6.0)) {
-            LightSample _e55 = sampleSky(u_13);
+        if ((e_15.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_15, u_17);
             s_2 = _e55;
         }
     }
-    float _e58 = s_2.pdf;
-    float _e60 = s_2.distance_;
-    s_2.pdf = pick((_e60 <= (1e-5 * length(point_11))), 0.0, _e58);
-    LightSample _e67 = s_2;
-    return _e67;
+    const bool _e57 = hasSky;
+    if (_e57) {
+        if ((e_15.kind == 6.0)) {
+            LightSample _e61 = sampleSky(u_17);
+            s_2 = _e61;
+        }
+    }
+    float _e64 = s_2.pdf;
+    float _e66 = s_2.distance_;
+    s_2.pdf = pick((_e66 <= (1e-5 * length(point_14))), 0.0, _e64);
+    LightSample _e73 = s_2;
+    return _e73;
 }
 
-Start onSurface(vec3 point_12, uint shape, bool seenFromInside) {
-    return Start(point_12, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_12)));
-}
-
-bool isSphere(uint i_3) {
-    uint _e4 = frame.shapeEnds.x;
-    return (i_3 < _e4);
+Bounds fetchBounds(uint i_6) {
+    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(0u, i_6)), 0);
+    return Bounds(t0_3.xyz, t0_3.w);
 }
 
 float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius, float tMin, bool startsInside) {
     vec3 toCenter_1 = (center - origin_2);
-    float along_1 = dot(toCenter_1, direction_2);
-    vec3 across_1 = (toCenter_1 - (along_1 * direction_2));
-    float discriminant = ((radius * radius) - dot(across_1, across_1));
+    float along_2 = dot(toCenter_1, direction_2);
+    vec3 across_3 = (toCenter_1 - (along_2 * direction_2));
+    float discriminant = ((radius * radius) - dot(across_3, across_3));
     float half_ = sqrt(max(discriminant, 0.0));
-    float near = (along_1 - half_);
-    float far_1 = (along_1 + half_);
-    float t_4 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_4 > tMin), false), t_4, 1e30));
+    float near = (along_2 - half_);
+    float far_3 = (along_2 + half_);
+    float t_8 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
-float hitSphere(uint i_4, Bounds bounds, Ray ray) {
-    float _e13 = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, (i_4 == ray.start.inside));
-    return pick((i_4 == ray.start.leaves), 1e30, _e13);
+PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_1) {
+    bool own_4 = (i_7 == p_1.shape);
+    float pathT = pick(pick(own_4, !(p_1.inwards), false), 1e30, t_1.x);
+    float lightT = pick(pick(pick(own_4, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_1.y);
+    bool nearer_1 = (pathT < found.t);
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_7, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
-bool isBox(uint i_5) {
-    uint _e4 = frame.shapeEnds.x;
-    uint _e9 = frame.shapeEnds.y;
-    return pick((i_5 >= _e4), (i_5 < _e9), false);
+PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_8) {
+    Bounds _e3 = fetchBounds(i_8);
+    bool own_5 = (i_8 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.lightInwards, false));
+    PairHit _e23 = meet(found_1, p_2, i_8, vec2(_e13, _e21));
+    return _e23;
 }
 
-bool isTurned(vec4 q_4) {
-    return any(notEqual(q_4.xyz, vec3(0.0)));
+vec3 turned(vec4 q_4, vec3 v_3) {
+    vec3 w = vec3(0.0);
+    w = v_3;
+    const bool _e4 = hasTurnedBoxes;
+    if (_e4) {
+        vec3 _e5 = rotate(q_4, v_3);
+        w = _e5;
+    }
+    vec3 _e6 = w;
+    return _e6;
 }
 
 float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_3, halfSize_1);
-    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
+    float t_9 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_9 > tMin_1), false), t_9, 1e30));
 }
 
-float hitBox(uint i_6, Bounds bounds_1, Ray ray_1) {
-    vec3 origin_4 = vec3(0.0);
-    vec3 direction_4 = vec3(0.0);
-    Extent _e3 = fetchExtent(i_6);
-    origin_4 = (ray_1.start.point - bounds_1.center);
-    direction_4 = ray_1.direction;
-    bool _e12 = isTurned(_e3.a);
-    if (_e12) {
-        vec3 _e14 = origin_4;
-        vec3 _e15 = rotate(_e3.a, _e14);
-        origin_4 = _e15;
-        vec3 _e17 = direction_4;
-        vec3 _e18 = rotate(_e3.a, _e17);
-        direction_4 = _e18;
-    }
-    vec3 _e19 = origin_4;
-    vec3 _e20 = direction_4;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_1.start.tMin, (i_6 == ray_1.start.inside));
-    return pick((i_6 == ray_1.start.leaves), 1e30, _e28);
-}
-
-bool isQuad0_(uint i_7) {
-    uint _e4 = frame.shapeEnds.z;
-    return (i_7 < _e4);
-}
-
-float intersectQuad(vec3 origin_5, vec3 direction_5, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_8 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_5, normal_8);
-    vec3 toCenter_2 = (center_1 - origin_5);
-    float t_6 = (dot(toCenter_2, normal_8) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_1 = ((t_6 * direction_5) - toCenter_2);
-    bool within_1 = (max(abs(dot(p_1, reciprocalU)), abs(dot(p_1, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within_1, false), t_6, 1e30);
-}
-
-float hitQuad(uint i_8, Bounds bounds_2, Ray ray_2) {
-    Extent _e3 = fetchExtent(i_8);
-    float _e14 = intersectQuad(ray_2.start.point, ray_2.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_2.start.tMin);
-    return pick((i_8 == ray_2.start.leaves), 1e30, _e14);
-}
-
-float intersectPlane(vec3 origin_6, vec3 direction_6, vec3 normal_4, float offset, float tMin_3) {
-    float speed_1 = dot(direction_6, normal_4);
-    float t_7 = ((offset - dot(origin_6, normal_4)) / pick((speed_1 == 0.0), 1e-12, speed_1));
-    float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
-    uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
-}
-
-float hitPlane(uint i_9, Bounds bounds_3, Ray ray_3) {
-    float _e10 = intersectPlane(ray_3.start.point, ray_3.direction, bounds_3.center, bounds_3.radius, ray_3.start.tMin);
-    return pick((i_9 == ray_3.start.leaves), 1e30, _e10);
-}
-
-float hitShape(uint i_10, Bounds bounds_4, Ray ray_4) {
-    bool _e3 = isSphere(i_10);
-    if (_e3) {
-        float _e4 = hitSphere(i_10, bounds_4, ray_4);
-        return _e4;
-    }
-    bool _e5 = isBox(i_10);
-    if (_e5) {
-        float _e6 = hitBox(i_10, bounds_4, ray_4);
-        return _e6;
-    }
-    bool _e7 = isQuad0_(i_10);
-    if (_e7) {
-        float _e8 = hitQuad(i_10, bounds_4, ray_4);
-        return _e8;
-    }
-    float _e9 = hitPlane(i_10, bounds_4, ray_4);
-    return _e9;
-}
-
-Bounds fetchBounds(uint i_11) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(0u, i_11)), 0);
-    return Bounds(t0_2.xyz, t0_2.w);
-}
-
-bool isPlane(uint i_12) {
-    uint _e4 = frame.shapeEnds.z;
-    uint _e9 = frame.shapeEnds.w;
-    return pick((i_12 >= _e4), (i_12 < _e9), false);
-}
-
-bool isFlat(uint i_13) {
-    uint _e4 = frame.shapeEnds.y;
-    return (i_13 >= _e4);
-}
-
-vec3 boxNormal(vec3 origin_7, vec3 direction_7, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
-    Slabs _e5 = boxSlabs(origin_7, direction_7, halfSize_2);
-    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
-    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_8 = pick(entering, _e5.near, _e5.far);
-    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_7, vec3(0.0))));
-    bool onX_1 = (crossed.x == t_8);
-    bool onY_1 = pick(!(onX_1), (crossed.y == t_8), false);
-    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
-}
-
-vec3 outwardNormal(uint i_14, Ray ray_5, float t_1) {
-    Bounds _e3 = fetchBounds(i_14);
-    vec3 origin_8 = (ray_5.start.point - _e3.center);
-    bool _e8 = isSphere(i_14);
-    if (_e8) {
-        return normalize((origin_8 + (t_1 * ray_5.direction)));
-    }
-    bool _e13 = isPlane(i_14);
-    if (_e13) {
-        return _e3.center;
-    }
-    Extent _e15 = fetchExtent(i_14);
-    bool _e16 = isFlat(i_14);
-    if (_e16) {
-        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
-    }
-    bool inside_1 = (i_14 == ray_5.start.inside);
-    vec3 _e27 = rotate(_e15.a, origin_8);
-    vec3 _e30 = rotate(_e15.a, ray_5.direction);
-    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_5.start.tMin, inside_1);
-    vec3 _e37 = rotateBack(_e15.a, _e35);
-    return _e37;
-}
-
-bool isOnDisc(Emitter e_14, vec3 direction_8) {
-    vec3 chord = (direction_8 + e_14.u);
-    return ((3.1415927 * dot(chord, chord)) < e_14.area);
-}
-
-float directionalPdf(Emitter e_15, vec3 direction_9) {
-    bool _e7 = isOnDisc(e_15, direction_9);
-    return pick(_e7, (1.0 / max(e_15.area, 1e-31)), 0.0);
-}
-
-vec2 quadrantAngles(vec2 x_4, vec2 y_2) {
-    vec2 low_2 = min(x_4, y_2);
-    vec2 high_2 = max(x_4, y_2);
-    bvec2 middle_3 = greaterThan(low_2, (0.41421357 * high_2));
-    vec2 r_2 = (mix(low_2, (low_2 - high_2), middle_3) / max(mix(high_2, (low_2 + high_2), middle_3), vec2(1e-30)));
-    vec2 z_2 = (r_2 * r_2);
-    vec2 series_1 = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
-    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_2) * r_2) + r_2));
-    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_4));
-}
-
-EnvironmentLight lookUpEnvironment(vec3 direction_10) {
-    vec2 size_3 = frame.environmentSize;
-    float sine_5 = max(length(direction_10.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_5));
-    float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
-    float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
-    float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row = floor(fromPole_1);
-    bool isLower_1 = (direction_10.y < 0.0);
-    vec2 cell_3 = vec2(floor(column), pick(isLower_1, (size_3.y - row), row));
-    float within_2 = (fromPole_1 - row);
-    vec2 at_2 = vec2((column - cell_3.x), pick(isLower_1, (1.0 - within_2), within_2));
-    Corners _e66 = environmentCorners(uvec2(cell_3));
-    EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_5);
-    return _e67;
-}
-
-EnvironmentLight skyLight(vec3 direction_11) {
-    EnvironmentLight light = white;
-    const bool _e4 = hasEnvironment;
-    if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_11);
-        light = _e5;
-    }
-    vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_11);
-    float _e11 = light.pdf;
-    return EnvironmentLight((_e7 * _e8), _e11);
-}
-
-FarLight farLight(Emitter e_16, vec3 direction_12) {
-    FarLight far = FarLight(vec3(0.0), 0.0);
-    const bool _e8 = hasSuns;
-    if (_e8) {
-        bool _e12 = isOnDisc(e_16, direction_12);
-        bool seen_1 = pick((e_16.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_16, direction_12);
-        far = FarLight(pick(seen_1, e_16.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
-    }
-    const bool _e23 = hasSky;
-    if (_e23) {
-        if ((e_16.kind == 6.0)) {
-            EnvironmentLight _e27 = skyLight(direction_12);
-            far = FarLight(_e27.radiance, _e27.pdf);
-        }
-    }
-    FarLight _e31 = far;
+PairHit meetBox(PairHit found_2, RayPair p_3, uint i_9) {
+    Bounds _e3 = fetchBounds(i_9);
+    Extent _e4 = fetchExtent(i_9);
+    bool own_6 = (i_9 == p_3.shape);
+    vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
+    vec3 _e14 = turned(_e4.a, p_3.direction);
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.inwards, false));
+    vec3 _e23 = turned(_e4.a, p_3.lightDirection);
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.lightInwards, false));
+    PairHit _e31 = meet(found_2, p_3, i_9, vec2(_e20, _e29));
     return _e31;
 }
 
-float spherePdf(Emitter e_17, vec3 point_13, vec3 direction_13) {
-    SphereView _e3 = viewSphere(e_17, point_13);
-    bool reached = pick(_e3.inside, true, (dot(direction_13, _e3.toCenter) > 0.0));
-    float _e11 = conePdf(_e3.width);
-    return pick(reached, _e11, 0.0);
+float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
+    vec3 normal_11 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_11);
+    vec3 toCenter_2 = (center_1 - origin_4);
+    float t_10 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_10 = ((t_10 * direction_4) - toCenter_2);
+    bool within_1 = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_10 > tMin_2), (t_10 < 1e30), false), within_1, false), t_10, 1e30);
 }
 
-float quadPdf(Emitter e_18, vec3 point_14, float distance_2) {
-    QuadView _e3 = viewQuad(e_18, point_14);
+PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_10) {
+    Bounds _e3 = fetchBounds(i_10);
+    Extent _e4 = fetchExtent(i_10);
+    float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
+    PairHit _e24 = meet(found_3, p_4, i_10, vec2(_e13, _e22));
+    return _e24;
+}
+
+float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_6, float offset, float tMin_3) {
+    float speed_1 = dot(direction_5, normal_6);
+    float t_11 = ((offset - dot(origin_5, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
+    bool eitherWay = pick((t_11 > tMin_3), (abs(speed_1) > 1e-12), false);
+    uint _e30 = frame.planesCutView;
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_11, 0.0), 1e30);
+}
+
+PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_11) {
+    Bounds _e3 = fetchBounds(i_11);
+    float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
+    float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
+    PairHit _e17 = meet(found_4, p_5, i_11, vec2(_e9, _e15));
+    return _e17;
+}
+
+vec4 planes(uint row_3, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_3);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
+}
+
+vec4 enterChildren(uint node_1, SlabRay r, float t_2) {
+    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+}
+
+vec3 turnedTo(uint axis_2, vec3 v_4) {
+    return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
+}
+
+float edge(vec2 a_1, vec2 b_2) {
+    float p_11 = (a_1.x * b_2.y);
+    float q_7 = (a_1.y * b_2.x);
+    return ((a_1.x * b_2.y + -(q_7)) - (a_1.y * b_2.x + -(p_11)));
+}
+
+Crossing crossTriangle(MeshRay ray, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
+    vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
+    vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    float side_2 = pick((sum < 0.0), -1.0, 1.0);
+    bool within_2 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float depth = ((ray.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_2, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
+}
+
+SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
+    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
+    vec3 size_4 = abs(direction_7);
+    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_5, direction_7);
+    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+uvec4 texelRow(uint i_12) {
+    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_12 & 2047u), (i_12 >> 11u))), 0);
+    return _e8;
+}
+
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
+    return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
+}
+
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
+    return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec2 pairOf(uint word) {
+    return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
+}
+
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
+    return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
+}
+
+Neighbours neighbours(float x_4, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside_2 = pick(clamps, clamp(x_4, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_4))) - 1.0))), fract(x_4)));
+    float at_3 = ((inside_2 * float(size)) - pick(nearest, 0.0, 0.5));
+    float low_4 = floor(at_3);
+    int last = (int(size) - 1);
+    int first_1 = int(low_4);
+    int second_1 = (first_1 + 1);
+    bool repeats = !(pick(clamps, true, mirrors));
+    int before_1 = pick(repeats, last, 0);
+    int after = pick(repeats, 0, last);
+    return Neighbours(uint(pick((first_1 < 0), before_1, min(max(first_1, 0), last))), uint(pick((second_1 > last), after, min(max(second_1, 0), last))), pick(nearest, 0.0, (at_3 - low_4)));
+}
+
+vec3 linearFromSrgb(vec3 c) {
+    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+}
+
+vec4 decoded(uint texel, bool colored) {
+    vec4 c_1 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_1.xyz);
+    return vec4(pick(colored, _e18, c_1.xyz), c_1.w);
+}
+
+uint texelAt(uint i_13) {
+    uvec4 _e3 = texelRow((i_13 >> 2u));
+    uvec2 pair = pick(((i_13 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_13 & 1u) != 0u), pair.y, pair.x);
+}
+
+vec4 lookUp(TextureUse t_3, vec2 uv) {
+    vec3 place_5 = vec3(uv, 1.0);
+    bool nearest_2 = ((t_3.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_3.toU, place_5), t_3.width, ((t_3.flags & clampsU) != 0u), ((t_3.flags & mirrorsU) != 0u), nearest_2);
+    Neighbours _e36 = neighbours(dot(t_3.toV, place_5), t_3.height, ((t_3.flags & clampsV) != 0u), ((t_3.flags & mirrorsV) != 0u), nearest_2);
+    uint upper_1 = (t_3.first + (_e36.first * t_3.width));
+    uint lower_1 = (t_3.first + (_e36.second * t_3.width));
+    bool colored_1 = ((t_3.flags & isColor) != 0u);
+    uint _e54 = texelAt((upper_1 + _e22.first));
+    vec4 _e55 = decoded(_e54, colored_1);
+    uint _e58 = texelAt((upper_1 + _e22.second));
+    vec4 _e59 = decoded(_e58, colored_1);
+    vec4 above_3 = mix(_e55, _e59, _e22.share);
+    uint _e64 = texelAt((lower_1 + _e22.first));
+    vec4 _e65 = decoded(_e64, colored_1);
+    uint _e68 = texelAt((lower_1 + _e22.second));
+    vec4 _e69 = decoded(_e68, colored_1);
+    vec4 below_1 = mix(_e65, _e69, _e22.share);
+    return mix(above_3, below_1, _e36.share);
+}
+
+float unitFloat(uint h_1) {
+    return (float((h_1 >> 8u)) * 5.9604645e-8);
+}
+
+uint pcg(uint x_5) {
+    uint s_5 = ((x_5 * 747796405u) + 2891336453u);
+    uint w_2 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
+}
+
+bool isThere(uint instance, uint place, vec2 weights, uint number) {
+    vec4 uv_1 = vec4(0.0);
+    float opacity = 0.0;
+    uint _e6 = frame.instances;
+    Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
+    Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
+    uint row_8 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_8);
+    vec3 share_3 = vec3(((1.0 - weights.x) - weights.y), weights);
+    uvec3 rows_1 = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
+    opacity = _e19.opacity;
+    if ((_e10.vertexRows != 0u)) {
+        Vertex _e45 = fetchVertex(rows_1.x);
+        Vertex _e50 = fetchVertex(rows_1.y);
+        Vertex _e56 = fetchVertex(rows_1.z);
+        uv_1 = vec4((((share_3.x * _e45.uv) + (share_3.y * _e50.uv)) + (share_3.z * _e56.uv)), 0.0, 0.0);
+    }
+    if ((_e10.vertexRows > vertexRows)) {
+        VertexMore _e69 = fetchVertexMore((rows_1.x + vertexRows));
+        VertexMore _e73 = fetchVertexMore((rows_1.y + vertexRows));
+        VertexMore _e77 = fetchVertexMore((rows_1.z + vertexRows));
+        vec4 _e78 = uv_1;
+        uv_1 = vec4(_e78.xy, (((share_3.x * _e69.uv) + (share_3.y * _e73.uv)) + (share_3.z * _e77.uv)));
+        float _e92 = opacity;
+        vec2 _e94 = pairOf(_e69.blueAlpha);
+        vec2 _e97 = pairOf(_e73.blueAlpha);
+        vec2 _e100 = pairOf(_e77.blueAlpha);
+        opacity = (_e92 * dot(share_3, vec3(_e94.y, _e97.y, _e100.y)));
+    }
+    if (((_e19.flags & hasOpacityTexture) != 0u)) {
+        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
+        float _e113 = opacity;
+        vec4 _e114 = uv_1;
+        vec4 _e116 = uv_1;
+        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
+        opacity = (_e113 * _e124.w);
+    }
+    uint _e127 = pcg(number);
+    uint _e129 = pcg((instance + _e127));
+    uint _e131 = pcg((place + _e129));
+    float _e132 = unitFloat(_e131);
+    float _e133 = opacity;
+    float _e136 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+}
+
+MeshHit traverse(MeshRays rays, LeftTriangle left) {
+    MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    bool toLight_1 = false;
+    float most = 0.0;
+    uint instance_1 = noInstance;
+    uint nodes = 0u;
+    uint triangles = 0u;
+    uint cover = 0u;
+    uint own = placeMask;
+    SlabRay slabs = SlabRay(vec3(0.0), vec3(0.0), uvec3(0u));
+    MeshRay ray_1 = MeshRay(vec3(0.0), 0u, vec3(0.0));
+    MeshHit doubted = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
+    uint top = 1u;
+    uint current = 0u;
+    uint waiting = noLeaf0_;
+    bool nearer = false;
+    vec3 o = vec3(0.0);
+    vec3 d_1 = vec3(0.0);
+    found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
+    toLight_1 = !((rays.most > 0.0));
+    bool _e17 = toLight_1;
+    most = pick(_e17, rays.lightMost, rays.most);
+    MeshHit _e45 = found_5;
+    doubted = _e45;
+    uint _e49 = frame.instanceCount;
+    bool alone = (_e49 == 1u);
+    uint first_2 = pick(alone, instances, beginning);
+    uint _e57 = frame.instanceCount;
+    float _e60 = most;
+    if (pick((_e57 == 0u), true, !((_e60 > 0.0)))) {
+        MeshHit _e65 = found_5;
+        return _e65;
+    }
+    stack[0] = ending;
+    current = first_2;
+    while(true) {
+        while(true) {
+            uint _e74 = current;
+            if ((_e74 < instances)) {
+                uint _e77 = nodes;
+                uint _e78 = current;
+                uint node_2 = (_e77 + (_e78 * nodeRows));
+                uvec4 _e84 = geometryRow((node_2 + childrenRow));
+                SlabRay _e85 = slabs;
+                float _e86 = most;
+                vec4 _e87 = enterChildren(node_2, _e85, _e86);
+                bool a_4 = (_e87.x < _e87.z);
+                bool b_4 = (_e87.y < _e87.w);
+                vec2 t0_4 = pick(a_4, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                uvec2 r0_ = pick(a_4, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
+                vec2 t1_3 = pick(b_4, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                uvec2 r1_ = pick(b_4, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
+                bool c_2 = (t0_4.x < t1_3.x);
+                bool d_3 = (t0_4.y < t1_3.y);
+                vec2 ta = pick(c_2, vec2(t1_3.x, t0_4.x), vec2(t0_4.x, t1_3.x));
+                uvec2 ra = pick(c_2, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 tb = pick(d_3, vec2(t1_3.y, t0_4.y), vec2(t0_4.y, t1_3.y));
+                uvec2 rb = pick(d_3, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                bool e_25 = (ta.y < tb.x);
+                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                if ((ta.x < 1e30)) {
+                    uint _e177 = top;
+                    stack[_e177] = ra.x;
+                    uint _e181 = top;
+                    top = (_e181 + 1u);
+                }
+                if ((tm.x < 1e30)) {
+                    uint _e187 = top;
+                    stack[_e187] = rm.x;
+                    uint _e191 = top;
+                    top = (_e191 + 1u);
+                }
+                if ((tm.y < 1e30)) {
+                    uint _e197 = top;
+                    stack[_e197] = rm.y;
+                    uint _e201 = top;
+                    top = (_e201 + 1u);
+                }
+                current = rb.y;
+                if ((tb.y >= 1e30)) {
+                    uint _e208 = top;
+                    top = (_e208 - 1u);
+                    uint _e211 = top;
+                    uint _e213 = stack[_e211];
+                    current = _e213;
+                }
+            }
+            uint _e214 = waiting;
+            uint _e217 = current;
+            if (pick((_e214 == noLeaf0_), (_e217 >= leaves), false)) {
+                uint _e221 = current;
+                waiting = _e221;
+                uint _e223 = top;
+                top = (_e223 - 1u);
+                uint _e226 = top;
+                uint _e228 = stack[_e226];
+                current = _e228;
+            }
+            uint _e229 = waiting;
+            if ((_e229 != noLeaf0_)) {
+                uint _e232 = waiting;
+                uint place_6 = (_e232 & placeMask);
+                uint _e235 = waiting;
+                waiting = ((_e235 + 1u) - 268435456u);
+                uint _e240 = waiting;
+                uint _e242 = waiting;
+                waiting = pick((_e242 < leaves), noLeaf0_, _e240);
+                MeshRay _e246 = ray_1;
+                uint _e247 = triangles;
+                Triangle _e251 = fetchTriangle((_e247 + (place_6 * triangleRows)));
+                Crossing _e252 = crossTriangle(_e246, _e251);
+                float _e261 = most;
+                uint _e266 = own;
+                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_6 != _e266), false);
+                const bool _e271 = hasOneSided;
+                if (_e271) {
+                    bool _e272 = nearer;
+                    uint _e274 = cover;
+                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+                }
+                bool _e281 = nearer;
+                if (_e281) {
+                    float inverse_3 = (1.0 / _e252.sum);
+                    uint _e287 = instance_1;
+                    MeshHit met = MeshHit((_e252.depth * inverse_3), _e287, place_6, (_e252.weights * inverse_3), false);
+                    const bool _e293 = hasCutouts;
+                    if (_e293) {
+                        uint _e294 = cover;
+                        if (((_e294 & coverRow) != 0u)) {
+                            doubted = met;
+                            break;
+                        }
+                    }
+                    bool _e299 = toLight_1;
+                    if (_e299) {
+                        found_5.blocked = true;
+                        break;
+                    }
+                    most = met.t;
+                    found_5 = met;
+                }
+            } else {
+                uint _e303 = current;
+                if ((_e303 >= instances)) {
+                    uint _e306 = current;
+                    if ((_e306 == ending)) {
+                        bool _e309 = toLight_1;
+                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
+                            break;
+                        }
+                        toLight_1 = true;
+                        most = rays.lightMost;
+                        top = 1u;
+                        current = first_2;
+                    }
+                    uint _e318 = current;
+                    bool toWorld = (_e318 >= beginning);
+                    uint _e321 = current;
+                    instance_1 = pick(toWorld, noInstance, (_e321 & placeMask));
+                    o = rays.origin;
+                    bool _e330 = toLight_1;
+                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
+                    nodes = 0u;
+                    if (!(toWorld)) {
+                        uint _e337 = frame.instances;
+                        uint _e338 = instance_1;
+                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
+                        vec3 _e343 = o;
+                        vec4 p_12 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_12), dot(_e342.toMeshY, p_12), dot(_e342.toMeshZ, p_12));
+                        vec3 _e355 = d_1;
+                        vec3 _e359 = d_1;
+                        vec3 _e363 = d_1;
+                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
+                        nodes = _e342.nodes;
+                        triangles = _e342.triangles;
+                        cover = _e342.cover;
+                        uint _e371 = instance_1;
+                        own = pick((_e371 == left.instance), left.triangle, placeMask);
+                        if (!(alone)) {
+                            uint _e377 = top;
+                            stack[_e377] = leaving;
+                            uint _e381 = top;
+                            top = (_e381 + 1u);
+                        }
+                    }
+                    vec3 _e383 = o;
+                    vec3 _e384 = d_1;
+                    SlabRay _e385 = slabRay(_e383, _e384);
+                    slabs = _e385;
+                    vec3 _e386 = o;
+                    vec3 _e387 = d_1;
+                    MeshRay _e388 = meshRay(_e386, _e387);
+                    ray_1 = _e388;
+                    uint _e389 = current;
+                    bool goesOn = (_e389 == leaving);
+                    current = 0u;
+                    if (goesOn) {
+                        uint _e394 = top;
+                        top = (_e394 - 1u);
+                        uint _e397 = top;
+                        uint _e399 = stack[_e397];
+                        current = _e399;
+                    }
+                }
+            }
+        }
+        const bool _e401 = hasCutouts;
+        if (!(_e401)) {
+            break;
+        }
+        uint _e404 = doubted.instance;
+        if ((_e404 == noInstance)) {
+            break;
+        }
+        uint _e408 = doubted.instance;
+        uint _e410 = doubted.triangle;
+        vec2 _e412 = doubted.weights;
+        bool _e414 = toLight_1;
+        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
+        bool _e418 = toLight_1;
+        if (pick(_e417, _e418, false)) {
+            found_5.blocked = true;
+            break;
+        }
+        if (_e417) {
+            float _e423 = doubted.t;
+            most = _e423;
+            MeshHit _e424 = doubted;
+            found_5 = _e424;
+        }
+        doubted.instance = noInstance;
+    }
+    MeshHit _e427 = found_5;
+    return _e427;
+}
+
+uint rowOfInstance(uint instance_2) {
+    uint _e3 = frame.instances;
+    Instance _e7 = fetchInstance((_e3 + (instance_2 * instanceRows)));
+    return _e7.row;
+}
+
+PairHit meetMeshes(PairHit found_6, RayPair p_6) {
+    PairHit result = PairHit(0.0, 0u, false, LeftTriangle(0u, 0u), vec2(0.0));
+    float most_1 = pick(p_6.goesOn, found_6.t, -1.0);
+    float lightMost = pick(found_6.blocked, -1.0, p_6.lightDistance);
+    MeshHit _e17 = traverse(MeshRays(p_6.point, p_6.direction, p_6.lightDirection, p_6.tMin, most_1, lightMost, p_6.number), p_6.left);
+    result = PairHit(found_6.t, found_6.shape, pick(found_6.blocked, true, _e17.blocked), noTriangle, _e17.weights);
+    if ((_e17.instance != noInstance)) {
+        result.t = _e17.t;
+        uint _e34 = rowOfInstance(_e17.instance);
+        result.shape = _e34;
+        result.triangle = LeftTriangle(_e17.instance, _e17.triangle);
+    }
+    PairHit _e39 = result;
+    return _e39;
+}
+
+PairHit tracePair(RayPair p_7) {
+    PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
+    uint i_14 = 0u;
+    uvec4 ends_2 = frame.shapeEnds;
+    const bool _e17 = hasSpheres;
+    if (_e17) {
+        uint _e18 = i_14;
+        if ((_e18 < ends_2.x)) {
+            while(true) {
+                PairHit _e21 = found_7;
+                uint _e22 = i_14;
+                PairHit _e23 = meetSphere(_e21, p_7, _e22);
+                found_7 = _e23;
+                uint _e25 = i_14;
+                i_14 = (_e25 + 1u);
+                uint _e27 = i_14;
+                if ((_e27 >= ends_2.x)) {
+                    break;
+                }
+            }
+        }
+    }
+    const bool _e31 = hasBoxes;
+    if (_e31) {
+        uint _e32 = i_14;
+        if ((_e32 < ends_2.y)) {
+            while(true) {
+                PairHit _e35 = found_7;
+                uint _e36 = i_14;
+                PairHit _e37 = meetBox(_e35, p_7, _e36);
+                found_7 = _e37;
+                uint _e39 = i_14;
+                i_14 = (_e39 + 1u);
+                uint _e41 = i_14;
+                if ((_e41 >= ends_2.y)) {
+                    break;
+                }
+            }
+        }
+    }
+    const bool _e45 = hasQuads;
+    if (_e45) {
+        uint _e46 = i_14;
+        if ((_e46 < ends_2.z)) {
+            while(true) {
+                PairHit _e49 = found_7;
+                uint _e50 = i_14;
+                PairHit _e51 = meetQuad(_e49, p_7, _e50);
+                found_7 = _e51;
+                uint _e53 = i_14;
+                i_14 = (_e53 + 1u);
+                uint _e55 = i_14;
+                if ((_e55 >= ends_2.z)) {
+                    break;
+                }
+            }
+        }
+    }
+    const bool _e59 = hasPlanes;
+    if (_e59) {
+        uint _e60 = i_14;
+        if ((_e60 < ends_2.w)) {
+            while(true) {
+                PairHit _e63 = found_7;
+                uint _e64 = i_14;
+                PairHit _e65 = meetPlane(_e63, p_7, _e64);
+                found_7 = _e65;
+                uint _e67 = i_14;
+                i_14 = (_e67 + 1u);
+                uint _e69 = i_14;
+                if ((_e69 >= ends_2.w)) {
+                    break;
+                }
+            }
+        }
+    }
+    const bool _e73 = hasMeshes;
+    if (_e73) {
+        PairHit _e74 = found_7;
+        PairHit _e75 = meetMeshes(_e74, p_7);
+        found_7 = _e75;
+    }
+    PairHit _e76 = found_7;
+    return _e76;
+}
+
+RayPair oneRay(vec3 origin_8, vec3 direction_8, uint number_1) {
+    return RayPair(origin_8, noShape, noTriangle, 0.0, true, direction_8, false, direction_8, false, -1.0, noShape, number_1);
+}
+
+vec3 fromOctahedral(uint code) {
+    vec2 p_13 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_4 = ((1.0 - abs(p_13.x)) - abs(p_13.y));
+    vec2 folded = ((vec2(1.0) - abs(p_13.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_13, vec2(0.0))));
+    return normalize(vec3(pick((z_4 < 0.0), folded, p_13), z_4));
+}
+
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+    MeshPoint p_8 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
+    uint _e5 = frame.instances;
+    Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
+    Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
+    mat3x3 turn_1 = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
+    vec3 geometric = normalize((turn_1 * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_8 = MeshPoint(geometric, geometric, vec3(0.0), vec3(0.0), geometric, vec4(0.0), vec4(1.0));
+    if ((_e9.vertexRows != 0u)) {
+        uvec3 rows_2 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
+        Vertex _e54 = fetchVertex(rows_2.x);
+        Vertex _e56 = fetchVertex(rows_2.y);
+        Vertex _e58 = fetchVertex(rows_2.z);
+        vec3 share_4 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 _e67 = fromOctahedral(_e54.normal);
+        vec3 _e71 = fromOctahedral(_e56.normal);
+        vec3 _e76 = fromOctahedral(_e58.normal);
+        vec3 normal_12 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
+        vec3 smoothed = (turn_1 * normal_12);
+        float size_5 = dot(smoothed, smoothed);
+        float side_3 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
+        bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_5 > 0.0), false);
+        p_8.shading = pick(useful, (smoothed * (side_3 * inversesqrt(max(size_5, 1e-37)))), geometric);
+        const bool _e103 = hasTextures;
+        if (_e103) {
+            p_8.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
+            if ((_e9.vertexRows > vertexRows)) {
+                VertexMore _e125 = fetchVertexMore((rows_2.x + vertexRows));
+                VertexMore _e129 = fetchVertexMore((rows_2.y + vertexRows));
+                VertexMore _e133 = fetchVertexMore((rows_2.z + vertexRows));
+                vec4 _e136 = p_8.uv;
+                p_8.uv = vec4(_e136.xy, (((share_4.x * _e125.uv) + (share_4.y * _e129.uv)) + (share_4.z * _e133.uv)));
+                vec2 _e152 = pairOf(_e125.redGreen);
+                vec2 _e156 = pairOf(_e129.redGreen);
+                vec2 _e161 = pairOf(_e133.redGreen);
+                vec2 redGreen = (((share_4.x * _e152) + (share_4.y * _e156)) + (share_4.z * _e161));
+                vec2 _e166 = pairOf(_e125.blueAlpha);
+                vec2 _e170 = pairOf(_e129.blueAlpha);
+                vec2 _e175 = pairOf(_e133.blueAlpha);
+                vec2 blueAlpha = (((share_4.x * _e166) + (share_4.y * _e170)) + (share_4.z * _e175));
+                p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            }
+            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                vec3 _e193 = fromOctahedral(_e54.tangent);
+                vec3 _e197 = fromOctahedral(_e56.tangent);
+                vec3 _e202 = fromOctahedral(_e58.tangent);
+                vec3 tangent = (((share_4.x * _e193) + (share_4.y * _e197)) + (share_4.z * _e202));
+                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                p_8.normal = (smoothed * side_3);
+                p_8.tangent = ((turn_1 * tangent) * side_3);
+                p_8.bitangent = ((turn_1 * cross(normal_12, tangent)) * (hand * side_3));
+            }
+        }
+    }
+    MeshPoint _e223 = p_8;
+    return _e223;
+}
+
+uint emitterOfTriangle(Emitter e_16, LeftTriangle t_4) {
+    return (((t_4.instance - uint(e_16.instance)) * uint(e_16.cosInner)) + (t_4.triangle >> uint(e_16.radius)));
+}
+
+float spherePdf(Emitter e_17, vec3 point_15, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_17, point_15);
+    bool reached_1 = pick(_e3.inside, true, (dot(direction_9, _e3.toCenter) > 0.0));
+    float _e11 = conePdf(_e3.width);
+    return pick(reached_1, _e11, 0.0);
+}
+
+float quadPdf(Emitter e_18, vec3 point_16, float distance_2) {
+    QuadView _e3 = viewQuad(e_18, point_16);
     float _e5 = pdfOfView(_e3, e_18.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_19, vec3 point_15, vec3 direction_14, float distance_3, vec3 normal_5) {
-    BoxView _e5 = viewBox(e_19, point_15);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_14, normal_5))), distance_3);
+float boxPdf(Emitter e_19, vec3 point_17, vec3 direction_10, float distance_3, vec3 normal_7) {
+    BoxView _e5 = viewBox(e_19, point_17);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_7))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_20, vec3 point_16, vec3 direction_15, float distance_4, vec3 normal_6) {
+float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, uint place_2) {
+    uint _e7 = frame.lampTables;
+    uint row_9 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_9);
+    float _e26 = areaPdf((e_20.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
+    return _e26;
+}
+
+float shapePdf(Emitter e_21, vec3 point_18, vec3 direction_12, float distance_5, vec3 normal_9, uint place_3) {
     float pdf = 0.0;
-    const bool _e8 = hasSphereLights;
+    const bool _e9 = hasSphereLights;
+    if (_e9) {
+        if ((e_21.kind == 0.0)) {
+            float _e13 = spherePdf(e_21, point_18, direction_12);
+            pdf = _e13;
+        }
+    }
+    const bool _e15 = hasQuadLights;
+    if (_e15) {
+        if ((e_21.kind == 1.0)) {
+            float _e19 = quadPdf(e_21, point_18, distance_5);
+            pdf = _e19;
+        }
+    }
+    const bool _e21 = hasBoxLights;
+    if (_e21) {
+        if ((e_21.kind == 2.0)) {
+            float _e25 = boxPdf(e_21, point_18, direction_12, distance_5, normal_9);
+            pdf = _e25;
+        }
+    }
+    const bool _e27 = hasMeshLamps;
+    if (_e27) {
+        if ((e_21.kind == 7.0)) {
+            float _e31 = meshPdf(e_21, direction_12, distance_5, normal_9, place_3);
+            pdf = _e31;
+        }
+    }
+    float _e32 = pdf;
+    return _e32;
+}
+
+Start onSurface(vec3 point_19, uint shape, bool seenFromInside) {
+    return Start(point_19, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_19)));
+}
+
+bool isSphere(uint i_15) {
+    uint _e4 = frame.shapeEnds.x;
+    return (i_15 < _e4);
+}
+
+float hitSphere(uint i_16, Bounds bounds, Ray ray_2) {
+    float _e13 = intersectSphere(ray_2.start.point, ray_2.direction, bounds.center, bounds.radius, ray_2.start.tMin, (i_16 == ray_2.start.inside));
+    return pick((i_16 == ray_2.start.leaves), 1e30, _e13);
+}
+
+bool isBox(uint i_17) {
+    uint _e4 = frame.shapeEnds.x;
+    uint _e9 = frame.shapeEnds.y;
+    return pick((i_17 >= _e4), (i_17 < _e9), false);
+}
+
+bool isTurned(vec4 q_5) {
+    return any(notEqual(q_5.xyz, vec3(0.0)));
+}
+
+float hitBox(uint i_18, Bounds bounds_1, Ray ray_3) {
+    vec3 origin_9 = vec3(0.0);
+    vec3 direction_13 = vec3(0.0);
+    Extent _e3 = fetchExtent(i_18);
+    origin_9 = (ray_3.start.point - bounds_1.center);
+    direction_13 = ray_3.direction;
+    bool _e12 = isTurned(_e3.a);
+    if (_e12) {
+        vec3 _e14 = origin_9;
+        vec3 _e15 = rotate(_e3.a, _e14);
+        origin_9 = _e15;
+        vec3 _e17 = direction_13;
+        vec3 _e18 = rotate(_e3.a, _e17);
+        direction_13 = _e18;
+    }
+    vec3 _e19 = origin_9;
+    vec3 _e20 = direction_13;
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_18 == ray_3.start.inside));
+    return pick((i_18 == ray_3.start.leaves), 1e30, _e28);
+}
+
+bool isQuad0_(uint i_19) {
+    uint _e4 = frame.shapeEnds.z;
+    return (i_19 < _e4);
+}
+
+float hitQuad(uint i_20, Bounds bounds_2, Ray ray_4) {
+    Extent _e3 = fetchExtent(i_20);
+    float _e14 = intersectQuad(ray_4.start.point, ray_4.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_4.start.tMin);
+    return pick((i_20 == ray_4.start.leaves), 1e30, _e14);
+}
+
+float hitPlane(uint i_21, Bounds bounds_3, Ray ray_5) {
+    float _e10 = intersectPlane(ray_5.start.point, ray_5.direction, bounds_3.center, bounds_3.radius, ray_5.start.tMin);
+    return pick((i_21 == ray_5.start.leaves), 1e30, _e10);
+}
+
+float hitShape(uint i_22, Bounds bounds_4, Ray ray_6) {
+    bool _e3 = isSphere(i_22);
+    if (_e3) {
+        float _e4 = hitSphere(i_22, bounds_4, ray_6);
+        return _e4;
+    }
+    bool _e5 = isBox(i_22);
+    if (_e5) {
+        float _e6 = hitBox(i_22, bounds_4, ray_6);
+        return _e6;
+    }
+    bool _e7 = isQuad0_(i_22);
+    if (_e7) {
+        float _e8 = hitQuad(i_22, bounds_4, ray_6);
+        return _e8;
+    }
+    float _e9 = hitPlane(i_22, bounds_4, ray_6);
+    return _e9;
+}
+
+bool isPlane(uint i_23) {
+    uint _e4 = frame.shapeEnds.z;
+    uint _e9 = frame.shapeEnds.w;
+    return pick((i_23 >= _e4), (i_23 < _e9), false);
+}
+
+bool isFlat(uint i_24) {
+    uint _e4 = frame.shapeEnds.y;
+    return (i_24 >= _e4);
+}
+
+vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
+    Slabs _e5 = boxSlabs(origin_10, direction_14, halfSize_2);
+    bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
+    vec3 crossed = pick(entering, _e5.enter, _e5.leave);
+    float t_12 = pick(entering, _e5.near, _e5.far);
+    vec3 side_4 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
+    bool onX_1 = (crossed.x == t_12);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_12), false);
+    return (side_4 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
+}
+
+vec3 outwardNormal(uint i_25, Ray ray_7, float t_5) {
+    Bounds _e3 = fetchBounds(i_25);
+    vec3 origin_11 = (ray_7.start.point - _e3.center);
+    bool _e8 = isSphere(i_25);
     if (_e8) {
-        if ((e_20.kind == 0.0)) {
-            float _e12 = spherePdf(e_20, point_16, direction_15);
-            pdf = _e12;
+        return normalize((origin_11 + (t_5 * ray_7.direction)));
+    }
+    bool _e13 = isPlane(i_25);
+    if (_e13) {
+        return _e3.center;
+    }
+    Extent _e15 = fetchExtent(i_25);
+    bool _e16 = isFlat(i_25);
+    if (_e16) {
+        return normalize(cross(_e15.a.xyz, _e15.b.xyz));
+    }
+    bool inside_3 = (i_25 == ray_7.start.inside);
+    vec3 _e27 = rotate(_e15.a, origin_11);
+    vec3 _e30 = rotate(_e15.a, ray_7.direction);
+    vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside_3);
+    vec3 _e37 = rotateBack(_e15.a, _e35);
+    return _e37;
+}
+
+bool isOnDisc(Emitter e_22, vec3 direction_15) {
+    vec3 chord = (direction_15 + e_22.u);
+    return ((3.1415927 * dot(chord, chord)) < e_22.area);
+}
+
+float directionalPdf(Emitter e_23, vec3 direction_16) {
+    bool _e7 = isOnDisc(e_23, direction_16);
+    return pick(_e7, (1.0 / max(e_23.area, 1e-31)), 0.0);
+}
+
+vec2 quadrantAngles(vec2 x_6, vec2 y_2) {
+    vec2 low_5 = min(x_6, y_2);
+    vec2 high_3 = max(x_6, y_2);
+    bvec2 middle_3 = greaterThan(low_5, (0.41421357 * high_3));
+    vec2 r_3 = (mix(low_5, (low_5 - high_3), middle_3) / max(mix(high_3, (low_5 + high_3), middle_3), vec2(1e-30)));
+    vec2 z_5 = (r_3 * r_3);
+    vec2 series_1 = ((((((0.080537446 * z_5) - vec2(0.13877685)) * z_5) + vec2(0.19977711)) * z_5) - vec2(0.3333295));
+    vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_5) * r_3) + r_3));
+    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_6));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_17) {
+    vec2 size_6 = frame.environmentSize;
+    float sine_5 = max(length(direction_17.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_17.z, direction_17.y)), vec2(abs(direction_17.x), sine_5));
+    float turn_2 = (pick((direction_17.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_17.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column_1 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
+    float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
+    float row_10 = floor(fromPole_1);
+    bool isLower_1 = (direction_17.y < 0.0);
+    vec2 cell_3 = vec2(floor(column_1), pick(isLower_1, (size_6.y - row_10), row_10));
+    float within_3 = (fromPole_1 - row_10);
+    vec2 at_4 = vec2((column_1 - cell_3.x), pick(isLower_1, (1.0 - within_3), within_3));
+    Corners _e66 = environmentCorners(uvec2(cell_3));
+    EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
+    return _e67;
+}
+
+EnvironmentLight skyLight(vec3 direction_18) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_18);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_18);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight farLight(Emitter e_24, vec3 direction_19) {
+    FarLight far_2 = FarLight(vec3(0.0), 0.0);
+    const bool _e8 = hasSuns;
+    if (_e8) {
+        bool _e12 = isOnDisc(e_24, direction_19);
+        bool seen_1 = pick((e_24.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_24, direction_19);
+        far_2 = FarLight(pick(seen_1, e_24.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
+    }
+    const bool _e23 = hasSky;
+    if (_e23) {
+        if ((e_24.kind == 6.0)) {
+            EnvironmentLight _e27 = skyLight(direction_19);
+            far_2 = FarLight(_e27.radiance, _e27.pdf);
         }
     }
-    const bool _e14 = hasQuadLights;
-    if (_e14) {
-        if ((e_20.kind == 1.0)) {
-            float _e18 = quadPdf(e_20, point_16, distance_4);
-            pdf = _e18;
-        }
-    }
-    const bool _e20 = hasBoxLights;
-    if (_e20) {
-        if ((e_20.kind == 2.0)) {
-            float _e24 = boxPdf(e_20, point_16, direction_15, distance_4, normal_6);
-            pdf = _e24;
-        }
-    }
-    float _e25 = pdf;
-    return _e25;
+    FarLight _e31 = far_2;
+    return _e31;
 }
 
 void main() {
@@ -991,22 +2132,22 @@ void main() {
     float t = 1e30;
     vec3 normal = vec3(0.0);
     uvec2 pixel = uvec2(fragment.xy);
-    vec4 a_3 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
-    vec4 b_3 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
-    vec4 c = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
-    uint question = uint(b_3.w);
-    uint index = uint(a_3.w);
-    if ((question == choice_1)) {
-        EmitterChoice _e40 = chooseEmitter(a_3.xyz, c.xyz, b_3.x);
+    vec4 a_5 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
+    vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 c_3 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    uint question = uint(b_5.w);
+    uint index = uint(a_5.w);
+    if ((question == choice_2)) {
+        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_3.xyz, b_5.x);
         Emitter _e42 = fetchEmitter(_e40.index);
-        float _e46 = probabilityOf(_e42, a_3.xyz, c.xyz, _e40.total);
+        float _e46 = probabilityOf(_e42, a_5.xyz, c_3.xyz, _e40.odds);
         Emitter _e50 = fetchEmitter(index);
-        float _e54 = probabilityOf(_e50, a_3.xyz, c.xyz, _e40.total);
+        float _e54 = probabilityOf(_e50, a_5.xyz, c_3.xyz, _e40.odds);
         _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
     Emitter _e56 = fetchEmitter(index);
-    LightSample _e59 = sampleEmitter(_e56, a_3.xyz, b_3.xy);
+    LightSample _e59 = sampleEmitter(_e56, a_5.xyz, b_5.xy);
     if ((question == directionAndPdf)) {
         _fs2p_location0 = vec4(_e59.direction, _e59.pdf);
         return;
@@ -1015,29 +2156,45 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_18 = pick((question == pdfOfSample), _e59.direction, c.xyz);
+    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_3.xyz);
+    if ((_e56.kind == 7.0)) {
+        RayPair _e85 = oneRay(a_5.xyz, direction_22, 0u);
+        PairHit _e86 = tracePair(_e85);
+        if ((_e86.triangle.instance == noInstance)) {
+            _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
+            return;
+        }
+        MeshPoint _e102 = meshPoint(_e86.triangle.instance, _e86.triangle.triangle, _e86.weights);
+        normal = _e102.geometric;
+        uint _e105 = emitterOfTriangle(_e56, _e86.triangle);
+        Emitter _e107 = fetchEmitter((index + _e105));
+        vec3 _e110 = normal;
+        float _e113 = shapePdf(_e107, a_5.xyz, direction_22, _e86.t, _e110, _e86.triangle.triangle);
+        _fs2p_location0 = vec4(_e113, _e86.t, _e59.pdf, float(_e59.delta));
+        return;
+    }
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
-        Start _e88 = onSurface(a_3.xyz, noShape, false);
-        Ray ray_6 = Ray(_e88, direction_18);
-        Bounds _e90 = fetchBounds(shape_1);
-        float _e91 = hitShape(shape_1, _e90, ray_6);
-        t = _e91;
-        float _e92 = t;
-        vec3 _e95 = outwardNormal(shape_1, ray_6, min(_e92, 1e30));
-        normal = _e95;
-        float _e96 = t;
-        if ((_e96 >= 1e30)) {
+        Start _e127 = onSurface(a_5.xyz, noShape, false);
+        Ray ray_8 = Ray(_e127, direction_22);
+        Bounds _e129 = fetchBounds(shape_1);
+        float _e130 = hitShape(shape_1, _e129, ray_8);
+        t = _e130;
+        float _e131 = t;
+        vec3 _e134 = outwardNormal(shape_1, ray_8, min(_e131, 1e30));
+        normal = _e134;
+        float _e135 = t;
+        if ((_e135 >= 1e30)) {
             _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
             return;
         }
     }
-    FarLight _e105 = farLight(_e56, direction_18);
-    float _e107 = t;
-    vec3 _e108 = normal;
-    float _e109 = shapePdf(_e56, a_3.xyz, direction_18, _e107, _e108);
-    float _e112 = t;
-    _fs2p_location0 = vec4((_e109 + _e105.pdf), _e112, length(_e105.radiance), float(_e59.delta));
+    FarLight _e144 = farLight(_e56, direction_22);
+    float _e146 = t;
+    vec3 _e147 = normal;
+    float _e149 = shapePdf(_e56, a_5.xyz, direction_22, _e146, _e147, 0u);
+    float _e152 = t;
+    _fs2p_location0 = vec4((_e149 + _e144.pdf), _e152, length(_e144.radiance), float(_e59.delta));
     return;
 }
 

@@ -19,8 +19,8 @@ const choice = 4u;
   let index = u32(a.w);
   if (question == choice) {
     let chosen = chooseEmitter(a.xyz, c.xyz, b.x);
-    let own = probabilityOf(fetchEmitter(chosen.index), a.xyz, c.xyz, chosen.total);
-    return vec4f(f32(chosen.index), chosen.probability, own, probabilityOf(fetchEmitter(index), a.xyz, c.xyz, chosen.total));
+    let own = probabilityOf(fetchEmitter(chosen.index), a.xyz, c.xyz, chosen.odds);
+    return vec4f(f32(chosen.index), chosen.probability, own, probabilityOf(fetchEmitter(index), a.xyz, c.xyz, chosen.odds));
   }
   let e = fetchEmitter(index);
   let s = sampleEmitter(e, a.xyz, b.xy);
@@ -34,6 +34,15 @@ const choice = 4u;
   let direction = select(c.xyz, s.direction, question == pdfOfSample);
   var t = miss;
   var normal = vec3f(0.0);
+  if (e.kind == meshKind) {
+    let hit = tracePair(oneRay(a.xyz, direction, 0u));
+    if (hit.triangle.instance == noInstance) {
+      return vec4f(0.0, miss, s.pdf, f32(s.delta));
+    }
+    normal = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights).geometric;
+    let met = fetchEmitter(index + emitterOfTriangle(e, hit.triangle));
+    return vec4f(shapePdf(met, a.xyz, direction, hit.t, normal, hit.triangle.triangle), hit.t, s.pdf, f32(s.delta));
+  }
   if (e.shape >= 0.0) {
     let shape = u32(e.shape);
     let ray = Ray(onSurface(a.xyz, noShape, false), direction);
@@ -44,7 +53,7 @@ const choice = 4u;
     }
   }
   let far = farLight(e, direction);
-  return vec4f(shapePdf(e, a.xyz, direction, t, normal) + far.pdf, t, length(far.radiance), f32(s.delta));
+  return vec4f(shapePdf(e, a.xyz, direction, t, normal, 0u) + far.pdf, t, length(far.radiance), f32(s.delta));
 }
 
 // A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
@@ -64,6 +73,11 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   if (hasBoxLights) {
     if (e.kind == boxKind) {
       s = sampleBox(e, point, u);
+    }
+  }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      s = sampleMesh(e, point, u);
     }
   }
   if (hasPointLights) {
@@ -107,32 +121,15 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
   return far;
 }
 
-// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
-// outward normal.
-fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  var pdf = 0.0;
-  if (hasSphereLights) {
-    if (e.kind == sphereKind) {
-      pdf = spherePdf(e, point, direction);
-    }
-  }
-  if (hasQuadLights) {
-    if (e.kind == quadKind) {
-      pdf = quadPdf(e, point, distance);
-    }
-  }
-  if (hasBoxLights) {
-    if (e.kind == boxKind) {
-      pdf = boxPdf(e, point, direction, distance, normal);
-    }
-  }
-  return pdf;
-}
-
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  var hasTree = false;
+  if (hasLightTree) {
+    hasTree = frame.lightTreeDepth > 0u;
+  }
+  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
       var total = 0.0;
@@ -141,7 +138,7 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
       var rest = u;
       var i = 0u;
       loop {
-        let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
         total += weight;
         let share = weight / max(total, 1e-37);
         let take = rest < share;
@@ -149,22 +146,36 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
         chosenWeight = select(chosenWeight, weight, take);
         rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
         i++;
-        if (i >= frame.emitterCount) {
+        if (i >= listed) {
           break;
         }
       }
-      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      if (hasLightTree) {
+        if (hasTree) {
+          let down = descend(point, normal, rest, noLeaf, total);
+          choice.odds.tree = down.share;
+          choice.index = select(chosen, down.emitter, down.taken);
+          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
+        }
+      }
     }
   }
   return choice;
 }
 
 // With which chooseEmitter would have chosen this one there.
-fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
-      probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        if (frame.lightTreeDepth > 0u) {
+          let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
+          probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
+        }
+      }
     }
   }
   return probability;
@@ -176,103 +187,32 @@ fn fetchEmitter(i: u32) -> Emitter {
   let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
   let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
   let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+  let t5 = textureLoad(sceneTable, vec2u(19u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
+
+override hasLightTree = false;
 
 struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
   probability: f32,
-  // The sum of all estimates at the point, for `probabilityOf`.
-  total: f32,
+  odds: Odds,
 }
 
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+// What `probabilityOf` has to know of the point.
+struct Odds {
+  // The sum of the estimates of all emitters that are looked at one by one.
+  total: f32,
+  // Probability to take one out of the tree.
+  tree: f32,
+}
+
 
 override hasManyLights = true;
 
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  let isQuad = hasQuadLights & (e.kind == quadKind);
-  let isFar = hasSuns & (e.kind == directionalKind);
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
-  if (hasQuadLights) {
-    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-    estimate *= select(1.0, lampCosine, isQuad);
-  }
-  if (hasPointLights) {
-    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  }
-  if (hasSky) {
-    estimate = select(estimate, e.power, e.kind == skyKind);
-  }
-  return estimate;
-}
-
-override hasQuadLights = false;
-
-const quadKind = 1.0;
-
-override hasSuns = false;
-
-const directionalKind = 5.0;
-
-const pi = 3.14159265359;
-
-override hasPointLights = false;
-
-override hasSky = true;
-
-struct Emitter {
-  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
-  position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
-  kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
-  u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
-  radius: f32,
-  // other edge of a quad
-  v: vec3f,
-  // cosine of the inner angle of a spot
-  cosInner: f32,
-  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
-  radiance: vec3f,
-  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
-  area: f32,
-  // row of the shape that rays meet; -1: none, only light sampling finds it
-  shape: f32,
-  // 1: a quad that shines to the side of u x v only
-  oneSided: f32,
-  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
-  power: f32,
-  // radius of the bounding sphere; of directional light: sine of half the angular diameter
-  reach: f32,
-}
-
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
-const skyKind = 6.0;
+@group(0) @binding(0) var<uniform> frame: Frame;
 
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
@@ -337,10 +277,1417 @@ struct Frame {
   tile: vec2u,
   // instances of meshes
   instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
 }
 
 
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasMeshLamps) {
+    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
+    let alike = length(e.v);
+    let across = -dot(e.v, toLight);
+    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
+    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
+    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
+    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasQuadLights = false;
+
+const quadKind = 1.0;
+
+override hasSuns = false;
+
+const directionalKind = 5.0;
+
+const pi = 3.14159265359;
+
+// Meshes that shine, and so many lights that a tree chooses among them.
+override hasMeshLamps = false;
+
+override hasPointLights = false;
+
+override hasSky = true;
+
+struct Emitter {
+  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
+  radius: f32,
+  // other edge of a quad; mean of the normals of a mesh, weighted by area
+  v: vec3f,
+  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+  // its place among the leaves of the light tree; -1: it is in none
+  leaf: f32,
+  // mesh: row of its first triangle among the tables of lamps
+  table: f32,
+  // mesh: how many
+  triangles: f32,
+  // mesh: of which instance
+  instance: f32,
+}
+
+
+const meshKind = 7.0;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const skyKind = 6.0;
+
+// `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
+fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
+  var level = frame.lightTreeDepth;
+  var node = 0u;
+  var rest = u;
+  var choice = TreeChoice(0u, 1.0, 0.0, true);
+  loop {
+    level--;
+    let n = fetchLightNode(frame.lightTree + node);
+    let w = estimatesOfChildren(n, point, normal);
+    let two = w.x + w.y;
+    let three = two + w.z;
+    let total = three + w.w;
+    if (node == 0u) {
+      choice.share = shareOfTree(total, far);
+      choice.taken = rest < choice.share;
+      rest = min(rest / max(choice.share, 1e-37), 0.99999994);
+    }
+    let at = rest * total;
+    let byChance = u32(at >= w.x) + u32(at >= two) + u32(at >= three);
+    let child = select((u32(max(leaf, 0)) >> (2u * level)) & 3u, byChance, leaf < 0);
+    let low = child < 2u;
+    let odd = (child & 1u) == 1u;
+    let own = select(select(w.z, w.w, odd), select(w.x, w.y, odd), low);
+    let before = select(select(two, three, odd), select(0.0, w.x, odd), low);
+    choice.probability *= own / max(total, 1e-37);
+    choice.emitter = u32(select(select(n.emitters.z, n.emitters.w, odd), select(n.emitters.x, n.emitters.y, odd), low));
+    rest = clamp((at - before) / max(own, 1e-37), 0.0, 0.99999994);
+    node = 4u * node + 1u + child;
+    if (level == 0u) {
+      break;
+    }
+  }
+  return choice;
+}
+
+const noLeaf = -1;
+
+struct TreeChoice {
+  emitter: u32,
+  // Of this emitter, once it is to be one of the tree.
+  probability: f32,
+  // Probability of the tree, beside the lights that are infinitely far, and whether chance takes it.
+  share: f32,
+  taken: bool,
+}
+
+
+fn fetchLightNode(i: u32) -> LightNode {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t7 = textureLoad(sceneTable, vec2u(7u, i), 0);
+  let t8 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  let t9 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t10 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t11 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
+}
+
+// An estimate of each child's irradiance at the point; 0 where it can be none. A normal of zero: light comes through from both sides.
+fn estimatesOfChildren(n: LightNode, point: vec3f, normal: vec3f) -> vec4f {
+  let x = n.x - point.x;
+  let y = n.y - point.y;
+  let z = n.z - point.z;
+  let distance2 = x * x + y * y + z * z;
+  let inverse = inverseSqrt(max(distance2, vec4f(1e-30)));
+  let inside = distance2 <= n.reach * n.reach;
+  // Half the angle that the sphere fills; all of it from inside.
+  let sinB = min(n.reach * inverse, vec4f(1.0));
+  let cosB = select(sineOf(sinB), vec4f(-1.0), inside);
+  let along = -(n.axisX * x + n.axisY * y + n.axisZ * z) * inverse;
+  let cosW = clamp(select(along, abs(along), n.bothSides > vec4f(0.5)), vec4f(-1.0), vec4f(1.0));
+  let sinW = sineOf(cosW);
+  let sinO = sineOf(n.cosWidth);
+  let cosX = cosineLess(cosW, sinW, n.cosWidth, sinO);
+  let cosOut = select(cosineLess(cosX, sineOf(cosX), cosB, sinB), vec4f(1.0), inside);
+  let cosN = clamp((normal.x * x + normal.y * y + normal.z * z) * inverse, vec4f(-1.0), vec4f(1.0));
+  let above = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), inside);
+  let cosIn = select(above, vec4f(1.0), dot(normal, normal) == 0.0);
+  let estimate = n.power * cosOut * cosIn / max(max(distance2, n.reach * n.reach), vec4f(1e-15));
+  return select(vec4f(0.0), min(estimate, vec4f(1e30)), cosOut > n.cosEdge);
+}
+
+// The estimate for the whole tree is rough; so neither side gets less than a quarter where there are both.
+fn shareOfTree(total: f32, far: f32) -> f32 {
+  let share = 0.25 + 0.5 * total / max(total + far, 1e-37);
+  return select(select(share, 1.0, far <= 0.0), 0.0, total <= 0.0);
+}
+
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+struct LightNode {
+  // of each child the centre of a sphere about its lights, eye-relative
+  x: vec4f,
+  // y
+  y: vec4f,
+  // z
+  z: vec4f,
+  // radius of the sphere
+  reach: vec4f,
+  // unit axis of the cone that holds all normals of the lights
+  axisX: vec4f,
+  // y
+  axisY: vec4f,
+  // z
+  axisZ: vec4f,
+  // cosine of that cone, from its axis
+  cosWidth: vec4f,
+  // cosine of the angle from a normal up to which there is light
+  cosEdge: vec4f,
+  // 1: also against the normals
+  bothSides: vec4f,
+  // sum of what Emitter has; 0: there is no such child
+  power: vec4f,
+  // in the lowest nodes: which emitter the child is
+  emitters: vec4f,
+}
+
+
+fn sineOf(cosine: vec4f) -> vec4f {
+  return sqrt(max(1.0 - cosine * cosine, vec4f(0.0)));
+}
+
+// cos(max(a - b, 0)), of angles from 0 to pi.
+fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
+  return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
+}
+
+// Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
+fn tracePair(p: RayPair) -> PairHit {
+  var found = PairHit(miss, noShape, false, noTriangle, vec2f(0.0));
+  let ends = frame.shapeEnds;
+  var i = 0u;
+  if (hasSpheres) {
+    if (i < ends.x) {
+      loop {
+        found = meetSphere(found, p, i);
+        i++;
+        if (i >= ends.x) {
+          break;
+        }
+      }
+    }
+  }
+  if (hasBoxes) {
+    if (i < ends.y) {
+      loop {
+        found = meetBox(found, p, i);
+        i++;
+        if (i >= ends.y) {
+          break;
+        }
+      }
+    }
+  }
+  if (hasQuads) {
+    if (i < ends.z) {
+      loop {
+        found = meetQuad(found, p, i);
+        i++;
+        if (i >= ends.z) {
+          break;
+        }
+      }
+    }
+  }
+  if (hasPlanes) {
+    if (i < ends.w) {
+      loop {
+        found = meetPlane(found, p, i);
+        i++;
+        if (i >= ends.w) {
+          break;
+        }
+      }
+    }
+  }
+  if (hasMeshes) {
+    found = meetMeshes(found, p);
+  }
+  return found;
+}
+
+// A ray that starts on no shape, without one to a light.
+fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
+  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
+}
+
+const noInstance = 0xffffffffu;
+
+// `weights`: of the triangle's second and third vertex.
+fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  // Normals go by the inverse transpose: its columns are the rows of the way into the mesh.
+  let turn = mat3x3f(i.toMeshX.xyz, i.toMeshY.xyz, i.toMeshZ.xyz);
+  let geometric = normalize(turn * cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  var p = MeshPoint(geometric, geometric, vec3f(0.0), vec3f(0.0), geometric, vec4f(0.0), vec4f(1.0));
+  if (i.vertexRows != 0u) {
+    let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
+    let a = fetchVertex(rows.x);
+    let b = fetchVertex(rows.y);
+    let c = fetchVertex(rows.z);
+    let share = vec3f(1.0 - weights.x - weights.y, weights);
+    // In the space of the mesh, and of any length, as MikkTSpace wants it.
+    let normal = share.x * fromOctahedral(a.normal) + share.y * fromOctahedral(b.normal) + share.z * fromOctahedral(c.normal);
+    let smoothed = turn * normal;
+    let size = dot(smoothed, smoothed);
+    let side = select(1.0, -1.0, dot(smoothed, geometric) < 0.0);
+    // Normals that cancel out, between two that look opposite ways, are none.
+    let useful = ((i.vertexFlags & hasNormals) != 0u) & (size > 0.0);
+    p.shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful);
+    if (hasTextures) {
+      p.uv = vec4f(share.x * a.uv + share.y * b.uv + share.z * c.uv, 0.0, 0.0);
+      if (i.vertexRows > vertexRows) {
+        let moreA = fetchVertexMore(rows.x + vertexRows);
+        let moreB = fetchVertexMore(rows.y + vertexRows);
+        let moreC = fetchVertexMore(rows.z + vertexRows);
+        p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
+        let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
+        let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
+        p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+      }
+      if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
+        let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
+        // The vertices of a triangle have one hand: else they would not be shared.
+        let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
+        p.normal = smoothed * side;
+        p.tangent = turn * tangent * side;
+        p.bitangent = turn * cross(normal, tangent) * (hand * side);
+      }
+    }
+  }
+  return p;
+}
+
+// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
+fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
+  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
+}
+
+// The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
+// outward normal; of a mesh, the triangle at that place.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
+  var pdf = 0.0;
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      pdf = spherePdf(e, point, direction);
+    }
+  }
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      pdf = quadPdf(e, point, distance);
+    }
+  }
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      pdf = boxPdf(e, point, direction, distance, normal);
+    }
+  }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      pdf = meshPdf(e, direction, distance, normal, place);
+    }
+  }
+  return pdf;
+}
+
+struct PairHit {
+  // Where the path's ray ends: the distance, `miss` when there is nothing, and the shape.
+  t: f32,
+  shape: u32,
+  // Whether the light is hidden.
+  blocked: bool,
+  // Of a mesh: which triangle, and how much its second and third vertex count.
+  triangle: LeftTriangle,
+  weights: vec2f,
+}
+
+
+// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
+// nothing that depends on the size of the scene.
+const noShape = 0xffffffffu;
+
+const noTriangle = LeftTriangle(noInstance, 0u);
+
+// What a scene may ask of the path kernel. Whoever makes a program says what its scenes have (integrator/path/path-features.ts), and the
+// compiler leaves the rest out: a software rasteriser runs both sides of every branch, Windows' shader compiler pays for every line,
+// and a GPU for every register. On WebGL2 these become `const` in the GLSL. As they stand here they are what most scenes made of
+// shapes and lights need: the program that a page compiles first.
+// Kinds of shape, and boxes that do not lie along the axes.
+override hasSpheres = true;
+
+override hasBoxes = true;
+
+override hasQuads = false;
+
+override hasPlanes = true;
+
+// Triangle meshes, and such with shading normals of their own.
+override hasMeshes = false;
+
+struct RayPair {
+  point: vec3f,
+  // The shape that the point lies on. A ray that leaves it outwards (or a flat one) does not meet it at once; of one that goes
+  // inwards only its far side counts.
+  shape: u32,
+  // Of a mesh: the triangle, which no ray that leaves it meets.
+  left: LeftTriangle,
+  // ray.wesl, Start.tMin
+  tMin: f32,
+  // Whether the path's ray is wanted.
+  goesOn: bool,
+  direction: vec3f,
+  inwards: bool,
+  lightDirection: vec3f,
+  lightInwards: bool,
+  // What is met farther away than this stands behind the light. Negative: there is no ray to a light.
+  lightDistance: f32,
+  // The shape that is the light, or noShape.
+  lightShape: u32,
+  // For what is there by chance: sampler.wesl, numberOfNext.
+  number: u32,
+}
+
+
+// A triangle of an instance: such as a ray starts on; it is flat, so that no ray meets it again.
+struct LeftTriangle {
+  instance: u32,
+  triangle: u32,
+}
+
+
+fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let own = i == p.shape;
+  let t = intersectSphere(p.point, p.direction, b.center, b.radius, p.tMin, own & p.inwards);
+  let lightT = intersectSphere(p.point, p.lightDirection, b.center, b.radius, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn fetchBounds(i: u32) -> Bounds {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  return Bounds(t0.xyz, t0.w);
+}
+
+fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
+  let toCenter = center - origin;
+  let along = dot(toCenter, direction);
+  let across = toCenter - along * direction;
+  let discriminant = radius * radius - dot(across, across);
+  let half = sqrt(max(discriminant, 0.0));
+  let near = along - half;
+  let far = along + half;
+  let t = select(far, near, near > tMin);
+  // From the surface itself the far side cannot be missed, whatever rounding says.
+  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
+}
+
+// Distances of both rays, path then light, to shape i taken up into what was found so far.
+fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
+  let own = i == p.shape;
+  let pathT = select(t.x, miss, own & !p.inwards);
+  let lightT = select(t.y, miss, (own & !p.lightInwards) | (i == p.lightShape));
+  let nearer = pathT < found.t;
+  return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
+}
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+struct Bounds {
+  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
+  center: vec3f,
+  // of the bounding sphere; of a plane: dot(normal, p) of its points
+  radius: f32,
+}
+
+
+fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let own = i == p.shape;
+  let origin = turned(e.a, p.point - b.center);
+  let t = intersectBox(origin, turned(e.a, p.direction), e.b.xyz, p.tMin, own & p.inwards);
+  let lightT = intersectBox(origin, turned(e.a, p.lightDirection), e.b.xyz, p.tMin, own & p.lightInwards);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn fetchExtent(i: u32) -> Extent {
+  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  return Extent(t0.xyzw, t1.xyzw);
+}
+
+// The same where a pipeline may know that no box is turned.
+fn turned(q: vec4f, v: vec3f) -> vec3f {
+  var w = v;
+  if (hasTurnedBoxes) {
+    w = rotate(q, v);
+  }
+  return w;
+}
+
+fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
+  let s = boxSlabs(origin, direction, halfSize);
+  let t = select(s.far, s.near, s.near > tMin);
+  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
+  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
+}
+
+struct Extent {
+  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
+  a: vec4f,
+  // box: half its size; quad: reciprocal of its v edge
+  b: vec4f,
+}
+
+
+override hasTurnedBoxes = true;
+
+// v turned by the unit quaternion q, and back.
+fn rotate(q: vec4f, v: vec3f) -> vec3f {
+  let t = 2.0 * cross(q.xyz, v);
+  return v + q.w * t + cross(q.xyz, t);
+}
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction, origin);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+fn meetQuad(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let e = fetchExtent(i);
+  let t = intersectQuad(p.point, p.direction, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  let lightT = intersectQuad(p.point, p.lightDirection, b.center, e.a.xyz, e.b.xyz, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
+
+fn meetPlane(found: PairHit, p: RayPair, i: u32) -> PairHit {
+  let b = fetchBounds(i);
+  let t = intersectPlane(p.point, p.direction, b.center, b.radius, p.tMin);
+  let lightT = intersectPlane(p.point, p.lightDirection, b.center, b.radius, p.tMin);
+  return meet(found, p, i, vec2f(t, lightT));
+}
+
+fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
+  let speed = dot(direction, normal);
+  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
+  let speedAway = select(-speed, speed, offset > 0.0);
+  let eitherWay = (t > tMin) & (abs(speed) > parallel);
+  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
+}
+
+// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
+const parallel = 1e-12;
+
+fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
+  let most = select(-1.0, found.t, p.goesOn);
+  let lightMost = select(p.lightDistance, -1.0, found.blocked);
+  let hit = traverse(MeshRays(p.point, p.direction, p.lightDirection, p.tMin, most, lightMost, p.number), p.left);
+  var result = PairHit(found.t, found.shape, found.blocked | hit.blocked, noTriangle, hit.weights);
+  if (hit.instance != noInstance) {
+    result.t = hit.t;
+    result.shape = rowOfInstance(hit.instance);
+    result.triangle = LeftTriangle(hit.instance, hit.triangle);
+  }
+  return result;
+}
+
+fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
+  var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
+  var toLight = !(rays.most > 0.0);
+  // Of the present ray.
+  var most = select(rays.most, rays.lightMost, toLight);
+  var instance = noInstance;
+  var nodes = 0u;
+  var triangles = 0u;
+  // Of the present instance: its cover, and which of its triangles no ray meets.
+  var cover = 0u;
+  var own = placeMask;
+  var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
+  var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
+  // A triangle that may not be there.
+  var doubted = found;
+  // The only instance needs no tree above it, and no way back.
+  let alone = frame.instanceCount == 1u;
+  let first = select(beginning, instances, alone);
+  if ((frame.instanceCount == 0u) | !(most > 0.0)) {
+    return found;
+  }
+  stack[0] = ending;
+  var top = 1u;
+  var current = first;
+  // A leaf waits while the ray goes on to the next node, so that each turn has work for both.
+  var waiting = noLeaf0;
+  // Once, and once more for each triangle that may not be there: it is looked at when all rays side by side have come as far.
+  loop {
+    loop {
+      if (current < instances) {
+        let node = nodes + current * nodeRows;
+        let r = geometryRow(node + childrenRow);
+        let t = enterChildren(node, slabs, most);
+        // Farthest first onto the stack: a sorting network of five exchanges.
+        let a = t.x < t.z;
+        let b = t.y < t.w;
+        let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
+        let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
+        let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
+        let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
+        let c = t0.x < t1.x;
+        let d = t0.y < t1.y;
+        let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
+        let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
+        let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
+        let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
+        let e = ta.y < tb.x;
+        let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
+        let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
+        if (ta.x < 1e30) {
+          stack[top] = ra.x;
+          top++;
+        }
+        if (tm.x < 1e30) {
+          stack[top] = rm.x;
+          top++;
+        }
+        if (tm.y < 1e30) {
+          stack[top] = rm.y;
+          top++;
+        }
+        current = rb.y;
+        if (tb.y >= 1e30) {
+          top--;
+          current = stack[top];
+        }
+      }
+      if ((waiting == noLeaf0) & (current >= leaves)) {
+        waiting = current;
+        top--;
+        current = stack[top];
+      }
+      if (waiting != noLeaf0) {
+        // One triangle a turn, so that lanes with short leaves do not wait.
+        let place = waiting & placeMask;
+        waiting = waiting + 1u - (1u << countShift);
+        waiting = select(waiting, noLeaf0, waiting < leaves);
+        let hit = crossTriangle(ray, fetchTriangle(triangles + place * triangleRows));
+        var nearer = hit.within & (hit.depth > rays.least * hit.sum) & (hit.depth < most * hit.sum) & (place != own);
+        if (hasOneSided) {
+          nearer = nearer & (hit.front | ((cover & isOneSided) == 0u));
+        }
+        if (nearer) {
+          let inverse = 1.0 / hit.sum;
+          let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
+          if (hasCutouts) {
+            if ((cover & coverRow) != 0u) {
+              doubted = met;
+              break;
+            }
+          }
+          if (toLight) {
+            found.blocked = true;
+            break;
+          }
+          most = met.t;
+          found = met;
+        }
+      } else if (current >= instances) {
+        if (current == ending) {
+          if (toLight | !(rays.lightMost > 0.0)) {
+            break;
+          }
+          toLight = true;
+          most = rays.lightMost;
+          top = 1u;
+          current = first;
+        }
+        // Into an instance, or back into the world.
+        let toWorld = current >= beginning;
+        instance = select(current & placeMask, noInstance, toWorld);
+        var o = rays.origin;
+        var d = select(rays.direction, rays.lightDirection, toLight);
+        nodes = 0u;
+        if (!toWorld) {
+          let i = fetchInstance(frame.instances + instance * instanceRows);
+          let p = vec4f(o, 1.0);
+          o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
+          d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
+          nodes = i.nodes;
+          triangles = i.triangles;
+          cover = i.cover;
+          own = select(placeMask, left.triangle, instance == left.instance);
+          if (!alone) {
+            stack[top] = leaving;
+            top++;
+          }
+        }
+        slabs = slabRay(o, d);
+        ray = meshRay(o, d);
+        // The root of either tree, or what else there is to do in the world.
+        let goesOn = current == leaving;
+        current = 0u;
+        if (goesOn) {
+          top--;
+          current = stack[top];
+        }
+      }
+    }
+    if (!hasCutouts) {
+      break;
+    }
+    if (doubted.instance == noInstance) {
+      break;
+    }
+    let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
+    if (there & toLight) {
+      found.blocked = true;
+      break;
+    }
+    if (there) {
+      most = doubted.t;
+      found = doubted;
+    }
+    doubted.instance = noInstance;
+  }
+  return found;
+}
+
+struct MeshRays {
+  origin: vec3f,
+  direction: vec3f,
+  lightDirection: vec3f,
+  // What is nearer does not count.
+  least: f32,
+  // Nor what is farther; 0 or less: there is no such ray.
+  most: f32,
+  lightMost: f32,
+  // For what is there by chance: sampler.wesl, numberOfNext.
+  number: u32,
+}
+
+
+// Of the scene table.
+fn rowOfInstance(instance: u32) -> u32 {
+  return fetchInstance(frame.instances + instance * instanceRows).row;
+}
+
+fn fetchInstance(row: u32) -> Instance {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  let r3 = geometryRow(row + 3u);
+  let r4 = geometryRow(row + 4u);
+  return Instance(bitcast<vec4f>(r0.xyzw), bitcast<vec4f>(r1.xyzw), bitcast<vec4f>(r2.xyzw), r3.x, r3.y, r3.z, r3.w, r4.x, r4.y, r4.z, r4.w);
+}
+
+const instanceRows = 5u;
+
+fn geometryRow(i: u32) -> vec4u {
+  return geometry[i];
+}
+
+struct Instance {
+  // from eye-relative places to the space of its mesh: x is dot(xyz, p) + w
+  toMeshX: vec4f,
+  // y
+  toMeshY: vec4f,
+  // z
+  toMeshZ: vec4f,
+  // row of the root of its tree
+  nodes: u32,
+  // row of its first triangle
+  triangles: u32,
+  // of the scene table: what it is made of
+  row: u32,
+  // COVER: where it may not be there
+  cover: u32,
+  // row of its first vertex
+  vertices: u32,
+  // of each vertex: Vertex, and VertexMore where that is 2; 0: the mesh has places only
+  vertexRows: u32,
+  // what is in them: VERTEX_FLAGS
+  vertexFlags: u32,
+  // unused
+  spare0: u32,
+}
+
+
+// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
+@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
+
+struct MeshHit {
+  t: f32,
+  // noInstance: nothing met.
+  instance: u32,
+  triangle: u32,
+  // Of the triangle's second and third vertex.
+  weights: vec2f,
+  // Whether something is in the light's way.
+  blocked: bool,
+}
+
+
+const placeMask = 0x0fffffffu;
+
+// What the slabs of boxes are worked out with.
+struct SlabRay {
+  inverse: vec3f,
+  // -origin * inverse
+  offset: vec3f,
+  // From a node to the rows that hold the near planes.
+  near: vec3u,
+}
+
+
+// A ray in the space of a mesh.
+struct MeshRay {
+  origin: vec3f,
+  // The axis along which the direction is longest: 0, 1 or 2.
+  axis: u32,
+  // In the axes' order along, next, last becoming x, y, z: what of z to add to x and y, and 1 / the direction's z.
+  shear: vec3f,
+}
+
+
+// Among the instances, on the stack: a ray begins, in the world; here it leaves an instance; it ends.
+const beginning = 0x8ffffffdu;
+
+// References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
+const instances = 0x80000000u;
+
+// pack-geometry.ts refuses trees that need more. At the bottom lies `ending`.
+var<private> stack: array<u32, 64>;
+
+const ending = 0x8fffffffu;
+
+// A leaf that is none.
+const noLeaf0 = 0u;
+
+// `number`: of the ray.
+fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  let row = i.cover & coverRow;
+  let material = fetchMaterialTextures(row);
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
+  var uv = vec4f(0.0);
+  var opacity = material.opacity;
+  if (i.vertexRows != 0u) {
+    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (i.vertexRows > vertexRows) {
+    let a = fetchVertexMore(rows.x + vertexRows);
+    let b = fetchVertexMore(rows.y + vertexRows);
+    let c = fetchVertexMore(rows.z + vertexRows);
+    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
+    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
+  }
+  if ((material.flags & hasOpacityTexture) != 0u) {
+    let t = fetchTextureUse(row + materialTexturesRows);
+    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+  }
+  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
+  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
+}
+
+const leaves = 0x90000000u;
+
+// Rows of a node; from the rows of least to those of greatest places; and where the references are.
+const nodeRows = 7u;
+
+const childrenRow = 6u;
+
+// Where the ray enters each child, 1e30 where it does not.
+fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
+  // The row of the far planes is the other one of the two.
+  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
+  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  return select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
+}
+
+const leastToGreatest = 3u;
+
+fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
+  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
+const slabRounding = 1.0 + 1e-6;
+
+const countShift = 28u;
+
+fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
+  let a = turnedTo(ray.axis, triangle.a - ray.origin);
+  let b = turnedTo(ray.axis, triangle.b - ray.origin);
+  let c = turnedTo(ray.axis, triangle.c - ray.origin);
+  let pa = a.xy + a.z * ray.shear.xy;
+  let pb = b.xy + b.z * ray.shear.xy;
+  let pc = c.xy + c.z * ray.shear.xy;
+  let u = edge(pc, pb);
+  let v = edge(pa, pc);
+  let w = edge(pb, pa);
+  let sum = u + v + w;
+  let side = select(1.0, -1.0, sum < 0.0);
+  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
+  let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
+  return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
+}
+
+fn fetchTriangle(row: u32) -> Triangle {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
+}
+
+const triangleRows = 3u;
+
+// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
+override hasOneSided = false;
+
+const isOneSided = 2147483648u;
+
+override hasCutouts = false;
+
+const coverRow = 2147483647u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
+fn edge(a: vec2f, b: vec2f) -> f32 {
+  let p = a.x * b.y;
+  let q = a.y * b.x;
+  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+// Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
+// is tested against need not.
+struct Crossing {
+  within: bool,
+  // Above 0 where `within`.
+  sum: f32,
+  depth: f32,
+  // How much the second and third vertex count.
+  weights: vec2f,
+  // Whether it is met on the side from which its vertices go counter-clockwise.
+  front: bool,
+}
+
+
+struct Triangle {
+  // first vertex, in the space of its mesh
+  a: vec3f,
+  // its number among the vertices of the mesh
+  vertexA: u32,
+  // second vertex
+  b: vec3f,
+  // its number
+  vertexB: u32,
+  // third vertex
+  c: vec3f,
+  // its number
+  vertexC: u32,
+}
+
+
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+const leaving = 0x8ffffffeu;
+
+fn fetchMaterialTextures(row: u32) -> MaterialTextures {
+  let r0 = texelRow(row + 0u);
+  return MaterialTextures(r0.x, r0.y, bitcast<f32>(r0.z), bitcast<f32>(r0.w));
+}
+
+const vertexRows = 1u;
+
+const hasOpacityTexture = 2u;
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
+
+fn fetchVertex(row: u32) -> Vertex {
+  let r0 = geometryRow(row + 0u);
+  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+struct Vertex {
+  // shading normal, octahedral, 16 bits each
+  normal: u32,
+  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
+  tangent: u32,
+  // texture coordinates of set 0
+  uv: vec2f,
+}
+
+
+fn fetchVertexMore(row: u32) -> VertexMore {
+  let r0 = geometryRow(row + 0u);
+  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+// Two numbers of 16 bits.
+fn pairOf(word: u32) -> vec2f {
+  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
+}
+
+struct VertexMore {
+  // linear colour, 16 bits each
+  redGreen: u32,
+  // and opacity
+  blueAlpha: u32,
+  // texture coordinates of set 1
+  uv: vec2f,
+}
+
+
+fn fetchTextureUse(row: u32) -> TextureUse {
+  let r0 = texelRow(row + 0u);
+  let r1 = texelRow(row + 1u);
+  let r2 = texelRow(row + 2u);
+  return TextureUse(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, r2.x, r2.y, r2.z, bitcast<f32>(r2.w));
+}
+
+const materialTexturesRows = 1u;
+
+// Linear red, green, blue and alpha of an image at these coordinates of the mesh.
+fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
+  let place = vec3f(uv, 1.0);
+  let nearest = (t.flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let upper = t.first + y.first * t.width;
+  let lower = t.first + y.second * t.width;
+  let colored = (t.flags & isColor) != 0u;
+  let above = mix(decoded(texelAt(upper + x.first), colored), decoded(texelAt(upper + x.second), colored), x.share);
+  let below = mix(decoded(texelAt(lower + x.first), colored), decoded(texelAt(lower + x.second), colored), x.share);
+  return mix(above, below, y.share);
+}
+
+const usesSecondSet = 1u;
+
+fn texelRow(i: u32) -> vec4u {
+  return texels[i];
+}
+
+struct TextureUse {
+  // u in the image is dot(toU, (u, v, 1)) of the coordinates
+  toU: vec3f,
+  // what it is multiplied with: TEXTURE_SLOTS
+  slot: u32,
+  // likewise v
+  toV: vec3f,
+  // LOOKUP_FLAGS
+  flags: u32,
+  // texel of the image, of all texels
+  first: u32,
+  // of the image, texels
+  width: u32,
+  // of the image, texels
+  height: u32,
+  // of a normal map: factor on the first two components
+  scale: f32,
+}
+
+
+// Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
+@group(0) @binding(6) var<storage, read> texels: array<vec4u>;
+
+const isNearest = 4u;
+
+fn neighbours(x: f32, size: u32, clamps: bool, mirrors: bool, nearest: bool) -> Neighbours {
+  let inside = select(select(fract(x), 1.0 - abs(2.0 * fract(0.5 * x) - 1.0), mirrors), clamp(x, 0.0, 1.0), clamps);
+  // Centres of texels lie halfway between whole numbers.
+  let at = inside * f32(size) - select(0.5, 0.0, nearest);
+  let low = floor(at);
+  let last = i32(size) - 1;
+  let first = i32(low);
+  let second = first + 1;
+  // What lies before the first texel and after the last: the other end, or, for a mirror as at an edge, the same once more.
+  let repeats = !(clamps | mirrors);
+  let before = select(0, last, repeats);
+  let after = select(last, 0, repeats);
+  return Neighbours(u32(select(clamp(first, 0, last), before, first < 0)), u32(select(clamp(second, 0, last), after, second > last)), select(at - low, 0.0, nearest));
+}
+
+const clampsU = 8u;
+
+const mirrorsU = 16u;
+
+const clampsV = 32u;
+
+const mirrorsV = 64u;
+
+const isColor = 2u;
+
+fn decoded(texel: u32, colored: bool) -> vec4f {
+  let c = vec4f((vec4u(texel) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(255u)) / 255.0;
+  return vec4f(select(c.rgb, linearFromSrgb(c.rgb), colored), c.a);
+}
+
+// Of four texels in a row the one wanted.
+fn texelAt(i: u32) -> u32 {
+  let row = texelRow(i >> 2u);
+  let pair = select(row.xy, row.zw, (i & 2u) != 0u);
+  return select(pair.x, pair.y, (i & 1u) != 0u);
+}
+
+// Along one side of an image: two neighbours, and how much the second counts.
+struct Neighbours {
+  first: u32,
+  second: u32,
+  share: f32,
+}
+
+
+// IEC 61966-2-1.
+fn linearFromSrgb(c: vec3f) -> vec3f {
+  return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+struct MaterialTextures {
+  // uses of textures: TextureUse, in the rows that follow
+  count: u32,
+  // MATERIAL_FLAGS
+  flags: u32,
+  // share of light that the surface takes part in
+  opacity: f32,
+  // opacity below which it is not there; negative: it is there as often as the opacity says
+  cutoff: f32,
+}
+
+
+struct MeshPoint {
+  // Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
+  geometric: vec3f,
+  shading: vec3f,
+  // For textures. The frame of normal maps in the world: their x, y and z times these three add up to a normal, of any length.
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+  // Both sets of coordinates.
+  uv: vec4f,
+  // Linear, with opacity.
+  color: vec4f,
+}
+
+
+// Unit vectors as two numbers of 16 bits: the octahedron unfolded onto a square (Meyer et al., "On Floating-Point Normal Vectors",
+// EGSR 2010). packed-scene/octahedral.ts writes them.
+fn fromOctahedral(code: u32) -> vec3f {
+  let p = vec2f(f32(code & 0xffffu), f32(code >> 16u)) * (2.0 / 65534.0) - 1.0;
+  let z = 1.0 - abs(p.x) - abs(p.y);
+  let folded = (1.0 - abs(p.yx)) * select(vec2f(1.0), vec2f(-1.0), p < vec2f(0.0));
+  return normalize(vec3f(select(p, folded, z < 0.0), z));
+}
+
+const hasNormals = 1u;
+
+// Textures, and colours at the vertices of meshes.
+override hasTextures = false;
+
+const hasTangents = 2u;
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
+
+override hasBoxLights = false;
+
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
+
+// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
+fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
+  let view = viewSphere(e, point);
+  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
+  return select(0.0, conePdf(view.width), reached);
+}
+
+fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
+  let toCenter = e.position - point;
+  let d = length(toCenter);
+  let power = abs((d - e.radius) * (d + e.radius));
+  let inside = d <= e.radius;
+  let sine = min(e.radius / max(d, 1e-30), 1.0);
+  let cosine = sqrt(power) / max(d, 1e-30);
+  // 1 - cos = sin^2 / (1 + cos)
+  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
+}
+
+fn conePdf(width: f32) -> f32 {
+  return 1.0 / (2.0 * pi * max(width, 1e-31));
+}
+
+struct SphereView {
+  toCenter: vec3f,
+  distance: f32,
+  // |distance^2 - radius^2|
+  power: f32,
+  inside: bool,
+  // 1 - cosine of the cone's half angle.
+  width: f32,
+}
+
+
+fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
+  return pdfOfView(viewQuad(e, point), e.area, distance);
+}
+
+fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
+  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
+  return select(0.0, pdf, q.lit);
+}
+
+fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
+  let corner = e.position - point;
+  let lengths = vec2f(length(e.u), length(e.v));
+  let axisX = e.u / lengths.x;
+  let axisY = e.v / lengths.y;
+  let normal = normalize(cross(axisX, axisY));
+  let signedHeight = dot(corner, normal);
+  // From the plane itself a quad is a line.
+  let least = 1e-7 * (lengths.x + lengths.y);
+  let height = max(abs(signedHeight), least);
+  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
+  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
+  let high = low + lengths;
+  let y = vec2f(low.y, high.y);
+  let start = stretch(low.x, y, height);
+  let solidAngle = stretch(high.x, y, height) - start;
+  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
+  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
+  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
+}
+
+// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
+fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
+  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
+  return min(pdf, largestPdf);
+}
+
+// Rectangles that fill less than this, in steradians, are sampled by area.
+const smallSolidAngle = 0.01;
+
+struct QuadView {
+  // From the point.
+  corner: vec3f,
+  // Unit, along u and v, and from the point to the plane.
+  axisX: vec3f,
+  axisY: vec3f,
+  axisZ: vec3f,
+  // The corner's coordinates and the edges' lengths.
+  low: vec2f,
+  high: vec2f,
+  height: f32,
+  // T(x0) and T(x1) - T(x0).
+  start: f32,
+  solidAngle: f32,
+  // Shines at the point.
+  lit: bool,
+  bySolidAngle: bool,
+}
+
+
+// Above all real densities, so that what divides by one stays finite.
+const largestPdf = 1e30;
+
+// T(x)
+fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
+  let r = sqrt(x * x + y * y + h * h);
+  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
+}
+
+// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
+// 1e-4, and solid angles are differences of such angles.
+fn arctangent(x: f32) -> f32 {
+  let a = abs(x);
+  let steep = a > 2.414213562;
+  let middle = (a > 0.4142135624) & !steep;
+  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
+  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  return sign(x) * (base + (series * z * r + r));
+}
+
+const boxKind = 2.0;
+
+fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  let b = viewBox(e, point);
+  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
+}
+
+fn viewBox(e: Emitter, point: vec3f) -> BoxView {
+  let rotation = fetchExtent(u32(e.shape)).a;
+  let p = rotate(rotation, point - e.position);
+  let seen = abs(p) > e.u;
+  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
+  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
+}
+
+struct BoxView {
+  // World to box.
+  rotation: vec4f,
+  // The point in the box's own axes.
+  point: vec3f,
+  // Area, per axis, of the face that is seen; at most one of the two.
+  faces: vec3f,
+  area: f32,
+  inside: bool,
+}
+
+
+fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
+  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
+  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
+}
+
+fn fetchLampTriangle(row: u32) -> LampTriangle {
+  let r0 = geometryRow(row + 0u);
+  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
+}
+
+struct LampTriangle {
+  // alias table: probability to take this triangle and not the other one
+  own: f32,
+  // of this triangle, in the order of its mesh
+  place: u32,
+  // place of the other one
+  other: u32,
+  // how likely its points are: as a factor on 1 / area of the emitter
+  density: f32,
+}
+
 
 struct Ray {
   start: Start,
@@ -352,10 +1699,6 @@ struct Ray {
 fn onSurface(point: vec3f, shape: u32, seenFromInside: bool) -> Start {
   return Start(point, select(shape, noShape, seenFromInside), select(noShape, shape, seenFromInside), relativeTMin * length(point));
 }
-
-// A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
-// nothing that depends on the size of the scene.
-const noShape = 0xffffffffu;
 
 // The same for a shape of any kind.
 fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
@@ -369,11 +1712,6 @@ fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
     return hitQuad(i, bounds, ray);
   }
   return hitPlane(i, bounds, ray);
-}
-
-fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  return Bounds(t0.xyz, t0.w);
 }
 
 // The geometric normal where the ray, t along, meets shape i: unit length, out of solids.
@@ -427,32 +1765,10 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
-struct Bounds {
-  // centre of the bounding sphere, eye-relative; of a plane: its unit normal
-  center: vec3f,
-  // of the bounding sphere; of a plane: dot(normal, p) of its points
-  radius: f32,
-}
-
-
 // Distances along the ray to shape i of that kind, or `miss`.
 fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let t = intersectSphere(ray.start.point, ray.direction, bounds.center, bounds.radius, ray.start.tMin, i == ray.start.inside);
   return select(t, miss, i == ray.start.leaves);
-}
-
-fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, tMin: f32, startsInside: bool) -> f32 {
-  let toCenter = center - origin;
-  let along = dot(toCenter, direction);
-  let across = toCenter - along * direction;
-  let discriminant = radius * radius - dot(across, across);
-  let half = sqrt(max(discriminant, 0.0));
-  let near = along - half;
-  let far = along + half;
-  let t = select(far, near, near > tMin);
-  // From the surface itself the far side cannot be missed, whatever rounding says.
-  return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
 }
 
 fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
@@ -467,92 +1783,16 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
-fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  return Extent(t0.xyzw, t1.xyzw);
-}
-
 // Whether the rotation is one: its cosine alone, q.w, rounds to 1 below 0.03 degrees.
 fn isTurned(q: vec4f) -> bool {
   return any(q.xyz != vec3f(0.0));
 }
-
-fn intersectBox(origin: vec3f, direction: vec3f, halfSize: vec3f, tMin: f32, startsInside: bool) -> f32 {
-  let s = boxSlabs(origin, direction, halfSize);
-  let t = select(s.far, s.near, s.near > tMin);
-  // From inside the far side cannot be missed, whatever rounding says of a start on an edge.
-  return select(select(miss, t, (s.near <= s.far) & (t > tMin)), max(s.far, 0.0), startsInside);
-}
-
-// v turned by the unit quaternion q, and back.
-fn rotate(q: vec4f, v: vec3f) -> vec3f {
-  let t = 2.0 * cross(q.xyz, v);
-  return v + q.w * t + cross(q.xyz, t);
-}
-
-struct Extent {
-  // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
-  a: vec4f,
-  // box: half its size; quad: reciprocal of its v edge
-  b: vec4f,
-}
-
-
-fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
-  let inverse = safeReciprocal(direction, origin);
-  let middle = -origin * inverse;
-  let reach = halfSize * abs(inverse);
-  let enter = middle - reach;
-  let leave = middle + reach;
-  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
-}
-
-fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
-  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
-  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
-}
-
-// Where a ray enters and leaves the space between each pair of faces.
-struct Slabs {
-  enter: vec3f,
-  leave: vec3f,
-  // Where it enters and leaves the box, when near <= far.
-  near: f32,
-  far: f32,
-}
-
 
 fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);
   let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
   return select(t, miss, i == ray.start.leaves);
 }
-
-fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
-  let normal = cross(reciprocalU, reciprocalV);
-  let speed = dot(direction, normal);
-  let toCenter = center - origin;
-  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
-  let p = t * direction - toCenter;
-  let reach = 0.5 + quadOverlap;
-  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
-  return select(miss, t, (t > tMin) & (t < miss) & within);
-}
-
-// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
-const quadOverlap = 1e-6;
-
-fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
-  let speed = dot(direction, normal);
-  let t = (offset - dot(origin, normal)) / select(speed, parallel, speed == 0.0);
-  let speedAway = select(-speed, speed, offset > 0.0);
-  let eitherWay = (t > tMin) & (abs(speed) > parallel);
-  return select(miss, max(t, 0.0), select(speedAway > parallel, eitherWay, (offset == 0.0) | (frame.planesCutView != 0u)));
-}
-
-// Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
-const parallel = 1e-12;
 
 fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
@@ -594,14 +1834,6 @@ struct LightSample {
 }
 
 
-// Kinds of light, and more than one of them.
-override hasSphereLights = true;
-
-override hasBoxLights = false;
-
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
 fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let view = viewSphere(e, point);
   let axis = select(view.toCenter / max(view.distance, 1e-30), vec3f(0.0, 0.0, 1.0), view.distance < 1e-30);
@@ -615,17 +1847,6 @@ fn sampleSphere(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   return LightSample(ray.direction, distance, e.radiance, conePdf(view.width), false);
 }
 
-fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
-  let toCenter = e.position - point;
-  let d = length(toCenter);
-  let power = abs((d - e.radius) * (d + e.radius));
-  let inside = d <= e.radius;
-  let sine = min(e.radius / max(d, 1e-30), 1.0);
-  let cosine = sqrt(power) / max(d, 1e-30);
-  // 1 - cos = sin^2 / (1 + cos)
-  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
-}
-
 fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let oneMinusCosine = u.x * width;
   let cosine = 1.0 - oneMinusCosine;
@@ -637,21 +1858,6 @@ fn sampleCone(axis: vec3f, width: f32, u: vec2f) -> ConeDirection {
   let direction = turnTo(axis, vec3f(sine / length(turn) * turn, cosine));
   return ConeDirection(direction, cosine, sine2);
 }
-
-fn conePdf(width: f32) -> f32 {
-  return 1.0 / (2.0 * pi * max(width, 1e-31));
-}
-
-struct SphereView {
-  toCenter: vec3f,
-  distance: f32,
-  // |distance^2 - radius^2|
-  power: f32,
-  inside: bool,
-  // 1 - cosine of the cone's half angle.
-  width: f32,
-}
-
 
 // v with its z axis turned to the unit vector `axis`: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 fn turnTo(axis: vec3f, v: vec3f) -> vec3f {
@@ -678,27 +1884,6 @@ fn sampleQuad(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   return LightSample(toLight / distance, distance, e.radiance, pdfOfView(q, e.area, distance), false);
 }
 
-fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
-  let corner = e.position - point;
-  let lengths = vec2f(length(e.u), length(e.v));
-  let axisX = e.u / lengths.x;
-  let axisY = e.v / lengths.y;
-  let normal = normalize(cross(axisX, axisY));
-  let signedHeight = dot(corner, normal);
-  // From the plane itself a quad is a line.
-  let least = 1e-7 * (lengths.x + lengths.y);
-  let height = max(abs(signedHeight), least);
-  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
-  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
-  let high = low + lengths;
-  let y = vec2f(low.y, high.y);
-  let start = stretch(low.x, y, height);
-  let solidAngle = stretch(high.x, y, height) - start;
-  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
-  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
-  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
-}
-
 // From the point to the rectangle, uniform in solid angle.
 fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
   let h = q.height;
@@ -716,53 +1901,6 @@ fn sphericalRectangle(q: QuadView, u: vec2f) -> vec3f {
   return x * q.axisX + atY * q.axisY + h * q.axisZ;
 }
 
-fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
-  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
-  return select(0.0, pdf, q.lit);
-}
-
-// T(x)
-fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
-  let r = sqrt(x * x + y * y + h * h);
-  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
-}
-
-struct QuadView {
-  // From the point.
-  corner: vec3f,
-  // Unit, along u and v, and from the point to the plane.
-  axisX: vec3f,
-  axisY: vec3f,
-  axisZ: vec3f,
-  // The corner's coordinates and the edges' lengths.
-  low: vec2f,
-  high: vec2f,
-  height: f32,
-  // T(x0) and T(x1) - T(x0).
-  start: f32,
-  solidAngle: f32,
-  // Shines at the point.
-  lit: bool,
-  bySolidAngle: bool,
-}
-
-
-// Rectangles that fill less than this, in steradians, are sampled by area.
-const smallSolidAngle = 0.01;
-
-// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
-// 1e-4, and solid angles are differences of such angles.
-fn arctangent(x: f32) -> f32 {
-  let a = abs(x);
-  let steep = a > 2.414213562;
-  let middle = (a > 0.4142135624) & !steep;
-  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
-  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
-  let z = r * r;
-  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
-  return sign(x) * (base + (series * z * r + r));
-}
-
 // Cosine and sine of x, |x| <= pi / 2, from the sine of x / 2.
 fn cosineAndSine(x: f32) -> vec2f {
   let h = 0.5 * x;
@@ -770,17 +1908,6 @@ fn cosineAndSine(x: f32) -> vec2f {
   let sine = ((-1.9515295891e-4 * z + 8.3321608736e-3) * z - 1.6666654611e-1) * z * h + h;
   return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * sqrt(1.0 - sine * sine));
 }
-
-// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
-fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
-  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
-  return min(pdf, largestPdf);
-}
-
-// Above all real densities, so that what divides by one stays finite.
-const largestPdf = 1e30;
-
-const boxKind = 2.0;
 
 fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let b = viewBox(e, point);
@@ -790,14 +1917,6 @@ fn sampleBox(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let direction = select(onFaces.xyz / max(distance, 1e-30), outwards, b.inside);
   let pdf = select(areaPdf(b.area, onFaces.w, distance), conePdf(2.0), b.inside);
   return LightSample(rotateBack(b.rotation, direction), distance, e.radiance, pdf, false);
-}
-
-fn viewBox(e: Emitter, point: vec3f) -> BoxView {
-  let rotation = fetchExtent(u32(e.shape)).a;
-  let p = rotate(rotation, point - e.position);
-  let seen = abs(p) > e.u;
-  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
-  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
 }
 
 // From the point to a place on the faces that it sees, and its distance from the plane of that face.
@@ -815,15 +1934,66 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
   return vec4f(toLight, abs(dot(axis, toLight)));
 }
 
-struct BoxView {
-  // World to box.
-  rotation: vec4f,
-  // The point in the box's own axes.
-  point: vec3f,
-  // Area, per axis, of the face that is seen; at most one of the two.
-  faces: vec3f,
-  area: f32,
-  inside: bool,
+fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let chosen = chooseTriangle(e, u);
+  let instance = fetchInstance(frame.instances + u32(e.instance) * instanceRows);
+  let t = fetchTriangle(instance.triangles + chosen.place * triangleRows);
+  let weights = weightsOnTriangle(chosen.u);
+  let toLight = outOfMesh(instance, t.a + weights.x * (t.b - t.a) + weights.y * (t.c - t.a)) - point;
+  let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
+  let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
+  let distance = length(toLight);
+  let pdf = areaPdf(e.area / chosen.density, abs(height), distance);
+  let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
+  // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
+  let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
+  return LightSample(toLight / max(distance, 1e-30), reached, e.radiance, select(0.0, pdf, lit), false);
+}
+
+fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
+  let first = frame.lampTables + u32(e.table);
+  let column = min(u32(u.x * e.triangles), u32(e.triangles) - 1u);
+  let entry = fetchLampTriangle(first + column);
+  // The digits that the choice of a column has used up are replaced by hashed ones.
+  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
+  let fine = f32(hash) * 5.9604644775390625e-8 * 5.9604644775390625e-8 * e.triangles;
+  let x = clamp(u.x * e.triangles - f32(column) + fine, 0.0, 0.99999994);
+  let own = x < entry.own;
+  let rest = select((x - entry.own) / max(1.0 - entry.own, 1e-7), x / max(entry.own, 1e-37), own);
+  let place = select(entry.other, entry.place, own);
+  let density = fetchLampTriangle(first + column + place - entry.place).density;
+  return ChosenTriangle(place, density, vec2f(min(rest, 1.0), u.y));
+}
+
+// How much the second and third vertex count at a uniform point: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
+fn weightsOnTriangle(u: vec2f) -> vec2f {
+  let low = 0.5 * min(u.x, u.y);
+  let high = max(u.x, u.y) - low;
+  return select(vec2f(high, low), vec2f(low, high), u.x < u.y);
+}
+
+// From the space of the mesh to the eye-relative world: the inverse of what the instance has, by Cramer's rule.
+fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
+  let q = p - vec3f(i.toMeshX.w, i.toMeshY.w, i.toMeshZ.w);
+  let x = cross(i.toMeshY.xyz, i.toMeshZ.xyz);
+  let y = cross(i.toMeshZ.xyz, i.toMeshX.xyz);
+  let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
+  return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
+}
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
+}
+
+struct ChosenTriangle {
+  place: u32,
+  density: f32,
+  // Two random numbers that are left.
+  u: vec2f,
 }
 
 
@@ -944,14 +2114,6 @@ fn splitProduct(u: vec2f, n: vec2u) -> Parts {
   return Parts(high >> vec2u(12u), vec2f(((high & vec2u(4095u)) << vec2u(12u)) | (low & vec2u(4095u))));
 }
 
-// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
-// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits(x: u32) -> u32 {
-  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
-  y = (y ^ (y >> 15u)) * 0x735a2d97u;
-  return y ^ (y >> 15u);
-}
-
 // Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
 @group(0) @binding(4) var environment: texture_2d<f32>;
 
@@ -1039,20 +2201,4 @@ fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
   let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
   let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
   return select(angle, 1.570796327 - angle, y > x);
-}
-
-// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
-fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
-  let view = viewSphere(e, point);
-  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
-  return select(0.0, conePdf(view.width), reached);
-}
-
-fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
-  return pdfOfView(viewQuad(e, point), e.area, distance);
-}
-
-fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  let b = viewBox(e, point);
-  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
 }

@@ -46,10 +46,22 @@ const MOST_HALF_FLOAT_SAMPLES = 32;
  */
 export async function openWebGl2(canvas: HTMLCanvasElement): Promise<Device> {
   const gl = await webGl2Context(canvas);
-  if (!gl) throw new DeviceError('This browser gives no WebGL2 context.');
+  if (!gl)
+    throw new DeviceError(
+      givesContexts()
+        ? 'This canvas has a context of another kind already, so that it gives none for WebGL2; please give a fresh canvas.'
+        : 'This browser gives no WebGL2 context.',
+    );
   if (gl.getExtension('EXT_color_buffer_float')) return new WebGl2Device(gl, canvas, gl.RGBA32F);
   if (gl.getExtension('EXT_color_buffer_half_float')) return new WebGl2Device(gl, canvas, gl.RGBA16F);
   throw new DeviceError('This WebGL2 cannot draw into float textures (EXT_color_buffer_float).');
+}
+
+/** Whether a canvas that nobody has used gets a WebGL2 context. */
+function givesContexts(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return gl !== null;
 }
 
 /** The canvas's context, restored if it was lost; null where there is none. Rejects with `DeviceError` when it stays lost. */

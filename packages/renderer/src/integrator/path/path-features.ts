@@ -2,8 +2,8 @@
  * What a scene asks of the path kernel: the switches of shading/features.wesl. A program may have more than a scene needs; it then
  * draws the same picture more slowly.
  */
-
-import { EMITTER_KIND, emittersOf } from '../../packed-scene/pack-emitters.ts';
+import { EMITTER_KIND } from '../../packed-scene/emitter-values.ts';
+import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-scene/pack-emitters.ts';
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
@@ -38,10 +38,9 @@ function sceneFeatures(scene: Scene) {
   const lamps = lampsAsShapes(scene);
   const shapes = Object.values(lamps.scene.shapes);
   const materials = shapes.map((shape) => lamps.scene.materials[shape.material]!);
-  const { emitters } = emittersOf(lamps, scene.camera.eye, () => 0);
   return {
     ...shapeFeatures(shapes),
-    ...lightFeatures(emitters.map(({ kind }) => kind as number)),
+    ...lightFeatures(planEmitters(scene)),
     ...materialFeatures(materials),
     ...meshFeatures(lamps.scene, meshShapes(lamps.scene)),
     hasEnvironment: scene.sky.map !== undefined,
@@ -74,8 +73,8 @@ function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [strin
 
 const hasGrain = (material: Material): boolean => isLayered(material) && (material.anisotropy?.strength ?? 0) > 0;
 
-function lightFeatures(kinds: readonly number[]) {
-  const has = (...wanted: number[]) => kinds.some((kind) => wanted.includes(kind));
+function lightFeatures({ kinds, far, near }: EmitterPlan) {
+  const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));
   return {
     hasSphereLights: has(EMITTER_KIND.sphere),
     hasQuadLights: has(EMITTER_KIND.quad),
@@ -83,7 +82,9 @@ function lightFeatures(kinds: readonly number[]) {
     hasPointLights: has(EMITTER_KIND.point, EMITTER_KIND.spot),
     hasSuns: has(EMITTER_KIND.directional),
     hasSky: has(EMITTER_KIND.sky),
-    hasManyLights: kinds.length > 1,
+    hasManyLights: far + near > 1,
+    hasMeshLamps: has(EMITTER_KIND.mesh),
+    hasLightTree: near > LISTED_EMITTERS,
   };
 }
 

@@ -39,8 +39,7 @@ export class MaterialWriter {
 
   /** A lamp's: black, and shining. */
   lamp(name: string, radiance: readonly number[]): number {
-    const black: Material = { ...metallic(this.#scene.materials[name] ?? BLACK), baseColor: [0, 0, 0], specularLobe: { weight: 0, color: [1, 1, 1] } }; // biome-ignore format: one expression
-    return this.#file.add('materials', this.#fields({ ...black, emission: radiance as Material['emission'] }, name));
+    return this.#file.add('materials', this.#fields({ ...BLACK, emission: radiance as Material['emission'] }, name));
   }
 
   #write(name: string, material: Material): Json {
@@ -129,7 +128,7 @@ export class MaterialWriter {
   }
 }
 
-/** Of a material that shines and has no other of its own. */
+/** Reflects nothing at all. */
 const BLACK: Material = {
   type: 'metallicRoughness',
   baseColor: [0, 0, 0],
@@ -144,6 +143,7 @@ const BLACK: Material = {
   thin: false,
   emission: [0, 0, 0],
   energyCompensation: false,
+  specularLobe: { weight: 0, color: [1, 1, 1] },
 };
 
 const metallic = (m: Material): Material => ({ ...m, type: 'metallicRoughness', metallic: 0 });

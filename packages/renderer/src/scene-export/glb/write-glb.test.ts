@@ -172,6 +172,16 @@ describe('scenes of formulas', () => {
   });
 });
 
+test('a lamp is black whatever materials are called', async () => {
+  const parsed = parseScene({ version: 1, name: 'x', camera: { eye: [0, 0, 5], target: [0, 0, 0] }, materials: { lamp: { baseColor: [1, 0, 0] } }, lights: { lamp: { type: 'sphere', center: [0, 0, 0], radius: 2, radiance: 8, diffuse: [1, 0.5, 0] } } }); // biome-ignore format: one scene
+  if (!parsed.ok) throw new Error(parsed.problems[0]!.message);
+  const again = await read(written(parsed.scene));
+  const lamp = again.materials[again.shapes.lamp!.material]!;
+  expect(lamp).toMatchObject({ baseColor: [0, 0, 0], specularLobe: { weight: 0 } });
+  expect(lamp.emission.map((x) => x * lamp.emissionStrength!)).toEqual([8, 4, 0]);
+  expect(boundsAt(again, 0)!.max[1]).toBeCloseTo(2, 5);
+});
+
 /** By the divergence theorem; of what is seen from outside it is positive. */
 function volume({ positions, indices }: Mesh): number {
   let sum = 0;

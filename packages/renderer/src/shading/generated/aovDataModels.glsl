@@ -84,6 +84,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 struct Group {
     uint index;

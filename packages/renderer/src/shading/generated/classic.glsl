@@ -58,6 +58,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 struct Bounds {
     vec3 center;

@@ -34,6 +34,10 @@ struct RayPair {
     uint lightShape;
     uint number;
 };
+struct Odds {
+    float total;
+    float tree;
+};
 struct Sampler {
     uint key;
     uint salt;
@@ -49,7 +53,7 @@ struct Path {
     vec3 radiance;
     float pdf;
     vec3 litSide;
-    float total;
+    Odds odds;
     Sampler sampler_;
 };
 struct Frame {
@@ -84,6 +88,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 struct Group {
     uint index;
@@ -180,6 +188,10 @@ struct Emitter {
     float oneSided;
     float power;
     float reach;
+    float leaf;
+    float table;
+    float triangles;
+    float instance;
 };
 struct FarLight {
     vec3 radiance;
@@ -225,7 +237,7 @@ struct BoxView {
 struct EmitterChoice {
     uint index;
     float probability;
-    float total;
+    Odds odds;
 };
 struct LightSample {
     vec3 direction;
@@ -410,8 +422,8 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
+    uint place_1 = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_1 << 24u)));
     uint used = pick(independent, 0u, _e32);
     uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
@@ -630,8 +642,8 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     Sampler _e18 = s_5;
     uint _e19 = numberOfNext(_e18);
     RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
-    Sampler _e31 = s_5;
-    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e31);
+    Sampler _e34 = s_5;
+    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
 }
 
 Bounds fetchBounds(uint i) {
@@ -994,7 +1006,8 @@ Emitter fetchEmitter(uint i_13) {
     vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
     vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
     vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
-    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i_13)), 0);
+    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
 }
 
 int emitterOf(float code_7) {
@@ -1002,7 +1015,7 @@ int emitterOf(float code_7) {
 }
 
 Emitter emitterAt(uint i_14, Emitter only) {
-    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
@@ -1205,31 +1218,31 @@ float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_14, float distance_3, vec
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_15, float distance_4, vec3 normal_3) {
+float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_15, float distance_4, vec3 normal_3, uint place) {
     float pdf = 0.0;
-    const bool _e8 = hasSphereLights;
-    if (_e8) {
+    const bool _e9 = hasSphereLights;
+    if (_e9) {
         if ((e_9.kind == 0.0)) {
-            float _e12 = spherePdf(e_9, point_6, direction_15);
-            pdf = _e12;
+            float _e13 = spherePdf(e_9, point_6, direction_15);
+            pdf = _e13;
         }
     }
-    const bool _e14 = hasQuadLights;
-    if (_e14) {
+    const bool _e15 = hasQuadLights;
+    if (_e15) {
         if ((e_9.kind == 1.0)) {
-            float _e18 = quadPdf(e_9, point_6, distance_4);
-            pdf = _e18;
+            float _e19 = quadPdf(e_9, point_6, distance_4);
+            pdf = _e19;
         }
     }
-    const bool _e20 = hasBoxLights;
-    if (_e20) {
+    const bool _e21 = hasBoxLights;
+    if (_e21) {
         if ((e_9.kind == 2.0)) {
-            float _e24 = boxPdf(e_9, point_6, direction_15, distance_4, normal_3);
-            pdf = _e24;
+            float _e25 = boxPdf(e_9, point_6, direction_15, distance_4, normal_3);
+            pdf = _e25;
         }
     }
-    float _e25 = pdf;
-    return _e25;
+    float _e26 = pdf;
+    return _e26;
 }
 
 float spotFalloff(Emitter e_10, vec3 toLight) {
@@ -1275,7 +1288,7 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     return _e115;
 }
 
-float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
+float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -1284,11 +1297,11 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, float total) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
             float _e18 = estimatedIrradiance(e_12, point_8, normal_5);
-            probability = (_e18 / max(total, 1e-37));
+            probability = (_e18 / max(odds.total, 1e-37));
         }
     }
-    float _e22 = probability;
-    return _e22;
+    float _e23 = probability;
+    return _e23;
 }
 
 float misWeight(float own, float other) {
@@ -1314,36 +1327,36 @@ vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
             uint _e46 = i_15;
             Emitter _e47 = emitterAt(_e46, only_1);
             FarLight _e48 = farLight(_e47, direction_16);
-            float _e52 = shapePdf(_e47, p_8.rays.point, direction_16, hit_1.t, outward);
-            float density = pick(escaped, _e48.pdf, _e52);
-            float _e59 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.total);
-            float pdf_3 = (density * _e59);
+            float _e54 = shapePdf(_e47, p_8.rays.point, direction_16, hit_1.t, outward, hit_1.triangle.triangle);
+            float density = pick(escaped, _e48.pdf, _e54);
+            float _e61 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.odds);
+            float pdf_3 = (density * _e61);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
-            vec3 _e63 = found_6;
-            float _e65 = misWeight(p_8.pdf, pdf_3);
-            found_6 = (_e63 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_15;
-            i_15 = (_e74 + 1u);
-            const bool _e77 = hasManyLights;
-            if (!(_e77)) {
+            vec3 _e65 = found_6;
+            float _e67 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e65 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e67)));
+            uint _e76 = i_15;
+            i_15 = (_e76 + 1u);
+            const bool _e79 = hasManyLights;
+            if (!(_e79)) {
                 break;
             }
-            const bool _e80 = hasSky;
-            if (!(_e80)) {
-                const bool _e83 = hasSuns;
-                if (!(_e83)) {
+            const bool _e82 = hasSky;
+            if (!(_e82)) {
+                const bool _e85 = hasSuns;
+                if (!(_e85)) {
                     break;
                 }
             }
-            uint _e86 = i_15;
-            uint _e89 = frame.emitterCount;
-            if (pick(!(escaped), true, (_e86 >= _e89))) {
+            uint _e88 = i_15;
+            uint _e91 = frame.farEmitters;
+            if (pick(!(escaped), true, (_e88 >= _e91))) {
                 break;
             }
         }
     }
-    vec3 _e92 = found_6;
-    return _e92;
+    vec3 _e94 = found_6;
+    return _e94;
 }
 
 uint pascalW2_(uint x_12) {
@@ -1372,54 +1385,60 @@ vec3 next3d(inout Sampler s_7) {
 }
 
 EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
-    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
-    float total_1 = 0.0;
+    bool hasTree = false;
+    EmitterChoice choice = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
+    float total = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest = 0.0;
     uint i_16 = 0u;
-    uint _e6 = frame.emitterCount;
-    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
-    const bool _e14 = hasManyLights;
-    if (_e14) {
-        uint _e17 = frame.emitterCount;
-        if ((_e17 > 1u)) {
+    uint _e7 = frame.emitterCount;
+    uint _e10 = frame.farEmitters;
+    bool _e11 = hasTree;
+    uint listed = pick(_e11, _e10, _e7);
+    uint _e16 = frame.emitterCount;
+    choice = EmitterChoice(0u, float(min(_e16, 1u)), Odds(1.0, 0.0));
+    const bool _e26 = hasManyLights;
+    if (_e26) {
+        uint _e29 = frame.emitterCount;
+        if ((_e29 > 1u)) {
             rest = u_4;
             while(true) {
-                uint _e29 = i_16;
-                Emitter _e30 = fetchEmitter(_e29);
-                float _e31 = estimatedIrradiance(_e30, point_9, normal_6);
-                float _e32 = total_1;
-                total_1 = (_e32 + _e31);
-                float _e34 = total_1;
-                float share_1 = (_e31 / max(_e34, 1e-37));
-                float _e38 = rest;
-                bool take = (_e38 < share_1);
-                uint _e40 = chosen;
                 uint _e41 = i_16;
-                chosen = pick(take, _e41, _e40);
-                float _e43 = chosenWeight;
-                chosenWeight = pick(take, _e31, _e43);
-                float _e45 = rest;
-                float _e52 = rest;
-                rest = pick(take, (_e52 / max(share_1, 1e-37)), ((_e45 - share_1) / max((1.0 - share_1), 1e-7)));
-                uint _e58 = i_16;
-                i_16 = (_e58 + 1u);
-                uint _e60 = i_16;
-                uint _e63 = frame.emitterCount;
-                if ((_e60 >= _e63)) {
+                Emitter _e42 = fetchEmitter(_e41);
+                float _e43 = estimatedIrradiance(_e42, point_9, normal_6);
+                uint _e44 = i_16;
+                float weight_1 = pick((_e44 < listed), _e43, 0.0);
+                float _e48 = total;
+                total = (_e48 + weight_1);
+                float _e50 = total;
+                float share_1 = (weight_1 / max(_e50, 1e-37));
+                float _e54 = rest;
+                bool take = (_e54 < share_1);
+                uint _e56 = chosen;
+                uint _e57 = i_16;
+                chosen = pick(take, _e57, _e56);
+                float _e59 = chosenWeight;
+                chosenWeight = pick(take, weight_1, _e59);
+                float _e61 = rest;
+                float _e68 = rest;
+                rest = pick(take, (_e68 / max(share_1, 1e-37)), ((_e61 - share_1) / max((1.0 - share_1), 1e-7)));
+                uint _e74 = i_16;
+                i_16 = (_e74 + 1u);
+                uint _e76 = i_16;
+                if ((_e76 >= listed)) {
                     break;
                 }
             }
-            uint _e65 = chosen;
-            float _e66 = chosenWeight;
-            float _e67 = total_1;
-            float _e71 = total_1;
-            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
+            uint _e78 = chosen;
+            float _e79 = chosenWeight;
+            float _e80 = total;
+            float _e84 = total;
+            choice = EmitterChoice(_e78, (_e79 / max(_e80, 1e-37)), Odds(_e84, 0.0));
         }
     }
-    EmitterChoice _e73 = choice;
-    return _e73;
+    EmitterChoice _e88 = choice;
+    return _e88;
 }
 
 vec3 turnTo(vec3 axis, vec3 v_4) {
@@ -2041,8 +2060,8 @@ bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
 
 BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
     float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_1 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_1), drawn_1.delta);
+    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_2), drawn_1.delta);
 }
 
 vec3 toWorld(Basis b_4, vec3 v_6) {
@@ -2158,7 +2177,7 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     p_9.depth = (_e212 + 1u);
     p_9.pdf = pick(_e138.delta, 0.0, _e138.pdf);
     p_9.litSide = litSide;
-    p_9.total = _e87.total;
+    p_9.odds = _e87.odds;
     bool _e222 = isFlat(shape_1);
     bool solid = !(_e222);
     uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
@@ -2191,7 +2210,7 @@ bool isOver(Path p_11) {
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 pixel_3 = uvec2(fragment.xy);
     uint _e5 = frame.sampleIndex;

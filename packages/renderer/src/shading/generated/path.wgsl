@@ -109,7 +109,7 @@ fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, lensPoint(&s));
   let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
+  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -194,9 +194,9 @@ struct Path {
   // Density of the present direction by the BSDF, per steradian; 0: only the BSDF could find it.
   pdf: f32,
   // For the probability with which light sampling at the last vertex would have chosen an emitter: the side that is lit, zero
-  // where both are, and the sum of all emitters' estimates.
+  // where both are, and what the others' estimates were.
   litSide: vec3f,
-  total: f32,
+  odds: Odds,
   sampler: Sampler,
 }
 
@@ -222,6 +222,15 @@ struct RayPair {
   lightShape: u32,
   // For what is there by chance: sampler.wesl, numberOfNext.
   number: u32,
+}
+
+
+// What `probabilityOf` has to know of the point.
+struct Odds {
+  // The sum of the estimates of all emitters that are looked at one by one.
+  total: f32,
+  // Probability to take one out of the tree.
+  tree: f32,
 }
 
 
@@ -302,7 +311,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).depth++;
   (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
   (*p).litSide = litSide;
-  (*p).total = choice.total;
+  (*p).odds = choice.odds;
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
   (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
@@ -352,7 +361,8 @@ fn fetchEmitter(i: u32) -> Emitter {
   let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
   let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
   let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+  let t5 = textureLoad(sceneTable, vec2u(19u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
 
 // Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
@@ -368,11 +378,12 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
     let emission = found;
     found = vec3f(0.0);
     var i = select(u32(max(own, 0)), 0u, escaped);
+    
     loop {
       let e = emitterAt(i, only);
       let far = farLight(e, direction);
-      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward), far.pdf, escaped);
-      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.total);
+      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward, hit.triangle.triangle), far.pdf, escaped);
+      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.odds);
       let radiance = select(emission, far.radiance, escaped);
       found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
       i++;
@@ -384,7 +395,7 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
           break;
         }
       }
-      if (!escaped | (i >= frame.emitterCount)) {
+      if (!escaped | (i >= frame.farEmitters)) {
         break;
       }
     }
@@ -404,7 +415,10 @@ fn next3d(s: ptr<function, Sampler>) -> vec3f {
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  var hasTree = false;
+  
+  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
       var total = 0.0;
@@ -413,7 +427,7 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
       var rest = u;
       var i = 0u;
       loop {
-        let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
         total += weight;
         let share = weight / max(total, 1e-37);
         let take = rest < share;
@@ -421,11 +435,12 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
         chosenWeight = select(chosenWeight, weight, take);
         rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
         i++;
-        if (i >= frame.emitterCount) {
+        if (i >= listed) {
           break;
         }
       }
-      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      
     }
   }
   return choice;
@@ -459,6 +474,7 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
       s = sampleBox(e, point, u);
     }
   }
+  
   if (hasPointLights) {
     if (e.kind == pointKind) {
       s = samplePoint(e, point);
@@ -935,17 +951,17 @@ fn isDielectric(code: u32) -> bool {
 const dielectric = 3u;
 
 struct Emitter {
-  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
   position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
   u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,
-  // other edge of a quad
+  // other edge of a quad; mean of the normals of a mesh, weighted by area
   v: vec3f,
-  // cosine of the inner angle of a spot
+  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
   cosInner: f32,
   // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
   radiance: vec3f,
@@ -953,12 +969,20 @@ struct Emitter {
   area: f32,
   // row of the shape that rays meet; -1: none, only light sampling finds it
   shape: f32,
-  // 1: a quad that shines to the side of u x v only
+  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
   oneSided: f32,
   // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
   power: f32,
   // radius of the bounding sphere; of directional light: sine of half the angular diameter
   reach: f32,
+  // its place among the leaves of the light tree; -1: it is in none
+  leaf: f32,
+  // mesh: row of its first triangle among the tables of lamps
+  table: f32,
+  // mesh: how many
+  triangles: f32,
+  // mesh: of which instance
+  instance: f32,
 }
 
 
@@ -983,8 +1007,8 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
 }
 
 // The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
-// outward normal.
-fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+// outward normal; of a mesh, the triangle at that place.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
   var pdf = 0.0;
   if (hasSphereLights) {
     if (e.kind == sphereKind) {
@@ -1001,15 +1025,17 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
       pdf = boxPdf(e, point, direction, distance, normal);
     }
   }
+  
   return pdf;
 }
 
 // With which chooseEmitter would have chosen this one there.
-fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
-      probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
+      
     }
   }
   return probability;
@@ -1302,6 +1328,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
     let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
     estimate *= select(1.0, lampCosine, isQuad);
   }
+  
   if (hasPointLights) {
     estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
   }
@@ -1413,10 +1440,8 @@ struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
   probability: f32,
-  // The sum of all estimates at the point, for `probabilityOf`.
-  total: f32,
+  odds: Odds,
 }
-
 
 // What sampling a light gives: one direction, and how likely it was.
 struct LightSample {
@@ -1536,6 +1561,7 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
+
 
 const pointKind = 3.0;
 
@@ -2244,4 +2270,12 @@ struct Frame {
   tile: vec2u,
   // instances of meshes
   instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
 }

@@ -34,6 +34,10 @@ struct RayPair {
     uint lightShape;
     uint number;
 };
+struct Odds {
+    float total;
+    float tree;
+};
 struct Sampler {
     uint key;
     uint salt;
@@ -49,7 +53,7 @@ struct Path {
     vec3 radiance;
     float pdf;
     vec3 litSide;
-    float total;
+    Odds odds;
     Sampler sampler_;
 };
 struct Frame {
@@ -84,6 +88,10 @@ struct Frame {
     uint shares;
     uvec2 tile;
     uint instanceCount;
+    uint farEmitters;
+    uint lightTree;
+    uint lightTreeDepth;
+    uint lampTables;
 };
 struct Group {
     uint index;
@@ -274,6 +282,10 @@ struct Emitter {
     float oneSided;
     float power;
     float reach;
+    float leaf;
+    float table;
+    float triangles;
+    float instance;
 };
 struct FarLight {
     vec3 radiance;
@@ -316,10 +328,36 @@ struct BoxView {
     float area;
     bool inside;
 };
+struct LampTriangle {
+    float own;
+    uint place;
+    uint other;
+    float density;
+};
+struct TreeChoice {
+    uint emitter;
+    float probability;
+    float share;
+    bool taken;
+};
+struct LightNode {
+    vec4 x;
+    vec4 y;
+    vec4 z;
+    vec4 reach;
+    vec4 axisX;
+    vec4 axisY;
+    vec4 axisZ;
+    vec4 cosWidth;
+    vec4 cosEdge;
+    vec4 bothSides;
+    vec4 power;
+    vec4 emitters;
+};
 struct EmitterChoice {
     uint index;
     float probability;
-    float total;
+    Odds odds;
 };
 struct LightSample {
     vec3 direction;
@@ -332,6 +370,11 @@ struct ConeDirection {
     vec3 direction;
     float cosine;
     float sine2_;
+};
+struct ChosenTriangle {
+    uint place;
+    float density;
+    vec2 u;
 };
 struct EnvironmentSample {
     vec3 direction;
@@ -404,7 +447,7 @@ const uint placeMask = 268435455u;
 const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
-const uint noLeaf = 0u;
+const uint noLeaf0_ = 0u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
 const uint leastToGreatest = 3u;
@@ -492,6 +535,8 @@ const bool hasTextures = false;
 
 const bool hasGlass = false;
 
+const bool hasMeshLamps = false;
+
 const bool hasManyLights = true;
 
 const bool hasSuns = false;
@@ -509,6 +554,8 @@ const bool hasQuadLights = false;
 const bool hasBoxLights = false;
 
 const bool hasPointLights = false;
+
+const bool hasLightTree = false;
 
 const bool hasConductors = false;
 
@@ -575,8 +622,8 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_2 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_2 << 24u)));
+    uint place_4 = (_e19 | (_e23 << 1u));
+    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_4 << 24u)));
     uint used = pick(independent, 0u, _e32);
     uint _e37 = mixBits((_e15 ^ 1779033703u));
     return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
@@ -586,9 +633,9 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_17), 15.0);
-    float t_4 = (x_17 - piece);
+    float t_5 = (x_17 - piece);
     vec4 c_1 = frame.filterPieces[uint(piece)];
-    float offset_3 = (c_1.x + (t_4 * (c_1.y + (t_4 * (c_1.z + (t_4 * c_1.w))))));
+    float offset_3 = (c_1.x + (t_5 * (c_1.y + (t_5 * (c_1.z + (t_5 * c_1.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -695,10 +742,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_14 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_14.x) > abs(p_14.y));
-    float radius_1 = pick(wide, p_14.x, p_14.y);
-    float ratio_6 = (pick(wide, p_14.y, p_14.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_15.x) > abs(p_15.y));
+    float radius_1 = pick(wide, p_15.x, p_15.y);
+    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -732,9 +779,9 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
-            vec3 level = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
+            vec3 level_1 = ((sin(longitude) * _e87) + (cos(longitude) * _e92));
             vec3 _e102 = frame.up;
-            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level) + (sin(latitude) * _e102))));
+            ray = CameraRay(vec3(0.0), normalize(((cos(latitude) * level_1) + (sin(latitude) * _e102))));
         }
     }
     CameraRay _e107 = ray;
@@ -795,8 +842,8 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     Sampler _e18 = s_5;
     uint _e19 = numberOfNext(_e18);
     RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
-    Sampler _e31 = s_5;
-    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), 1.0, _e31);
+    Sampler _e34 = s_5;
+    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
 }
 
 Bounds fetchBounds(uint i) {
@@ -811,9 +858,9 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
-    float far_1 = (along + half_1);
-    float t_5 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
+    float far_3 = (along + half_1);
+    float t_6 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_6 > tMin), false), t_6, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -840,8 +887,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_6 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
+    vec3 t_7 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_7)) + cross(q.xyz, t_7));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -872,8 +919,8 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
+    float t_8 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_8 > tMin_1), false), t_8, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
@@ -890,13 +937,13 @@ PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_9 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_9);
+    vec3 normal_12 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_12);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_8 = (dot(toCenter_1, normal_9) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_15 = ((t_8 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_15, reciprocalU)), abs(dot(p_15, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
+    float t_9 = (dot(toCenter_1, normal_12) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_16 = ((t_9 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
+    return pick(pick(pick((t_9 > tMin_2), (t_9 < 1e30), false), within, false), t_9, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -910,11 +957,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_10 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_10 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_10, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -936,14 +983,14 @@ vec4 planes(uint row, float inverse_, float offset_2) {
 }
 
 vec4 enterChildren(uint node, SlabRay r, float t_1) {
-    uvec3 far_2 = (uvec3(3u, 5u, 7u) - r.near);
+    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
     vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
     vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node + far_2.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_2.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node + far_2.z), r.inverse_.z, r.offset.z);
+    vec4 _e44 = planes((node + far_4.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_4.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_4.z), r.inverse_.z, r.offset.z);
     vec4 far4_ = min(min(_e44, _e51), _e59);
     return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
 }
@@ -953,9 +1000,9 @@ vec3 turnedTo(uint axis, vec3 v_2) {
 }
 
 float edge(vec2 a, vec2 b) {
-    float p_16 = (a.x * b.y);
+    float p_17 = (a.x * b.y);
     float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_16)));
+    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
 }
 
 Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
@@ -1064,10 +1111,10 @@ uint texelAt(uint i_9) {
 }
 
 vec4 lookUp(TextureUse t_2, vec2 uv) {
-    vec3 place_3 = vec3(uv, 1.0);
+    vec3 place_5 = vec3(uv, 1.0);
     bool nearest_1 = ((t_2.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_2.toU, place_3), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_2.toV, place_3), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
+    Neighbours _e22 = neighbours(dot(t_2.toU, place_5), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_5), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
     uint upper = (t_2.first + (_e36.first * t_2.width));
     uint lower = (t_2.first + (_e36.second * t_2.width));
     bool colored_1 = ((t_2.flags & isColor) != 0u);
@@ -1094,8 +1141,8 @@ bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_7 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_7);
+    uint row_8 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_8);
     vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
     uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
     opacity = _e19.opacity;
@@ -1118,7 +1165,7 @@ bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
         opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
     }
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_7 + materialTexturesRows));
+        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
         float _e113 = opacity;
         vec4 _e114 = uv_1;
         vec4 _e116 = uv_1;
@@ -1148,7 +1195,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit doubted = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     uint top = 1u;
     uint current = 0u;
-    uint waiting = noLeaf;
+    uint waiting = noLeaf0_;
     bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
@@ -1175,11 +1222,11 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
             if ((_e74 < instances)) {
                 uint _e77 = nodes;
                 uint _e78 = current;
-                uint node_1 = (_e77 + (_e78 * nodeRows));
-                uvec4 _e84 = geometryRow((node_1 + childrenRow));
+                uint node_2 = (_e77 + (_e78 * nodeRows));
+                uvec4 _e84 = geometryRow((node_2 + childrenRow));
                 SlabRay _e85 = slabs;
                 float _e86 = most;
-                vec4 _e87 = enterChildren(node_1, _e85, _e86);
+                vec4 _e87 = enterChildren(node_2, _e85, _e86);
                 bool a_3 = (_e87.x < _e87.z);
                 bool b_7 = (_e87.y < _e87.w);
                 vec2 t0_2 = pick(a_3, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
@@ -1192,9 +1239,9 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                bool e_21 = (ta.y < tb.x);
-                vec2 tm = pick(e_21, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-                uvec2 rm = pick(e_21, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                bool e_25 = (ta.y < tb.x);
+                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
                     uint _e177 = top;
                     stack[_e177] = ra.x;
@@ -1224,7 +1271,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
             }
             uint _e214 = waiting;
             uint _e217 = current;
-            if (pick((_e214 == noLeaf), (_e217 >= leaves), false)) {
+            if (pick((_e214 == noLeaf0_), (_e217 >= leaves), false)) {
                 uint _e221 = current;
                 waiting = _e221;
                 uint _e223 = top;
@@ -1234,21 +1281,21 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 current = _e228;
             }
             uint _e229 = waiting;
-            if ((_e229 != noLeaf)) {
+            if ((_e229 != noLeaf0_)) {
                 uint _e232 = waiting;
-                uint place_4 = (_e232 & placeMask);
+                uint place_6 = (_e232 & placeMask);
                 uint _e235 = waiting;
                 waiting = ((_e235 + 1u) - 268435456u);
                 uint _e240 = waiting;
                 uint _e242 = waiting;
-                waiting = pick((_e242 < leaves), noLeaf, _e240);
+                waiting = pick((_e242 < leaves), noLeaf0_, _e240);
                 MeshRay _e246 = ray_2;
                 uint _e247 = triangles;
-                Triangle _e251 = fetchTriangle((_e247 + (place_4 * triangleRows)));
+                Triangle _e251 = fetchTriangle((_e247 + (place_6 * triangleRows)));
                 Crossing _e252 = crossTriangle(_e246, _e251);
                 float _e261 = most;
                 uint _e266 = own;
-                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_4 != _e266), false);
+                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_6 != _e266), false);
                 const bool _e271 = hasOneSided;
                 if (_e271) {
                     bool _e272 = nearer;
@@ -1259,7 +1306,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 if (_e281) {
                     float inverse_2 = (1.0 / _e252.sum);
                     uint _e287 = instance_1;
-                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
+                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_6, (_e252.weights * inverse_2), false);
                     const bool _e293 = hasCutouts;
                     if (_e293) {
                         uint _e294 = cover;
@@ -1303,8 +1350,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         uint _e338 = instance_1;
                         Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
                         vec3 _e343 = o;
-                        vec4 p_17 = vec4(_e343, 1.0);
-                        o = vec3(dot(_e342.toMeshX, p_17), dot(_e342.toMeshY, p_17), dot(_e342.toMeshZ, p_17));
+                        vec4 p_18 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_18), dot(_e342.toMeshY, p_18), dot(_e342.toMeshZ, p_18));
                         vec3 _e355 = d_1;
                         vec3 _e359 = d_1;
                         vec3 _e363 = d_1;
@@ -1490,10 +1537,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_10 = pick(entering, _e5.near, _e5.far);
+    float t_11 = pick(entering, _e5.near, _e5.far);
     vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_10);
-    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    bool onX = (crossed.x == t_11);
+    bool onY = pick(!(onX), (crossed.y == t_11), false);
     return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1598,10 +1645,10 @@ Layers layersOf(uint code_3, float eta_1) {
 }
 
 vec3 fromOctahedral(uint code_4) {
-    vec2 p_18 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_18.x)) - abs(p_18.y));
-    vec2 folded = ((vec2(1.0) - abs(p_18.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_18, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_18), z_1));
+    vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_1 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
+    vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
+    return normalize(vec3(pick((z_1 < 0.0), folded, p_19), z_1));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
@@ -1621,8 +1668,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_10 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
-        vec3 smoothed = (turn * normal_10);
+        vec3 normal_13 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 smoothed = (turn * normal_13);
         float size_2 = dot(smoothed, smoothed);
         float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
@@ -1654,7 +1701,7 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_9.normal = (smoothed * side_2);
                 p_9.tangent = ((turn * tangent_2) * side_2);
-                p_9.bitangent = ((turn * cross(normal_10, tangent_2)) * (hand * side_2));
+                p_9.bitangent = ((turn * cross(normal_13, tangent_2)) * (hand * side_2));
             }
         }
     }
@@ -1706,8 +1753,8 @@ vec3 takeUpTextures(inout Surface s_6, inout Layers l_2, vec4 uv_2, vec3 color) 
     vec3 bump = vec3(0.0, 0.0, 1.0);
     uint i_17 = 0u;
     float _e5 = s_6.textures;
-    uint row_8 = uint(_e5);
-    MaterialTextures _e7 = fetchMaterialTextures(row_8);
+    uint row_9 = uint(_e5);
+    MaterialTextures _e7 = fetchMaterialTextures(row_9);
     bool unlit = ((_e7.flags & isUnlit) != 0u);
     vec3 _e14 = s_6.baseColor;
     s_6.baseColor = (_e14 * color);
@@ -1716,7 +1763,7 @@ vec3 takeUpTextures(inout Surface s_6, inout Layers l_2, vec4 uv_2, vec3 color) 
     if ((_e7.count > 0u)) {
         while(true) {
             uint _e34 = i_17;
-            TextureUse _e38 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e34 * textureUseRows)));
+            TextureUse _e38 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e34 * textureUseRows)));
             vec4 _e47 = lookUp(_e38, pick(((_e38.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
             vec3 _e49 = s_6.baseColor;
             s_6.baseColor = (_e49 * pick((_e38.slot == baseColorSlot), _e47.xyz, vec3(1.0)));
@@ -1767,9 +1814,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
-    vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
+    vec3 n_5 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
     float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_4));
+    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_5));
     return (side_3 * _e21);
 }
 
@@ -1796,10 +1843,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_11 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_11);
+    vec3 t_12 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_12);
     float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_11) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -1901,15 +1948,20 @@ Emitter fetchEmitter(uint i_18) {
     vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(16u, i_18)), 0);
     vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(17u, i_18)), 0);
     vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(18u, i_18)), 0);
-    return Emitter(t0_5.xyz, t0_5.w, t1_4.xyz, t1_4.w, t2_2.xyz, t2_2.w, t3_2.xyz, t3_2.w, t4_2.x, t4_2.y, t4_2.z, t4_2.w);
+    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(19u, i_18)), 0);
+    return Emitter(t0_5.xyz, t0_5.w, t1_4.xyz, t1_4.w, t2_2.xyz, t2_2.w, t3_2.xyz, t3_2.w, t4_2.x, t4_2.y, t4_2.z, t4_2.w, t5_1.x, t5_1.y, t5_1.z, t5_1.w);
 }
 
 int emitterOf(float code_9) {
     return ((int(code_9) >> 6u) - 1);
 }
 
+uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
+    return (((t_4.instance - uint(e.instance)) * uint(e.cosInner)) + (t_4.triangle >> uint(e.radius)));
+}
+
 Emitter emitterAt(uint i_19, Emitter only) {
-    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
@@ -1920,14 +1972,14 @@ Emitter emitterAt(uint i_19, Emitter only) {
     return _e6;
 }
 
-bool isOnDisc(Emitter e, vec3 direction_10) {
-    vec3 chord = (direction_10 + e.u);
-    return ((3.1415927 * dot(chord, chord)) < e.area);
+bool isOnDisc(Emitter e_1, vec3 direction_10) {
+    vec3 chord = (direction_10 + e_1.u);
+    return ((3.1415927 * dot(chord, chord)) < e_1.area);
 }
 
-float directionalPdf(Emitter e_1, vec3 direction_11) {
-    bool _e7 = isOnDisc(e_1, direction_11);
-    return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_2, vec3 direction_11) {
+    bool _e7 = isOnDisc(e_2, direction_11);
+    return pick(_e7, (1.0 / max(e_2.area, 1e-31)), 0.0);
 }
 
 vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
@@ -1970,10 +2022,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_12) {
     float _e35 = frame.environmentTurn;
     float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
-    float row_9 = floor(fromPole);
+    float row_10 = floor(fromPole);
     bool isLower = (direction_12.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_7.y - row_9), row_9));
-    float within_2 = (fromPole - row_9);
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_7.y - row_10), row_10));
+    float within_2 = (fromPole - row_10);
     vec2 at_2 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
@@ -1999,18 +2051,18 @@ EnvironmentLight skyLight(vec3 direction_14) {
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_2, vec3 direction_15) {
+FarLight farLight(Emitter e_3, vec3 direction_15) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e8 = hasSuns;
     if (_e8) {
-        bool _e12 = isOnDisc(e_2, direction_15);
-        bool seen = pick((e_2.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_2, direction_15);
-        far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
+        bool _e12 = isOnDisc(e_3, direction_15);
+        bool seen = pick((e_3.kind == 5.0), _e12, false);
+        float _e18 = directionalPdf(e_3, direction_15);
+        far = FarLight(pick(seen, e_3.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
     if (_e23) {
-        if ((e_2.kind == 6.0)) {
+        if ((e_3.kind == 6.0)) {
             EnvironmentLight _e27 = skyLight(direction_15);
             far = FarLight(_e27.radiance, _e27.pdf);
         }
@@ -2019,22 +2071,22 @@ FarLight farLight(Emitter e_2, vec3 direction_15) {
     return _e31;
 }
 
-SphereView viewSphere(Emitter e_3, vec3 point) {
-    vec3 toCenter_2 = (e_3.position - point);
+SphereView viewSphere(Emitter e_4, vec3 point) {
+    vec3 toCenter_2 = (e_4.position - point);
     float d_4 = length(toCenter_2);
-    float power = abs(((d_4 - e_3.radius) * (d_4 + e_3.radius)));
-    bool inside_2 = (d_4 <= e_3.radius);
-    float sine_2 = min((e_3.radius / max(d_4, 1e-30)), 1.0);
-    float cosine_17 = (sqrt(power) / max(d_4, 1e-30));
-    return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_17))));
+    float power = abs(((d_4 - e_4.radius) * (d_4 + e_4.radius)));
+    bool inside_2 = (d_4 <= e_4.radius);
+    float sine_2 = min((e_4.radius / max(d_4, 1e-30)), 1.0);
+    float cosine_18 = (sqrt(power) / max(d_4, 1e-30));
+    return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_16) {
-    SphereView _e3 = viewSphere(e_4, point_1);
+float spherePdf(Emitter e_5, vec3 point_1, vec3 direction_16) {
+    SphereView _e3 = viewSphere(e_5, point_1);
     bool reached = pick(_e3.inside, true, (dot(direction_16, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
@@ -2069,16 +2121,16 @@ float stretch(float x_13, vec2 y_6, float h_1) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_5, vec3 point_2) {
-    vec3 corner = (e_5.position - point_2);
-    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
-    vec3 axisX = (e_5.u / vec3(lengths.x));
-    vec3 axisY = (e_5.v / vec3(lengths.y));
-    vec3 normal_11 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_11);
+QuadView viewQuad(Emitter e_6, vec3 point_2) {
+    vec3 corner = (e_6.position - point_2);
+    vec2 lengths = vec2(length(e_6.u), length(e_6.v));
+    vec3 axisX = (e_6.u / vec3(lengths.x));
+    vec3 axisY = (e_6.v / vec3(lengths.y));
+    vec3 normal_14 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_14);
     float least_1 = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least_1);
-    bool lit = pick((abs(signedHeight) > least_1), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    bool lit = pick((abs(signedHeight) > least_1), pick((e_6.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_1 = (low_2 + lengths);
     vec2 y_10 = vec2(low_2.y, high_1.y);
@@ -2086,103 +2138,242 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_11 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
-float quadPdf(Emitter e_6, vec3 point_3, float distance_2) {
-    QuadView _e3 = viewQuad(e_6, point_3);
-    float _e5 = pdfOfView(_e3, e_6.area, distance_2);
+float quadPdf(Emitter e_7, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_7, point_3);
+    float _e5 = pdfOfView(_e3, e_7.area, distance_2);
     return _e5;
 }
 
-BoxView viewBox(Emitter e_7, vec3 point_4) {
-    Extent _e4 = fetchExtent(uint(e_7.shape));
+BoxView viewBox(Emitter e_8, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_8.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_4 - e_7.position));
-    bvec3 seen_1 = greaterThan(abs(_e8), e_7.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen_1);
+    vec3 _e8 = rotate(rotation, (point_4 - e_8.position));
+    bvec3 seen_1 = greaterThan(abs(_e8), e_8.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_8.u.yzx) * e_8.u.zxy), seen_1);
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_4) {
-    BoxView _e5 = viewBox(e_8, point_5);
+float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_4) {
+    BoxView _e5 = viewBox(e_9, point_5);
     float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_4))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_18, float distance_4, vec3 normal_5) {
-    float pdf = 0.0;
-    const bool _e8 = hasSphereLights;
-    if (_e8) {
-        if ((e_9.kind == 0.0)) {
-            float _e12 = spherePdf(e_9, point_6, direction_18);
-            pdf = _e12;
-        }
-    }
-    const bool _e14 = hasQuadLights;
-    if (_e14) {
-        if ((e_9.kind == 1.0)) {
-            float _e18 = quadPdf(e_9, point_6, distance_4);
-            pdf = _e18;
-        }
-    }
-    const bool _e20 = hasBoxLights;
-    if (_e20) {
-        if ((e_9.kind == 2.0)) {
-            float _e24 = boxPdf(e_9, point_6, direction_18, distance_4, normal_5);
-            pdf = _e24;
-        }
-    }
-    float _e25 = pdf;
-    return _e25;
+LampTriangle fetchLampTriangle(uint row_7) {
+    uvec4 _e3 = geometryRow((row_7 + 0u));
+    return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float spotFalloff(Emitter e_10, vec3 toLight_1) {
-    float share_3 = clamp(((-(dot(toLight_1, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_5, uint place_2) {
+    uint _e7 = frame.lampTables;
+    uint row_11 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_11);
+    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_18, normal_5))), distance_4);
+    return _e26;
+}
+
+float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, vec3 normal_6, uint place_3) {
+    float pdf = 0.0;
+    const bool _e9 = hasSphereLights;
+    if (_e9) {
+        if ((e_11.kind == 0.0)) {
+            float _e13 = spherePdf(e_11, point_6, direction_19);
+            pdf = _e13;
+        }
+    }
+    const bool _e15 = hasQuadLights;
+    if (_e15) {
+        if ((e_11.kind == 1.0)) {
+            float _e19 = quadPdf(e_11, point_6, distance_5);
+            pdf = _e19;
+        }
+    }
+    const bool _e21 = hasBoxLights;
+    if (_e21) {
+        if ((e_11.kind == 2.0)) {
+            float _e25 = boxPdf(e_11, point_6, direction_19, distance_5, normal_6);
+            pdf = _e25;
+        }
+    }
+    const bool _e27 = hasMeshLamps;
+    if (_e27) {
+        if ((e_11.kind == 7.0)) {
+            float _e31 = meshPdf(e_11, direction_19, distance_5, normal_6, place_3);
+            pdf = _e31;
+        }
+    }
+    float _e32 = pdf;
+    return _e32;
+}
+
+float spotFalloff(Emitter e_12, vec3 toLight_1) {
+    float share_3 = clamp(((-(dot(toLight_1, e_12.u)) - e_12.radius) / (e_12.cosInner - e_12.radius)), 0.0, 1.0);
     return (share_3 * share_3);
 }
 
-float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_6) {
+float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
+    bool isQuad = pick(_e4, (e_13.kind == 1.0), false);
     const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_11.kind == 5.0), false);
-    vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
-    vec3 toLight_3 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    bool isFar = pick(_e10, (e_13.kind == 5.0), false);
+    vec3 middle_3 = (e_13.position + pick(isQuad, (0.5 * (e_13.u + e_13.v)), vec3(0.0)));
+    vec3 toLight_3 = pick(isFar, -(e_13.u), (middle_3 - point_7));
     float distance2_ = dot(toLight_3, toLight_3);
-    float distance_5 = sqrt(distance2_);
-    float grown = max((distance_5 + e_11.reach), 1e-15);
-    float above_2 = clamp(((dot(normal_6, toLight_3) + e_11.reach) / grown), 0.0, 1.0);
-    float cosine_18 = pick((dot(normal_6, normal_6) == 0.0), 1.0, above_2);
-    float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
-    estimate = ((e_11.power * cosine_18) / pick(isFar, 1.0, max(square, 1e-15)));
+    float distance_6 = sqrt(distance2_);
+    float grown = max((distance_6 + e_13.reach), 1e-15);
+    float above_2 = clamp(((dot(normal_7, toLight_3) + e_13.reach) / grown), 0.0, 1.0);
+    float cosine_19 = pick((dot(normal_7, normal_7) == 0.0), 1.0, above_2);
+    float square = pick(isQuad, (distance2_ + (e_13.area / 3.1415927)), max(distance2_, (e_13.area / 12.566371)));
+    estimate = ((e_13.power * cosine_19) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_3)) / max(e_11.area, 1e-30));
-        float side_5 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_11.reach) / grown), 0.0);
+        float height_2 = (-(dot(cross(e_13.u, e_13.v), toLight_3)) / max(e_13.area, 1e-30));
+        float side_5 = pick((e_13.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_13.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
-    const bool _e94 = hasPointLights;
+    const bool _e94 = hasMeshLamps;
     if (_e94) {
-        float _e95 = estimate;
-        float _e100 = spotFalloff(e_11, (toLight_3 / vec3(max(distance_5, 1e-15))));
-        estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
+        float alike = length(e_13.v);
+        float across_5 = -(dot(e_13.v, toLight_3));
+        float side_6 = pick((e_13.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_6 + (alike * e_13.reach)) / grown));
+        float sizeOfMesh = (distance2_ + ((e_13.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e125 = estimate;
+        estimate = pick((e_13.kind == 7.0), (((e_13.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
     }
-    const bool _e108 = hasSky;
-    if (_e108) {
-        float _e109 = estimate;
-        estimate = pick((e_11.kind == 6.0), e_11.power, _e109);
+    const bool _e137 = hasPointLights;
+    if (_e137) {
+        float _e138 = estimate;
+        float _e143 = spotFalloff(e_13, (toLight_3 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e138 * pick((e_13.kind == 4.0), _e143, 1.0));
     }
-    float _e115 = estimate;
-    return _e115;
+    const bool _e151 = hasSky;
+    if (_e151) {
+        float _e152 = estimate;
+        estimate = pick((e_13.kind == 6.0), e_13.power, _e152);
+    }
+    float _e158 = estimate;
+    return _e158;
 }
 
-float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
+LightNode fetchLightNode(uint i_20) {
+    vec4 t0_6 = texelFetch(sceneTable, ivec2(uvec2(0u, i_20)), 0);
+    vec4 t1_5 = texelFetch(sceneTable, ivec2(uvec2(1u, i_20)), 0);
+    vec4 t2_3 = texelFetch(sceneTable, ivec2(uvec2(2u, i_20)), 0);
+    vec4 t3_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_20)), 0);
+    vec4 t4_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_20)), 0);
+    vec4 t5_2 = texelFetch(sceneTable, ivec2(uvec2(5u, i_20)), 0);
+    vec4 t6_1 = texelFetch(sceneTable, ivec2(uvec2(6u, i_20)), 0);
+    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_20)), 0);
+    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_20)), 0);
+    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_20)), 0);
+    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_20)), 0);
+    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_20)), 0);
+    return LightNode(t0_6.xyzw, t1_5.xyzw, t2_3.xyzw, t3_3.xyzw, t4_3.xyzw, t5_2.xyzw, t6_1.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
+}
+
+vec4 sineOf(vec4 cosine_2) {
+    return sqrt(max((vec4(1.0) - (cosine_2 * cosine_2)), vec4(0.0)));
+}
+
+vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
+    return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
+}
+
+vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
+    vec4 x_20 = (n_3.x - vec4(point_8.x));
+    vec4 y_11 = (n_3.y - vec4(point_8.y));
+    vec4 z_4 = (n_3.z - vec4(point_8.z));
+    vec4 distance2_1 = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
+    bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
+    vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
+    vec4 _e33 = sineOf(sinB_1);
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
+    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
+    vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
+    vec4 _e58 = sineOf(cosW);
+    vec4 _e60 = sineOf(n_3.cosWidth);
+    vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
+    vec4 _e63 = sineOf(_e62);
+    vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
+    vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
+    vec4 cosN = clamp(((((normal_8.x * x_20) + (normal_8.y * y_11)) + (normal_8.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 _e82 = sineOf(cosN);
+    vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
+    vec4 above_3 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
+    vec4 cosIn = pick((dot(normal_8, normal_8) == 0.0), vec4(1.0), above_3);
+    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
+}
+
+float shareOfTree(float total, float far_1) {
+    float share_4 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
+}
+
+TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2) {
+    uint level = 0u;
+    uint node_1 = 0u;
+    float rest = 0.0;
+    TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
+    uint _e7 = frame.lightTreeDepth;
+    level = _e7;
+    rest = u_4;
+    while(true) {
+        uint _e19 = level;
+        level = (_e19 - 1u);
+        uint _e23 = frame.lightTree;
+        uint _e24 = node_1;
+        LightNode _e26 = fetchLightNode((_e23 + _e24));
+        vec4 _e27 = estimatesOfChildren(_e26, point_9, normal_9);
+        float two = (_e27.x + _e27.y);
+        float three = (two + _e27.z);
+        float total_2 = (three + _e27.w);
+        uint _e35 = node_1;
+        if ((_e35 == 0u)) {
+            float _e39 = shareOfTree(total_2, far_2);
+            choice.share = _e39;
+            float _e41 = rest;
+            float _e43 = choice.share;
+            choice.taken = (_e41 < _e43);
+            float _e45 = rest;
+            float _e47 = choice.share;
+            rest = min((_e45 / max(_e47, 1e-37)), 0.99999994);
+        }
+        float _e53 = rest;
+        float at_3 = (_e53 * total_2);
+        uint byChance = ((uint((at_3 >= _e27.x)) + uint((at_3 >= two))) + uint((at_3 >= three)));
+        uint _e68 = level;
+        uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
+        bool low_3 = (child < 2u);
+        bool odd = ((child & 1u) == 1u);
+        float own_8 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before_1 = pick(low_3, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float _e95 = choice.probability;
+        choice.probability = (_e95 * (own_8 / max(total_2, 1e-37)));
+        choice.emitter = uint(pick(low_3, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        rest = clamp(((at_3 - before_1) / max(own_8, 1e-37)), 0.0, 0.99999994);
+        uint _e121 = node_1;
+        node_1 = (((4u * _e121) + 1u) + child);
+        uint _e126 = level;
+        if ((_e126 == 0u)) {
+            break;
+        }
+    }
+    TreeChoice _e129 = choice;
+    return _e129;
+}
+
+float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_10, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -2190,12 +2381,21 @@ float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_7, float total) {
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_12, point_8, normal_7);
-            probability = (_e18 / max(total, 1e-37));
+            float _e18 = estimatedIrradiance(e_14, point_10, normal_10);
+            probability = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                uint _e27 = frame.lightTreeDepth;
+                if ((_e27 > 0u)) {
+                    TreeChoice _e36 = descend(point_10, normal_10, 0.0, int(max(e_14.leaf, 0.0)), odds.total);
+                    float _e37 = probability;
+                    probability = pick((e_14.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
+                }
+            }
         }
     }
-    float _e22 = probability;
-    return _e22;
+    float _e49 = probability;
+    return _e49;
 }
 
 float misWeight(float own_1, float other) {
@@ -2205,10 +2405,10 @@ float misWeight(float own_1, float other) {
 
 vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
-    uint i_20 = 0u;
+    uint i_21 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_19 = p_10.rays.direction;
-    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_19) > 0.0), false);
+    vec3 direction_20 = p_10.rays.direction;
+    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_20) > 0.0), false);
     int _e21 = emitterOf(s_7.code);
     found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
@@ -2216,41 +2416,51 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     if (pick(weighed, (_e33 > 0u), false)) {
         vec3 emission = found_8;
         found_8 = vec3(0.0);
-        i_20 = pick(escaped, 0u, uint(max(_e21, 0)));
+        i_21 = pick(escaped, 0u, uint(max(_e21, 0)));
+        const bool _e47 = hasMeshLamps;
+        if (_e47) {
+            if ((hit_1.triangle.instance != noInstance)) {
+                uint _e52 = i_21;
+                uint _e53 = i_21;
+                Emitter _e54 = emitterAt(_e53, only_1);
+                uint _e56 = emitterOfTriangle(_e54, hit_1.triangle);
+                i_21 = (_e52 + _e56);
+            }
+        }
         while(true) {
-            uint _e46 = i_20;
-            Emitter _e47 = emitterAt(_e46, only_1);
-            FarLight _e48 = farLight(_e47, direction_19);
-            float _e52 = shapePdf(_e47, p_10.rays.point, direction_19, hit_1.t, outward);
-            float density = pick(escaped, _e48.pdf, _e52);
-            float _e59 = probabilityOf(_e47, p_10.rays.point, p_10.litSide, p_10.total);
-            float pdf_3 = (density * _e59);
-            vec3 radiance = pick(escaped, _e48.radiance, emission);
-            vec3 _e63 = found_8;
-            float _e65 = misWeight(p_10.pdf, pdf_3);
-            found_8 = (_e63 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e65)));
-            uint _e74 = i_20;
-            i_20 = (_e74 + 1u);
-            const bool _e77 = hasManyLights;
-            if (!(_e77)) {
+            uint _e58 = i_21;
+            Emitter _e59 = emitterAt(_e58, only_1);
+            FarLight _e60 = farLight(_e59, direction_20);
+            float _e66 = shapePdf(_e59, p_10.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
+            float density = pick(escaped, _e60.pdf, _e66);
+            float _e73 = probabilityOf(_e59, p_10.rays.point, p_10.litSide, p_10.odds);
+            float pdf_3 = (density * _e73);
+            vec3 radiance = pick(escaped, _e60.radiance, emission);
+            vec3 _e77 = found_8;
+            float _e79 = misWeight(p_10.pdf, pdf_3);
+            found_8 = (_e77 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e79)));
+            uint _e88 = i_21;
+            i_21 = (_e88 + 1u);
+            const bool _e91 = hasManyLights;
+            if (!(_e91)) {
                 break;
             }
-            const bool _e80 = hasSky;
-            if (!(_e80)) {
-                const bool _e83 = hasSuns;
-                if (!(_e83)) {
+            const bool _e94 = hasSky;
+            if (!(_e94)) {
+                const bool _e97 = hasSuns;
+                if (!(_e97)) {
                     break;
                 }
             }
-            uint _e86 = i_20;
-            uint _e89 = frame.emitterCount;
-            if (pick(!(escaped), true, (_e86 >= _e89))) {
+            uint _e100 = i_21;
+            uint _e103 = frame.farEmitters;
+            if (pick(!(escaped), true, (_e100 >= _e103))) {
                 break;
             }
         }
     }
-    vec3 _e92 = found_8;
-    return _e92;
+    vec3 _e106 = found_8;
+    return _e106;
 }
 
 uint pascalW2_(uint x_14) {
@@ -2278,132 +2488,157 @@ vec3 next3d(inout Sampler s_8) {
     return vec3(_e13, _e17);
 }
 
-EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_8, float u_4) {
-    EmitterChoice choice = EmitterChoice(0u, 0.0, 0.0);
+EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
+    bool hasTree = false;
+    EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
-    float rest = 0.0;
-    uint i_21 = 0u;
-    uint _e6 = frame.emitterCount;
-    choice = EmitterChoice(0u, float(min(_e6, 1u)), 1.0);
-    const bool _e14 = hasManyLights;
-    if (_e14) {
-        uint _e17 = frame.emitterCount;
-        if ((_e17 > 1u)) {
-            rest = u_4;
+    float rest_1 = 0.0;
+    uint i_22 = 0u;
+    const bool _e6 = hasLightTree;
+    if (_e6) {
+        uint _e9 = frame.lightTreeDepth;
+        hasTree = (_e9 > 0u);
+    }
+    uint _e14 = frame.emitterCount;
+    uint _e17 = frame.farEmitters;
+    bool _e18 = hasTree;
+    uint listed = pick(_e18, _e17, _e14);
+    uint _e23 = frame.emitterCount;
+    choice_1 = EmitterChoice(0u, float(min(_e23, 1u)), Odds(1.0, 0.0));
+    const bool _e33 = hasManyLights;
+    if (_e33) {
+        uint _e36 = frame.emitterCount;
+        if ((_e36 > 1u)) {
+            rest_1 = u_5;
             while(true) {
-                uint _e29 = i_21;
-                Emitter _e30 = fetchEmitter(_e29);
-                float _e31 = estimatedIrradiance(_e30, point_9, normal_8);
-                float _e32 = total_1;
-                total_1 = (_e32 + _e31);
-                float _e34 = total_1;
-                float share_4 = (_e31 / max(_e34, 1e-37));
-                float _e38 = rest;
-                bool take = (_e38 < share_4);
-                uint _e40 = chosen;
-                uint _e41 = i_21;
-                chosen = pick(take, _e41, _e40);
-                float _e43 = chosenWeight;
-                chosenWeight = pick(take, _e31, _e43);
-                float _e45 = rest;
-                float _e52 = rest;
-                rest = pick(take, (_e52 / max(share_4, 1e-37)), ((_e45 - share_4) / max((1.0 - share_4), 1e-7)));
-                uint _e58 = i_21;
-                i_21 = (_e58 + 1u);
-                uint _e60 = i_21;
-                uint _e63 = frame.emitterCount;
-                if ((_e60 >= _e63)) {
+                uint _e48 = i_22;
+                Emitter _e49 = fetchEmitter(_e48);
+                float _e50 = estimatedIrradiance(_e49, point_11, normal_11);
+                uint _e51 = i_22;
+                float weight_1 = pick((_e51 < listed), _e50, 0.0);
+                float _e55 = total_1;
+                total_1 = (_e55 + weight_1);
+                float _e57 = total_1;
+                float share_5 = (weight_1 / max(_e57, 1e-37));
+                float _e61 = rest_1;
+                bool take = (_e61 < share_5);
+                uint _e63 = chosen;
+                uint _e64 = i_22;
+                chosen = pick(take, _e64, _e63);
+                float _e66 = chosenWeight;
+                chosenWeight = pick(take, weight_1, _e66);
+                float _e68 = rest_1;
+                float _e75 = rest_1;
+                rest_1 = pick(take, (_e75 / max(share_5, 1e-37)), ((_e68 - share_5) / max((1.0 - share_5), 1e-7)));
+                uint _e81 = i_22;
+                i_22 = (_e81 + 1u);
+                uint _e83 = i_22;
+                if ((_e83 >= listed)) {
                     break;
                 }
             }
-            uint _e65 = chosen;
-            float _e66 = chosenWeight;
-            float _e67 = total_1;
-            float _e71 = total_1;
-            choice = EmitterChoice(_e65, (_e66 / max(_e67, 1e-37)), _e71);
+            uint _e85 = chosen;
+            float _e86 = chosenWeight;
+            float _e87 = total_1;
+            float _e91 = total_1;
+            choice_1 = EmitterChoice(_e85, (_e86 / max(_e87, 1e-37)), Odds(_e91, 0.0));
+            const bool _e96 = hasLightTree;
+            if (_e96) {
+                bool _e97 = hasTree;
+                if (_e97) {
+                    float _e98 = rest_1;
+                    float _e100 = total_1;
+                    TreeChoice _e101 = descend(point_11, normal_11, _e98, -1, _e100);
+                    choice_1.odds.tree = _e101.share;
+                    uint _e106 = chosen;
+                    choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
+                    float _e112 = choice_1.probability;
+                    choice_1.probability = pick(_e101.taken, (_e101.probability * _e101.share), (_e112 * (1.0 - _e101.share)));
+                }
+            }
         }
     }
-    EmitterChoice _e73 = choice;
-    return _e73;
+    EmitterChoice _e122 = choice_1;
+    return _e122;
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_5) {
     float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
     float a_7 = (-1.0 / (s_26 + axis_1.z));
     float b_10 = ((axis_1.x * axis_1.y) * a_7);
-    vec3 x_20 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_7)), (s_26 * b_10), (-(s_26) * axis_1.x));
-    vec3 y_11 = vec3(b_10, (s_26 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
-    return (((v_5.x * x_20) + (v_5.y * y_11)) + (v_5.z * axis_1));
+    vec3 x_21 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_7)), (s_26 * b_10), (-(s_26) * axis_1.x));
+    vec3 y_12 = vec3(b_10, (s_26 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
+    return (((v_5.x * x_21) + (v_5.y * y_12)) + (v_5.z * axis_1));
 }
 
-ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_5) {
-    float oneMinusCosine = (u_5.x * width_1);
-    float cosine_19 = (1.0 - oneMinusCosine);
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_6) {
+    float oneMinusCosine = (u_6.x * width_1);
+    float cosine_20 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_5.y);
+    float phi = (6.2831855 * u_6.y);
     vec2 turn_2 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_19));
-    return ConeDirection(_e23, cosine_19, sine2_);
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_20));
+    return ConeDirection(_e23, cosine_20, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
-    SphereView _e3 = viewSphere(e_13, point_10);
+LightSample sampleSphere(Emitter e_15, vec3 point_12, vec2 u_7) {
+    SphereView _e3 = viewSphere(e_15, point_12);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_6);
-    float along_2 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along_2) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
-    float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_7);
+    float along_3 = (_e3.distance_ * _e19.cosine);
+    float halfChord = sqrt(max(((e_15.radius * e_15.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float larger = (abs(along_3) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_3 > 0.0), false);
+    float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_15.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_15) {
     float h_5 = (0.5 * x_15);
-    float z_4 = (h_5 * h_5);
-    float sine_4 = (((((((-0.00019515296 * z_4) + 0.008332161) * z_4) - 0.16666655) * z_4) * h_5) + h_5);
+    float z_5 = (h_5 * h_5);
+    float sine_4 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_5) + h_5);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
-vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
+vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
     float h_6 = q_4.height;
-    vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_27 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_6 * h_6)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
-    vec2 across_5 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
-    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_5), 1e-15));
-    float x_21 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_21 * x_21) + (h_6 * h_6));
-    vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
-    float v_11 = mix(ends_1.x, ends_1.y, u_7.y);
-    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_12.x, y_12.y);
-    return (((x_21 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
+    vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
+    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_6 * h_6)))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_8.x * q_4.solidAngle))));
+    vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
+    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
+    float x_22 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_22 * x_22) + (h_6 * h_6));
+    vec2 ends_1 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
+    float v_11 = mix(ends_1.x, ends_1.y, u_8.y);
+    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
+    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
-    QuadView _e3 = viewQuad(e_14, point_11);
-    vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_8);
+LightSample sampleQuad(Emitter e_16, vec3 point_13, vec2 u_9) {
+    QuadView _e3 = viewQuad(e_16, point_13);
+    vec3 onArea = ((_e3.corner + (u_9.x * e_16.u)) + (u_9.y * e_16.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_9);
     vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_4), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_4 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    float distance_8 = max(length(toLight_4), _e3.height);
+    float _e23 = pdfOfView(_e3, e_16.area, distance_8);
+    return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_16.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_2, vec2 u_9) {
+vec4 pointOnFaces(Emitter e_17, BoxView b_2, vec2 u_10) {
     float both = (b_2.faces.x + b_2.faces.y);
-    float at_3 = (u_9.x * b_2.area);
-    bool onX_1 = (at_3 < b_2.faces.x);
-    bool onY_1 = pick(!(onX_1), (at_3 < both), false);
+    float at_4 = (u_10.x * b_2.area);
+    bool onX_1 = (at_4 < b_2.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_4 < both), false);
     float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
-    float within_3 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float within_3 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_19 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_19.xyz, pick(onY_1, p_19.zxy, p_19.yzx)) * e_15.u) - b_2.point);
+    vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_10.y) - 1.0));
+    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_17.u) - b_2.point);
     return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
 }
 
@@ -2412,34 +2647,82 @@ vec3 rotateBack(vec4 q_5, vec3 v_6) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
-    BoxView _e3 = viewBox(e_16, point_12);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_10);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_10);
+LightSample sampleBox(Emitter e_18, vec3 point_14, vec2 u_11) {
+    BoxView _e3 = viewBox(e_18, point_14);
+    vec4 _e4 = pointOnFaces(e_18, _e3, u_11);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_11);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
-    float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
-    float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_18.u);
+    float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
+    vec3 direction_21 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
-    return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_21);
+    return LightSample(_e37, distance_9, e_18.radiance, pdf_4, false);
 }
 
-LightSample samplePoint(Emitter e_17, vec3 point_13) {
-    vec3 toLight_6 = (e_17.position - point_13);
-    float distance_9 = length(toLight_6);
-    float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+ChosenTriangle chooseTriangle(Emitter e_19, vec2 u_12) {
+    uint _e4 = frame.lampTables;
+    uint first_2 = (_e4 + uint(e_19.table));
+    uint column_1 = min(uint((u_12.x * e_19.triangles)), (uint(e_19.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_2 + column_1));
+    uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
+    uint hash = (_e26 >> 8u);
+    float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_19.triangles);
+    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_1)) + fine), 0.0, 0.99999994);
+    bool own_9 = (x_23 < _e18.own);
+    float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_7 = pick(own_9, _e18.place, _e18.other);
+    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_1) + place_7) - _e18.place));
+    float density_1 = _e67.density;
+    return ChosenTriangle(place_7, density_1, vec2(min(rest_2, 1.0), u_12.y));
 }
 
-LightSample sampleSpot(Emitter e_18, vec3 point_14) {
+vec2 weightsOnTriangle(vec2 u_13) {
+    float low_4 = (0.5 * min(u_13.x, u_13.y));
+    float high_2 = (max(u_13.x, u_13.y) - low_4);
+    return pick((u_13.x < u_13.y), vec2(low_4, high_2), vec2(high_2, low_4));
+}
+
+vec3 outOfMesh(Instance i_23, vec3 p_11) {
+    vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
+    vec3 x_24 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
+    vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
+    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
+    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
+}
+
+LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
+    ChosenTriangle _e3 = chooseTriangle(e_20, u_14);
+    uint _e6 = frame.instances;
+    Instance _e12 = fetchInstance((_e6 + (uint(e_20.instance) * instanceRows)));
+    Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
+    vec2 _e20 = weightsOnTriangle(_e3.u);
+    vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
+    vec3 toLight_6 = (_e34 - point_15);
+    vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
+    float height_3 = (dot(across_7, toLight_6) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
+    float distance_10 = length(toLight_6);
+    float _e62 = areaPdf((e_20.area / _e3.density), abs(height_3), distance_10);
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_20.oneSided == 0.0), (height_3 > 0.0), false));
+    float reached_1 = max((distance_10 - (1e-5 * (length(point_15) + distance_10))), 0.0);
+    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, e_20.radiance, pick(lit_1, _e62, 0.0), false);
+}
+
+LightSample samplePoint(Emitter e_21, vec3 point_16) {
+    vec3 toLight_7 = (e_21.position - point_16);
+    float distance_11 = length(toLight_7);
+    float safe = max(distance_11, 1e-15);
+    return LightSample((toLight_7 / vec3(safe)), distance_11, (e_21.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+}
+
+LightSample sampleSpot(Emitter e_22, vec3 point_17) {
     LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_18, point_14);
+    LightSample _e2 = samplePoint(e_22, point_17);
     s_9 = _e2;
     vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_18, _e5);
+    float _e6 = spotFalloff(e_22, _e5);
     vec3 _e8 = s_9.radiance;
     s_9.radiance = (_e8 * _e6);
     float _e12 = s_9.pdf;
@@ -2448,56 +2731,56 @@ LightSample sampleSpot(Emitter e_18, vec3 point_14) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_19, vec2 u_11) {
-    bool delta = (e_19.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_11);
-    return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_23, vec2 u_15) {
+    bool delta = (e_23.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_23.u), (e_23.area / 6.2831855), u_15);
+    return LightSample(_e10.direction, 1e30, e_23.radiance, pick(delta, 1.0, (1.0 / max(e_23.area, 1e-31))), delta);
 }
 
-Parts splitProduct(vec2 u_12, uvec2 n_3) {
-    uvec2 digits = uvec2((u_12 * 16777216.0));
-    uvec2 low_3 = ((digits & uvec2(4095u)) * n_3);
-    uvec2 high_2 = (((digits >> uvec2(12u)) * n_3) + (low_3 >> uvec2(12u)));
-    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_3 & uvec2(4095u)))));
+Parts splitProduct(vec2 u_16, uvec2 n_4) {
+    uvec2 digits = uvec2((u_16 * 16777216.0));
+    uvec2 low_5 = ((digits & uvec2(4095u)) * n_4);
+    uvec2 high_3 = (((digits >> uvec2(12u)) * n_4) + (low_5 >> uvec2(12u)));
+    return Parts((high_3 >> uvec2(12u)), vec2((((high_3 & uvec2(4095u)) << uvec2(12u)) | (low_5 & uvec2(4095u)))));
 }
 
-ChosenCell chooseCell(vec2 u_13) {
+ChosenCell chooseCell(vec2 u_17) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_8 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_13, (size_8 + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
-    uint hash = (_e17 >> 8u);
+    Parts _e9 = splitProduct(u_17, (size_8 + uvec2(0u, 1u)));
+    uint _e17 = mixBits((floatBitsToUint(u_17.x) ^ (floatBitsToUint(u_17.y) * 2654435761u)));
+    uint hash_1 = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
-    float fine = ((float(hash) * 5.9604645e-8) * _e26);
-    float x_22 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
+    float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
+    float x_25 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
     uint rows_2 = ((size_8.y + 2u) / 2u);
     bool second_1 = (_e9.whole.y >= rows_2);
     vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_8.y) - pick(second_1, rows_2, 0u)))), 0);
     vec2 entry = pick(second_1, entries.zw, entries.xy);
-    bool own_8 = (x_22 < entry.x);
+    bool own_10 = (x_25 < entry.x);
     uint other_1 = uint(entry.y);
     uint otherRow = (other_1 / size_8.x);
-    uvec2 cell_2 = pick(own_8, _e9.whole, uvec2((other_1 - (otherRow * size_8.x)), otherRow));
-    float rest_1 = pick(own_8, (x_22 / max(entry.x, 1e-37)), ((x_22 - entry.x) / max((1.0 - entry.x), 1e-7)));
-    return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+    uvec2 cell_2 = pick(own_10, _e9.whole, uvec2((other_1 - (otherRow * size_8.x)), otherRow));
+    float rest_3 = pick(own_10, (x_25 / max(entry.x, 1e-37)), ((x_25 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    return ChosenCell(cell_2, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
-float linearSample(float u_14, float a_1, float b_3) {
+float linearSample(float u_18, float a_1, float b_3) {
     vec2 ends_2 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
-    return min((u_14 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_14))), 1e-9)), 1.0);
+    return min((u_18 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_18))), 1e-9)), 1.0);
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_15) {
+EnvironmentSample sampleEnvironment(vec2 u_19) {
     vec2 size_9 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_15);
+    ChosenCell _e4 = chooseCell(u_19);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_3 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_12 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_12), mix(_e6.b.w, _e6.d.w, t_12));
+    float t_13 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_13), mix(_e6.b.w, _e6.d.w, t_13));
     bool isLower_1 = ((2.0 * cell_3.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_12)), (cell_3.y + (t_12 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_13)), (cell_3.y + (t_13 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_9.x) - _e85));
@@ -2506,18 +2789,18 @@ EnvironmentSample sampleEnvironment(vec2 u_15) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_21 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_12), sine_5);
-    return EnvironmentSample(direction_21, _e119);
+    vec3 direction_22 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_5);
+    return EnvironmentSample(direction_22, _e119);
 }
 
-LightSample sampleSky(vec2 u_16) {
+LightSample sampleSky(vec2 u_20) {
     EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
     s_10 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_16);
+        EnvironmentSample _e13 = sampleEnvironment(u_20);
         s_10 = _e13;
     }
     vec3 _e15 = s_10.direction;
@@ -2528,70 +2811,77 @@ LightSample sampleSky(vec2 u_16) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
+LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_21) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_20.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_20, point_15, u_17);
+        if ((e_24.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_24, point_18, u_21);
             s_11 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_20.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_20, point_15, u_17);
+        if ((e_24.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_24, point_18, u_21);
             s_11 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_20.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_20, point_15, u_17);
+        if ((e_24.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_24, point_18, u_21);
             s_11 = _e31;
         }
     }
-    const bool _e33 = hasPointLights;
+    const bool _e33 = hasMeshLamps;
     if (_e33) {
-        if ((e_20.kind == 3.0)) {
-            LightSample _e37 = samplePoint(e_20, point_15);
+        if ((e_24.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_24, point_18, u_21);
             s_11 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_20.kind == 4.0)) {
-            LightSample _e43 = sampleSpot(e_20, point_15);
+        if ((e_24.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_24, point_18);
             s_11 = _e43;
         }
     }
-    const bool _e45 = hasSuns;
+    const bool _e45 = hasPointLights;
     if (_e45) {
-        if ((e_20.kind == 5.0)) {
-            LightSample _e49 = sampleDirectional(e_20, u_17);
+        if ((e_24.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_24, point_18);
             s_11 = _e49;
         }
     }
-    const bool _e51 = hasSky;
+    const bool _e51 = hasSuns;
     if (_e51) {
-        if ((e_20.kind == 6.0)) {
-            LightSample _e55 = sampleSky(u_17);
+        if ((e_24.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_24, u_21);
             s_11 = _e55;
         }
     }
-    float _e58 = s_11.pdf;
-    float _e60 = s_11.distance_;
-    s_11.pdf = pick((_e60 <= (1e-5 * length(point_15))), 0.0, _e58);
-    LightSample _e67 = s_11;
-    return _e67;
+    const bool _e57 = hasSky;
+    if (_e57) {
+        if ((e_24.kind == 6.0)) {
+            LightSample _e61 = sampleSky(u_21);
+            s_11 = _e61;
+        }
+    }
+    float _e64 = s_11.pdf;
+    float _e66 = s_11.distance_;
+    s_11.pdf = pick((_e66 <= (1e-5 * length(point_18))), 0.0, _e64);
+    LightSample _e73 = s_11;
+    return _e73;
 }
 
-vec3 heroColor(vec3 throughput, float u_18) {
-    vec3 share_5 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_18 < share_5.x);
-    bool isBlue = pick(pick(!(isRed), (u_18 >= (share_5.x + share_5.y)), false), (share_5.z > 0.0), false);
+vec3 heroColor(vec3 throughput, float u_22) {
+    vec3 share_6 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_22 < share_6.x);
+    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_6.x + share_6.y)), false), (share_6.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_5), 1e-6)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_6), 1e-6)));
 }
 
 float nextHash(inout Sampler s_12) {
@@ -2614,8 +2904,8 @@ bool isConductor(uint code_10) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_6 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_6 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 vec2 ellipticAlpha(float alpha, float strength) {
@@ -2626,13 +2916,13 @@ float greatest(vec3 v_7) {
     return max(max(v_7.x, v_7.y), v_7.z);
 }
 
-float sheenAlbedo(float cosine_2, float roughness) {
-    float u_25 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+float sheenAlbedo(float cosine_3, float roughness) {
+    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
     float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_4 = (vec3(0.746962, 0.0397496, 0.224802) + (u_25 * (vec3(-0.448339, 0.3406, -0.509736) + (u_25 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_25 * (vec3(0.0587112, 0.187983, 0.191769) + (u_25 * (vec3(-0.182064, 0.425384, 0.971703) + (u_25 * (vec3(0.0763965, -0.331055, 0.616069) + (u_25 * (vec3(0.0893496, -0.409073, -0.445006) + (u_25 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_3 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_25 * (vec3(0.492365, -0.201291, -0.00570256) + (u_25 * (vec3(0.833264, 0.765625, -1.06831) + (u_25 * (vec3(-1.29238, 0.71056, 0.237437) + (u_25 * (vec3(-2.81818, -0.673857, 2.17806) + (u_25 * (vec3(0.500911, -0.777981, 0.0143213) + (u_25 * (vec3(1.97956, 0.108218, -1.28939) + (u_25 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
     float v2_ = (v_12 * v_12);
-    float root_1 = dot((low_4 + ((v2_ * v_12) * high_3)), vec3(1.0, v_12, v2_));
+    float root_1 = dot((low_6 + ((v2_ * v_12) * high_4)), vec3(1.0, v_12, v2_));
     float albedo = (root_1 * root_1);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -2642,16 +2932,16 @@ vec3 dielectricF0_(Layers l_3) {
     return min(((contrast * contrast) * l_3.specularColor), vec3(1.0));
 }
 
-float singleScatteringAlbedo(float cosine_3, float alpha_1) {
-    float x_23 = (cosine_3 / (cosine_3 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_23 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_23 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_23 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_23 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+float singleScatteringAlbedo(float cosine_4, float alpha_1) {
+    float x_26 = (cosine_4 / (cosine_4 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_26 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_26 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_26 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_26 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_ = (alpha_1 * alpha_1);
     return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
 }
 
-float cosineInAir(float cosine_4, float ratio) {
-    float sine2_1 = ((1.0 - (cosine_4 * cosine_4)) / (ratio * ratio));
-    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_4);
+float cosineInAir(float cosine_5, float ratio) {
+    float sine2_1 = ((1.0 - (cosine_5 * cosine_5)) / (ratio * ratio));
+    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_5);
 }
 
 vec3 indexOf(vec3 f0_1) {
@@ -2663,21 +2953,21 @@ vec3 sensitivity(float difference, vec3 shift) {
     float phase = (6.2831855e-9 * difference);
     vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
     vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
-    vec4 height_3 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
-    vec4 lobes = ((height_3 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_24 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_24) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_24) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_24) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+    vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    float x_27 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
 
-vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_5) {
+vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) {
     vec3 sum = vec3(0.0);
     vec3 amplitude = vec3(0.0);
     float order = 1.0;
-    float sine2_2 = ((1.0 - (cosine_5 * cosine_5)) / (filmIor * filmIor));
+    float sine2_2 = ((1.0 - (cosine_6 * cosine_6)) / (filmIor * filmIor));
     float within_4 = sqrt(max((1.0 - sine2_2), 0.0));
-    float first_2 = ((filmIor - 1.0) / (filmIor + 1.0));
-    vec3 _e21 = schlick(vec3((first_2 * first_2)), cosine_5);
+    float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
+    vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_6);
     float r12_ = _e21.x;
     float t121_ = (1.0 - r12_);
     vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
@@ -2710,16 +3000,16 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_5) 
     return clamp(_e90, vec3(0.0), vec3(1.0));
 }
 
-bool reflectsAll(float cosine_6, float ratio_1) {
-    return pick((ratio_1 < 1.0), ((1.0 - (cosine_6 * cosine_6)) >= (ratio_1 * ratio_1)), false);
+bool reflectsAll(float cosine_7, float ratio_1) {
+    return pick((ratio_1 < 1.0), ((1.0 - (cosine_7 * cosine_7)) >= (ratio_1 * ratio_1)), false);
 }
 
-vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_7) {
+vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
     vec3 dielectric = vec3(0.0);
     vec3 metal = vec3(0.0);
     bool isMetal = false;
     Layers l_6 = o_2.layers;
-    float _e5 = cosineInAir(cosine_7, o_2.ratio);
+    float _e5 = cosineInAir(cosine_8, o_2.ratio);
     vec3 _e6 = dielectricF0_(l_6);
     vec3 _e8 = schlick(_e6, _e5);
     dielectric = (l_6.specularWeight * _e8);
@@ -2749,7 +3039,7 @@ vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_7) {
         }
     }
     vec3 _e44 = dielectric;
-    bool _e48 = reflectsAll(cosine_7, o_2.ratio);
+    bool _e48 = reflectsAll(cosine_8, o_2.ratio);
     dielectric = pick(_e48, vec3(1.0), _e44);
     vec3 _e50 = dielectric;
     vec3 _e51 = metal;
@@ -2766,22 +3056,22 @@ Stack stackOf(Surface s_14, Layers l_4, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_7 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_7));
+    float side_8 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_8));
     bool isSolid = (l_4.solid > 0.0);
-    bool inside_3 = pick(isSolid, (side_7 < 0.0), false);
+    bool inside_4 = pick(isSolid, (side_8 < 0.0), false);
     float _e22 = dispersedIndex(l_4.ior, l_4.dispersion, hero_1);
-    float ratio_8 = pick(isSolid, pick(inside_3, (1.0 / _e22), _e22), 1.0);
+    float ratio_8 = pick(isSolid, pick(inside_4, (1.0 / _e22), _e22), 1.0);
     bool flat_ = pick(pick(isSolid, (l_4.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
     vec2 _e39 = ellipticAlpha(s_14.alpha, l_4.anisotropy);
     vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
     float coatAlpha = (l_4.coatRoughness * l_4.coatRoughness);
     float _e48 = coatReflectance(l_4.coat, wo_8.z);
-    float coat_1 = pick(inside_3, 0.0, _e48);
+    float coat_1 = pick(inside_4, 0.0, _e48);
     float _e52 = greatest(l_4.sheenColor);
     if ((_e52 > 0.0)) {
         float _e59 = sheenAlbedo(wo_8.z, l_4.sheenRoughness);
-        sheen = pick(inside_3, 0.0, _e59);
+        sheen = pick(inside_4, 0.0, _e59);
     }
     vec3 _e63 = dielectricF0_(l_4);
     vec3 f0_3 = (l_4.specularWeight * _e63);
@@ -2794,7 +3084,7 @@ Stack stackOf(Surface s_14, Layers l_4, vec3 given, vec3 hero_1) {
     }
     vec3 _e98 = more;
     float _e99 = sheen;
-    o_3 = Stack(l_4, wo_8, side_7, hero_1, ratio_8, inside_3, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    o_3 = Stack(l_4, wo_8, side_8, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
     Stack _e106 = o_3;
     vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
     float _e111 = sheen;
@@ -2825,14 +3115,14 @@ vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
     return mix(vec3(0.04), baseColor, metallic);
 }
 
-vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_8) {
-    vec3 _e7 = schlick(vec3(0.04), cosine_8);
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_9) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_9);
     return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
 }
 
-float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
     vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
-    vec3 _e4 = schlick(_e3, cosine_9);
+    vec3 _e4 = schlick(_e3, cosine_10);
     float specular = dot(_e4, vec3(1.0));
     vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
     float diffuse_1 = dot(_e9, vec3(1.0));
@@ -2905,30 +3195,30 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_19) {
-    float radius_2 = sqrt(u_19.x);
-    float phi_2 = ((6.2831855 * u_19.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_19.x))));
+vec3 sampleCosine(vec2 u_23) {
+    float radius_2 = sqrt(u_23.x);
+    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_20) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
     float _e8 = stretched(wo_2, alpha_4);
     vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_20.x) - 3.1415927);
-    float drop = (u_20.y * (1.0 + (bound * w_5.z)));
+    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
+    float drop = (u_24.y * (1.0 + (bound * w_5.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_21) {
-    float side_8 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_8), max(alpha_5, 0.001), o_5.bound, u_21);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_8);
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_25) {
+    float side_9 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_5, 0.001), o_5.bound, u_25);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
 }
 
-vec3 conductorFresnel(float cosine_10, vec3 eta_4, vec3 k_1) {
-    float cosine2_ = (cosine_10 * cosine_10);
+vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
+    float cosine2_ = (cosine_11 * cosine_11);
     float sine2_3 = (1.0 - cosine2_);
     vec3 difference_2 = (((eta_4 * eta_4) - (k_1 * k_1)) - vec3(sine2_3));
     vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
@@ -2937,47 +3227,47 @@ vec3 conductorFresnel(float cosine_10, vec3 eta_4, vec3 k_1) {
     vec3 a_8 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
     vec3 b_11 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
     vec3 b2_ = ((b_11 * b_11) + vec3(1e-20));
-    vec3 acrossFar = (a_8 + vec3(cosine_10));
-    vec3 acrossNear = (a_8 - vec3(cosine_10));
-    vec3 across_6 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_8 * cosine_10) + vec3(sine2_3));
-    vec3 alongNear = ((a_8 * cosine_10) - vec3(sine2_3));
+    vec3 acrossFar = (a_8 + vec3(cosine_11));
+    vec3 acrossNear = (a_8 - vec3(cosine_11));
+    vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_8 * cosine_11) + vec3(sine2_3));
+    vec3 alongNear = ((a_8 * cosine_11) - vec3(sine2_3));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
-    return ((0.5 * across_6) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+    return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_11) {
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_12) {
     float constants = dot((eta_5 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_11, eta_5, k_2);
+    vec3 _e8 = conductorFresnel(cosine_12, eta_5, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
-float dielectricFresnel(float cosine_12, float ratio_2) {
-    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_12 * cosine_12));
-    float inside_4 = sqrt(max(inside2_, 0.0));
-    float across_7 = ((cosine_12 - inside_4) / (cosine_12 + inside_4));
-    float along_3 = ((((ratio_2 * ratio_2) * cosine_12) - inside_4) / (((ratio_2 * ratio_2) * cosine_12) + inside_4));
-    return pick((inside2_ > 0.0), (0.5 * ((across_7 * across_7) + (along_3 * along_3))), 1.0);
+float dielectricFresnel(float cosine_13, float ratio_2) {
+    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
+    float inside_5 = sqrt(max(inside2_, 0.0));
+    float across_9 = ((cosine_13 - inside_5) / (cosine_13 + inside_5));
+    float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_5) / (((ratio_2 * ratio_2) * cosine_13) + inside_5));
+    return pick((inside2_ > 0.0), (0.5 * ((across_9 * across_9) + (along_4 * along_4))), 1.0);
 }
 
-float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_13, ratio_3);
+float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_14, ratio_3);
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_16, float cosine_14, float ratio_4) {
+vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     vec3 reflectance = vec3(0.0);
     uint code_12 = uint(s_16.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
-        vec3 _e13 = schlick(_e12, cosine_14);
+        vec3 _e13 = schlick(_e12, cosine_15);
         reflectance = _e13;
     }
     const bool _e15 = hasConductors;
     if (_e15) {
         vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_14);
+        vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
         bool _e21 = isConductor(code_12);
         reflectance = pick(_e21, _e20, _e16);
     }
@@ -2985,7 +3275,7 @@ vec3 facetReflectance(Surface s_16, float cosine_14, float ratio_4) {
     if (_e24) {
         vec3 _e25 = reflectance;
         bool _e26 = isThin(code_12);
-        float _e27 = glassReflectance(cosine_14, ratio_4, _e26);
+        float _e27 = glassReflectance(cosine_15, ratio_4, _e26);
         bool _e29 = isDielectric(code_12);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
@@ -2994,9 +3284,9 @@ vec3 facetReflectance(Surface s_16, float cosine_14, float ratio_4) {
 }
 
 vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
-    float cosine_20 = dot(wo_3, h_2);
-    float inside_5 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_20 * cosine_20)), 0.0));
-    return ((((cosine_20 - inside_5) * h_2) - wo_3) / vec3(ratio_5));
+    float cosine_21 = dot(wo_3, h_2);
+    float inside_6 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_21 * cosine_21)), 0.0));
+    return ((((cosine_21 - inside_6) * h_2) - wo_3) / vec3(ratio_5));
 }
 
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
@@ -3012,11 +3302,11 @@ float ellipticStretched(vec3 w_2, vec2 alpha_7) {
     return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_22) {
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
     float _e8 = ellipticStretched(wo_5, alpha_8);
     vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_22.x) - 3.1415927);
-    float drop_1 = (u_22.y * (1.0 + (bound_1 * w_6.z)));
+    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
+    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_6.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
     vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
     return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
@@ -3048,23 +3338,23 @@ float throughCover(Stack o_7, float zi, bool crossing) {
     return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e31, 1.0))));
 }
 
-LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_23) {
+LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_8.wo;
     bool isSolid_2 = (o_8.layers.solid > 0.0);
-    bool isCoat_1 = (u_23.z < o_8.ofCoat);
-    bool isFacet = (u_23.z < (o_8.ofCoat + o_8.ofFacets));
+    bool isCoat_1 = (u_27.z < o_8.ofCoat);
+    bool isFacet = (u_27.z < (o_8.ofCoat + o_8.ofFacets));
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
     float _e28 = ellipticBound(wo_9, wide_1);
     float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_23.xy);
+    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_27.xy);
     vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
     float oh = max(dot(wo_9, h_9), 0.0);
     vec4 _e43 = baseReflectance(s_18, o_8, oh);
     Parting _e44 = partingOf(s_18, o_8, _e43);
-    float left_2 = ((u_23.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    float left_2 = ((u_27.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
     bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
     vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
     vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
@@ -3072,16 +3362,16 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_23) {
     vec3 met_1 = pick(crossing_1, beyond_2, reflected_1);
     bool lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
     float _e76 = throughCover(o_8, abs(met_1.z), crossing_1);
-    vec3 weight_1 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_1 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    vec3 weight_2 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
+    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
     float _e122 = drawn.pdf;
     drawn.pdf = pick(lost, 0.0, _e122);
     if (!(isFacet)) {
-        float next = ((u_23.z - o_8.ofCoat) - o_8.ofFacets);
-        float sine_8 = sqrt(max((u_23.x * (2.0 - u_23.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_23.y) - 3.1415927);
-        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_23.x));
-        vec3 _e153 = sampleCosine(u_23.xy);
+        float next = ((u_27.z - o_8.ofCoat) - o_8.ofFacets);
+        float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
+        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
+        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
+        vec3 _e153 = sampleCosine(u_27.xy);
         vec3 below_3 = vec3(_e153.xy, pick((next >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
         drawn = LayeredSample(pick((next < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
     }
@@ -3095,7 +3385,7 @@ vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_24) {
+BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_1 = 0.0;
@@ -3103,8 +3393,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_24) {
     vec3 wo_10 = o_9.wo;
     float _e5 = mirrorShare(s_19.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_1 = ((u_24.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_24.xy);
+    float choice_2 = ((u_28.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_28.xy);
     drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
@@ -3113,10 +3403,10 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_24) {
         uint code_13 = uint(s_19.code);
         bool _e29 = isDielectric(code_13);
         bool _e30 = isSmooth(code_13);
-        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_24.xy);
+        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
-        bool crossing_2 = pick(_e29, (choice_1 >= _e38.x), false);
+        bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
         wi = (((2.0 * oh_1) * _e33) - wo_10);
         probability_1 = (base_2 * o_9.share);
         weight = (_e38 / vec3(o_9.share));
@@ -3133,7 +3423,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_24) {
         }
         float _e88 = wi.z;
         bool lost_1 = pick(!(_e30), (crossing_2 != ((wo_10.z < 0.0) != (_e88 < 0.0))), false);
-        bool specular_1 = (choice_1 < o_9.share);
+        bool specular_1 = (choice_2 < o_9.share);
         vec3 _e98 = drawn_1.direction;
         vec3 _e99 = wi;
         drawn_1.direction = pick(specular_1, _e99, _e98);
@@ -3149,13 +3439,13 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_24) {
     if (_e116) {
         bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
         if (_e121) {
-            LayeredSample _e125 = sampleLayered(s_19, o_9.stack, vec3(u_24.xy, choice_1));
+            LayeredSample _e125 = sampleLayered(s_19, o_9.stack, vec3(u_28.xy, choice_2));
             drawn_1 = BsdfSample(_e125.direction, (base_2 * _e125.pdf), _e125.weight, _e125.delta);
         }
     }
     const bool _e133 = hasMirrorLayers;
     if (_e133) {
-        bool reflected_2 = (u_24.z < _e5);
+        bool reflected_2 = (u_28.z < _e5);
         vec3 _e138 = drawn_1.direction;
         vec3 _e139 = mirrored(wo_10);
         drawn_1.direction = pick(reflected_2, _e139, _e138);
@@ -3175,11 +3465,11 @@ float facetDensity(vec3 h_3, float alpha_9) {
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
-vec3 compensation(Surface s_20, float cosine_15) {
+vec3 compensation(Surface s_20, float cosine_16) {
     uint code_14 = uint(s_20.code);
     bool _e8 = isDielectric(code_14);
     bool asked_1 = pick(((code_14 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_15, s_20.alpha);
+    float _e12 = singleScatteringAlbedo(cosine_16, s_20.alpha);
     vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
@@ -3265,14 +3555,14 @@ float shadowingExponent(float x_16, float alpha_11) {
     float b_12 = mix(3.82987, 3.32435, m_2);
     float c_5 = mix(0.19823, 0.16801, m_2);
     float d_5 = mix(-1.9776, -1.27393, m_2);
-    float e_22 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_22);
+    float e_26 = mix(-4.32054, -4.85967, m_2);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_26);
 }
 
-float sheenShadowing(float cosine_16, float alpha_12) {
-    float x_25 = clamp(cosine_16, 1e-6, 1.0);
-    bool isLow = (x_25 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_25, max((1.0 - x_25), 1e-6)), alpha_12);
+float sheenShadowing(float cosine_17, float alpha_12) {
+    float x_28 = clamp(cosine_17, 1e-6, 1.0);
+    bool isLow = (x_28 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_12);
     float _e14 = shadowingExponent(0.5, alpha_12);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
@@ -3282,11 +3572,11 @@ float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
     float m2_2 = max(dot(m_3, m_3), 1e-20);
     float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
     float power_1 = (0.5 / alpha_13);
-    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
+    float density_2 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
     float zo_1 = max(wo_7.z, 1e-6);
     float _e38 = sheenShadowing(wo_7.z, alpha_13);
     float _e42 = sheenShadowing(wi_3.z, alpha_13);
-    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
+    return (density_2 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
 float sheenAlpha(float roughness_1) {
@@ -3334,7 +3624,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         float _e98 = ellipticBound(wo_12, wide_2);
         bool _e102 = isCoat;
         float bound_3 = pick(pick((l_8.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
+        float density_3 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
         bool _e115 = isCoat;
         vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
         Parting _e120 = partingOf(s_23, o_13, _e119);
@@ -3349,7 +3639,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         vec4 _e151 = sum_1;
         vec3 _e152 = lobe;
         float _e155 = chosen_1;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_2)));
+        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_3)));
         bool _e159 = isCoat;
         if (!(_e159)) {
             break;
@@ -3414,8 +3704,8 @@ bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+    vec3 weight_3 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
 vec3 toWorld(Basis b_5, vec3 v_9) {
@@ -3426,16 +3716,16 @@ float max3_(vec3 v_10) {
     return max(max(v_10.x, v_10.y), v_10.z);
 }
 
-bool isFlat(uint i_22) {
+bool isFlat(uint i_24) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_22 >= _e4);
+    return (i_24 >= _e4);
 }
 
-void meetSurface(inout Path p_11, PairHit hit_2) {
+void meetSurface(inout Path p_12, PairHit hit_2) {
     Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 hero_3 = vec3(1.0);
-    RayPair rays_2 = p_11.rays;
+    RayPair rays_2 = p_12.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
@@ -3443,15 +3733,15 @@ void meetSurface(inout Path p_11, PairHit hit_2) {
     float _e14 = surface_1.code;
     float _e18 = surface_1.eta.x;
     bool _e19 = letsThrough(uint(_e14), _e18);
-    vec3 point_16 = (rays_2.point + (hit_2.t * rays_2.direction));
+    vec3 point_19 = (rays_2.point + (hit_2.t * rays_2.direction));
     vec3 outward_1 = _e10.shading;
-    vec3 normal_12 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
-    Basis _e34 = basisAbout(normal_12);
+    vec3 normal_15 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e34 = basisAbout(normal_15);
     basis = _e34;
     const bool _e37 = hasLayers;
     if (_e37) {
         if (any(notEqual(_e10.grain, vec3(0.0)))) {
-            Basis _e44 = basisAlong(normal_12, _e10.grain);
+            Basis _e44 = basisAlong(normal_15, _e10.grain);
             basis = _e44;
         }
     }
@@ -3462,10 +3752,10 @@ void meetSurface(inout Path p_11, PairHit hit_2) {
     if (pick(_e50, true, _e52)) {
         float _e55 = surface_1.code;
         bool _e57 = isThin(uint(_e55));
-        bool inside_6 = pick(pick(pick(_e19, !(_e57), false), (_e48.z < 0.0), false), !(escaped_1), false);
-        vec3 _e67 = p_11.throughput;
+        bool inside_7 = pick(pick(pick(_e19, !(_e57), false), (_e48.z < 0.0), false), !(escaped_1), false);
+        vec3 _e67 = p_12.throughput;
         vec3 _e69 = surface_1.absorption;
-        p_11.throughput = (_e67 * exp((-(_e69) * pick(inside_6, hit_2.t, 0.0))));
+        p_12.throughput = (_e67 * exp((-(_e69) * pick(inside_7, hit_2.t, 0.0))));
     }
     const bool _e78 = hasLayers;
     if (_e78) {
@@ -3474,31 +3764,31 @@ void meetSurface(inout Path p_11, PairHit hit_2) {
         surface_1.emission = (_e80 * (1.0 - _e85));
     }
     Emitter _e90 = fetchEmitter(0u);
-    vec3 _e92 = p_11.radiance;
-    vec3 _e94 = p_11.throughput;
-    Path _e95 = p_11;
+    vec3 _e92 = p_12.radiance;
+    vec3 _e94 = p_12.throughput;
+    Path _e95 = p_12;
     Surface _e96 = surface_1;
     vec3 _e98 = foundLight(_e95, hit_2, _e96, _e10.geometric, _e90);
-    p_11.radiance = (_e92 + (_e94 * _e98));
+    p_12.radiance = (_e92 + (_e94 * _e98));
     const bool _e102 = hasMeshes;
     if (_e102) {
         if (escaped_1) {
-            p_11.alive = false;
+            p_12.alive = false;
             return;
         }
     }
-    vec3 litSide = pick(_e19, vec3(0.0), normal_12);
-    vec3 _e109 = next3d(p_11.sampler_);
-    vec3 _e111 = next3d(p_11.sampler_);
-    EmitterChoice _e113 = chooseEmitter(point_16, litSide, _e109.z);
+    vec3 litSide = pick(_e19, vec3(0.0), normal_15);
+    vec3 _e109 = next3d(p_12.sampler_);
+    vec3 _e111 = next3d(p_12.sampler_);
+    EmitterChoice _e113 = chooseEmitter(point_19, litSide, _e109.z);
     Emitter _e115 = emitterAt(_e113.index, _e90);
-    LightSample _e117 = sampleEmitter(_e115, point_16, _e109.xy);
+    LightSample _e117 = sampleEmitter(_e115, point_19, _e109.xy);
     float lightPdf = (_e117.pdf * _e113.probability);
     const bool _e125 = hasLayers;
     if (_e125) {
         if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
-            vec3 _e132 = p_11.throughput;
-            float _e134 = nextHash(p_11.sampler_);
+            vec3 _e132 = p_12.throughput;
+            float _e134 = nextHash(p_12.sampler_);
             vec3 _e135 = heroColor(_e132, _e134);
             hero_3 = _e135;
         }
@@ -3516,69 +3806,69 @@ void meetSurface(inout Path p_11, PairHit hit_2) {
     bool opaque = pick(_e149, !(_e19), false);
     bool _e156 = crosses(_e10.geometric, _e117.direction, -(rays_2.direction));
     bool lightLeaks = pick(opaque, _e156, false);
-    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e147.toLight);
+    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e147.toLight);
     bool alone_1 = pick(_e117.delta, true, pick((_e115.shape < 0.0), (_e117.distance_ < 1e30), false));
-    float _e172 = misWeight(lightPdf, toLight_7.w);
+    float _e172 = misWeight(lightPdf, toLight_8.w);
     float lightWeight = (pick(alone_1, 1.0, _e172) / lightPdf);
     BsdfSample _e177 = completed(_e141, _e147.toSample);
     Basis _e178 = basis;
     vec3 _e180 = toWorld(_e178, _e177.direction);
     bool _e184 = crosses(_e10.geometric, _e180, -(rays_2.direction));
     bool leaks = pick(opaque, _e184, false);
-    uint _e188 = p_11.depth;
+    uint _e188 = p_12.depth;
     uint _e191 = frame.maxDepth;
     bool goesOn_1 = pick(!(escaped_1), (_e188 != _e191), false);
-    vec3 _e195 = p_11.throughput;
-    vec3 contribution = (((_e195 * toLight_7.xyz) * _e117.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e117.radiance), vec3(0.0))), false);
-    p_11.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e217 = p_11.throughput;
+    vec3 _e195 = p_12.throughput;
+    vec3 contribution = (((_e195 * toLight_8.xyz) * _e117.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e117.radiance), vec3(0.0))), false);
+    p_12.light = pick(lit_2, contribution, vec3(0.0));
+    vec3 _e217 = p_12.throughput;
     vec3 throughput_1 = (_e217 * _e177.weight);
     float _e220 = max3_(throughput_1);
-    uint _e226 = p_11.depth;
+    uint _e226 = p_12.depth;
     float survival = pick((_e226 < rouletteDepth), 1.0, min((_e220 / 0.33333334), 0.95));
     float _e238 = max3_(throughput_1);
-    float _e243 = nextHash(p_11.sampler_);
-    p_11.alive = pick(pick(pick(pick(goesOn_1, (_e177.pdf > 0.0), false), !(leaks), false), (_e238 > 0.0), false), (_e243 < survival), false);
-    p_11.throughput = (throughput_1 / vec3(survival));
-    uint _e251 = p_11.depth;
-    p_11.depth = (_e251 + 1u);
-    p_11.pdf = pick(_e177.delta, 0.0, _e177.pdf);
-    p_11.litSide = litSide;
-    p_11.total = _e113.total;
+    float _e243 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e177.pdf > 0.0), false), !(leaks), false), (_e238 > 0.0), false), (_e243 < survival), false);
+    p_12.throughput = (throughput_1 / vec3(survival));
+    uint _e251 = p_12.depth;
+    p_12.depth = (_e251 + 1u);
+    p_12.pdf = pick(_e177.delta, 0.0, _e177.pdf);
+    p_12.litSide = litSide;
+    p_12.odds = _e113.odds;
     bool _e261 = isFlat(shape_1);
     bool solid = !(_e261);
     uint lightShape = pick((_e115.shape >= 0.0), uint(max(_e115.shape, 0.0)), noShape);
-    bool _e278 = p_11.alive;
-    Sampler _e293 = p_11.sampler_;
+    bool _e278 = p_12.alive;
+    Sampler _e293 = p_12.sampler_;
     uint _e294 = numberOfNext(_e293);
-    p_11.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e278, _e180, pick(solid, (dot(_e180, outward_1) < 0.0), false), _e117.direction, pick(solid, (dot(_e117.direction, outward_1) < 0.0), false), pick(lit_1, _e117.distance_, -1.0), lightShape, _e294);
+    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e278, _e180, pick(solid, (dot(_e180, outward_1) < 0.0), false), _e117.direction, pick(solid, (dot(_e117.direction, outward_1) < 0.0), false), pick(lit_2, _e117.distance_, -1.0), lightShape, _e294);
     return;
 }
 
-void extendPath(inout Path p_12) {
-    RayPair _e2 = p_12.rays;
+void extendPath(inout Path p_13) {
+    RayPair _e2 = p_13.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_12.radiance;
-    vec3 _e7 = p_12.light;
-    p_12.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_12.rays.lightDistance = -1.0;
-    bool _e17 = p_12.alive;
+    vec3 _e5 = p_13.radiance;
+    vec3 _e7 = p_13.light;
+    p_13.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_13.rays.lightDistance = -1.0;
+    bool _e17 = p_13.alive;
     if (_e17) {
-        meetSurface(p_12, _e3);
+        meetSurface(p_13, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_13) {
-    return pick(!(p_13.alive), (p_13.rays.lightDistance < 0.0), false);
+bool isOver(Path p_14) {
+    return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
 }
 
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 pixel_3 = uvec2(fragment.xy);
     uint _e5 = frame.sampleIndex;

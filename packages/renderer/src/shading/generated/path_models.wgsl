@@ -109,7 +109,7 @@ fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, lensPoint(&s));
   let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), 1.0, s);
+  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -196,9 +196,9 @@ struct Path {
   // Density of the present direction by the BSDF, per steradian; 0: only the BSDF could find it.
   pdf: f32,
   // For the probability with which light sampling at the last vertex would have chosen an emitter: the side that is lit, zero
-  // where both are, and the sum of all emitters' estimates.
+  // where both are, and what the others' estimates were.
   litSide: vec3f,
-  total: f32,
+  odds: Odds,
   sampler: Sampler,
 }
 
@@ -224,6 +224,15 @@ struct RayPair {
   lightShape: u32,
   // For what is there by chance: sampler.wesl, numberOfNext.
   number: u32,
+}
+
+
+// What `probabilityOf` has to know of the point.
+struct Odds {
+  // The sum of the estimates of all emitters that are looked at one by one.
+  total: f32,
+  // Probability to take one out of the tree.
+  tree: f32,
 }
 
 
@@ -319,7 +328,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).depth++;
   (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
   (*p).litSide = litSide;
-  (*p).total = choice.total;
+  (*p).odds = choice.odds;
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
   (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
@@ -389,7 +398,8 @@ fn fetchEmitter(i: u32) -> Emitter {
   let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
   let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
   let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w);
+  let t5 = textureLoad(sceneTable, vec2u(19u, i), 0);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
 
 // Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
@@ -405,11 +415,16 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
     let emission = found;
     found = vec3f(0.0);
     var i = select(u32(max(own, 0)), 0u, escaped);
+    if (hasMeshLamps) {
+      if (hit.triangle.instance != noInstance) {
+        i += emitterOfTriangle(emitterAt(i, only), hit.triangle);
+      }
+    }
     loop {
       let e = emitterAt(i, only);
       let far = farLight(e, direction);
-      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward), far.pdf, escaped);
-      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.total);
+      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward, hit.triangle.triangle), far.pdf, escaped);
+      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.odds);
       let radiance = select(emission, far.radiance, escaped);
       found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
       i++;
@@ -421,7 +436,7 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
           break;
         }
       }
-      if (!escaped | (i >= frame.emitterCount)) {
+      if (!escaped | (i >= frame.farEmitters)) {
         break;
       }
     }
@@ -441,7 +456,12 @@ fn next3d(s: ptr<function, Sampler>) -> vec3f {
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
 // reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
 fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), 1.0);
+  var hasTree = false;
+  if (hasLightTree) {
+    hasTree = frame.lightTreeDepth > 0u;
+  }
+  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
       var total = 0.0;
@@ -450,7 +470,7 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
       var rest = u;
       var i = 0u;
       loop {
-        let weight = estimatedIrradiance(fetchEmitter(i), point, normal);
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
         total += weight;
         let share = weight / max(total, 1e-37);
         let take = rest < share;
@@ -458,11 +478,19 @@ fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
         chosenWeight = select(chosenWeight, weight, take);
         rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
         i++;
-        if (i >= frame.emitterCount) {
+        if (i >= listed) {
           break;
         }
       }
-      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), total);
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      if (hasLightTree) {
+        if (hasTree) {
+          let down = descend(point, normal, rest, noLeaf, total);
+          choice.odds.tree = down.share;
+          choice.index = select(chosen, down.emitter, down.taken);
+          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
+        }
+      }
     }
   }
   return choice;
@@ -494,6 +522,11 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   if (hasBoxLights) {
     if (e.kind == boxKind) {
       s = sampleBox(e, point, u);
+    }
+  }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      s = sampleMesh(e, point, u);
     }
   }
   if (hasPointLights) {
@@ -1479,17 +1512,17 @@ fn isDielectric(code: u32) -> bool {
 const dielectric = 3u;
 
 struct Emitter {
-  // eye-relative: centre of a sphere or box, corner of a quad, place of a point or spot light
+  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
   position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
   u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,
-  // other edge of a quad
+  // other edge of a quad; mean of the normals of a mesh, weighted by area
   v: vec3f,
-  // cosine of the inner angle of a spot
+  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
   cosInner: f32,
   // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
   radiance: vec3f,
@@ -1497,18 +1530,34 @@ struct Emitter {
   area: f32,
   // row of the shape that rays meet; -1: none, only light sampling finds it
   shape: f32,
-  // 1: a quad that shines to the side of u x v only
+  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
   oneSided: f32,
   // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
   power: f32,
   // radius of the bounding sphere; of directional light: sine of half the angular diameter
   reach: f32,
+  // its place among the leaves of the light tree; -1: it is in none
+  leaf: f32,
+  // mesh: row of its first triangle among the tables of lamps
+  table: f32,
+  // mesh: how many
+  triangles: f32,
+  // mesh: of which instance
+  instance: f32,
 }
 
 
 // Index of the emitter that a shape is, from -1 for none.
 fn emitterOf(code: f32) -> i32 {
   return (i32(code) >> 6u) - 1;
+}
+
+// Meshes that shine, and so many lights that a tree chooses among them.
+override hasMeshLamps = false;
+
+// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
+fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
+  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
 }
 
 fn farLight(e: Emitter, direction: vec3f) -> FarLight {
@@ -1527,8 +1576,8 @@ fn farLight(e: Emitter, direction: vec3f) -> FarLight {
 }
 
 // The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
-// outward normal.
-fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+// outward normal; of a mesh, the triangle at that place.
+fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
   var pdf = 0.0;
   if (hasSphereLights) {
     if (e.kind == sphereKind) {
@@ -1545,15 +1594,26 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
       pdf = boxPdf(e, point, direction, distance, normal);
     }
   }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      pdf = meshPdf(e, direction, distance, normal, place);
+    }
+  }
   return pdf;
 }
 
 // With which chooseEmitter would have chosen this one there.
-fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, total: f32) -> f32 {
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
-      probability = estimatedIrradiance(e, point, normal) / max(total, 1e-37);
+      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        if (frame.lightTreeDepth > 0u) {
+          let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
+          probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
+        }
+      }
     }
   }
   return probability;
@@ -1825,6 +1885,30 @@ struct BoxView {
 }
 
 
+const meshKind = 7.0;
+
+fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
+  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
+  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
+}
+
+fn fetchLampTriangle(row: u32) -> LampTriangle {
+  let r0 = geometryRow(row + 0u);
+  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
+}
+
+struct LampTriangle {
+  // alias table: probability to take this triangle and not the other one
+  own: f32,
+  // of this triangle, in the order of its mesh
+  place: u32,
+  // place of the other one
+  other: u32,
+  // how likely its points are: as a factor on 1 / area of the emitter
+  density: f32,
+}
+
+
 // `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
 // light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
 fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
@@ -1846,6 +1930,15 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
     let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
     estimate *= select(1.0, lampCosine, isQuad);
   }
+  if (hasMeshLamps) {
+    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
+    let alike = length(e.v);
+    let across = -dot(e.v, toLight);
+    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
+    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
+    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
+    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
+  }
   if (hasPointLights) {
     estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
   }
@@ -1853,6 +1946,137 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
     estimate = select(estimate, e.power, e.kind == skyKind);
   }
   return estimate;
+}
+
+override hasLightTree = false;
+
+// `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
+fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
+  var level = frame.lightTreeDepth;
+  var node = 0u;
+  var rest = u;
+  var choice = TreeChoice(0u, 1.0, 0.0, true);
+  loop {
+    level--;
+    let n = fetchLightNode(frame.lightTree + node);
+    let w = estimatesOfChildren(n, point, normal);
+    let two = w.x + w.y;
+    let three = two + w.z;
+    let total = three + w.w;
+    if (node == 0u) {
+      choice.share = shareOfTree(total, far);
+      choice.taken = rest < choice.share;
+      rest = min(rest / max(choice.share, 1e-37), 0.99999994);
+    }
+    let at = rest * total;
+    let byChance = u32(at >= w.x) + u32(at >= two) + u32(at >= three);
+    let child = select((u32(max(leaf, 0)) >> (2u * level)) & 3u, byChance, leaf < 0);
+    let low = child < 2u;
+    let odd = (child & 1u) == 1u;
+    let own = select(select(w.z, w.w, odd), select(w.x, w.y, odd), low);
+    let before = select(select(two, three, odd), select(0.0, w.x, odd), low);
+    choice.probability *= own / max(total, 1e-37);
+    choice.emitter = u32(select(select(n.emitters.z, n.emitters.w, odd), select(n.emitters.x, n.emitters.y, odd), low));
+    rest = clamp((at - before) / max(own, 1e-37), 0.0, 0.99999994);
+    node = 4u * node + 1u + child;
+    if (level == 0u) {
+      break;
+    }
+  }
+  return choice;
+}
+
+struct TreeChoice {
+  emitter: u32,
+  // Of this emitter, once it is to be one of the tree.
+  probability: f32,
+  // Probability of the tree, beside the lights that are infinitely far, and whether chance takes it.
+  share: f32,
+  taken: bool,
+}
+
+
+fn fetchLightNode(i: u32) -> LightNode {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t7 = textureLoad(sceneTable, vec2u(7u, i), 0);
+  let t8 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  let t9 = textureLoad(sceneTable, vec2u(9u, i), 0);
+  let t10 = textureLoad(sceneTable, vec2u(10u, i), 0);
+  let t11 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
+}
+
+// An estimate of each child's irradiance at the point; 0 where it can be none. A normal of zero: light comes through from both sides.
+fn estimatesOfChildren(n: LightNode, point: vec3f, normal: vec3f) -> vec4f {
+  let x = n.x - point.x;
+  let y = n.y - point.y;
+  let z = n.z - point.z;
+  let distance2 = x * x + y * y + z * z;
+  let inverse = inverseSqrt(max(distance2, vec4f(1e-30)));
+  let inside = distance2 <= n.reach * n.reach;
+  // Half the angle that the sphere fills; all of it from inside.
+  let sinB = min(n.reach * inverse, vec4f(1.0));
+  let cosB = select(sineOf(sinB), vec4f(-1.0), inside);
+  let along = -(n.axisX * x + n.axisY * y + n.axisZ * z) * inverse;
+  let cosW = clamp(select(along, abs(along), n.bothSides > vec4f(0.5)), vec4f(-1.0), vec4f(1.0));
+  let sinW = sineOf(cosW);
+  let sinO = sineOf(n.cosWidth);
+  let cosX = cosineLess(cosW, sinW, n.cosWidth, sinO);
+  let cosOut = select(cosineLess(cosX, sineOf(cosX), cosB, sinB), vec4f(1.0), inside);
+  let cosN = clamp((normal.x * x + normal.y * y + normal.z * z) * inverse, vec4f(-1.0), vec4f(1.0));
+  let above = select(max(cosineLess(cosN, sineOf(cosN), cosB, sinB), vec4f(0.0)), vec4f(1.0), inside);
+  let cosIn = select(above, vec4f(1.0), dot(normal, normal) == 0.0);
+  let estimate = n.power * cosOut * cosIn / max(max(distance2, n.reach * n.reach), vec4f(1e-15));
+  return select(vec4f(0.0), min(estimate, vec4f(1e30)), cosOut > n.cosEdge);
+}
+
+// The estimate for the whole tree is rough; so neither side gets less than a quarter where there are both.
+fn shareOfTree(total: f32, far: f32) -> f32 {
+  let share = 0.25 + 0.5 * total / max(total + far, 1e-37);
+  return select(select(share, 1.0, far <= 0.0), 0.0, total <= 0.0);
+}
+
+struct LightNode {
+  // of each child the centre of a sphere about its lights, eye-relative
+  x: vec4f,
+  // y
+  y: vec4f,
+  // z
+  z: vec4f,
+  // radius of the sphere
+  reach: vec4f,
+  // unit axis of the cone that holds all normals of the lights
+  axisX: vec4f,
+  // y
+  axisY: vec4f,
+  // z
+  axisZ: vec4f,
+  // cosine of that cone, from its axis
+  cosWidth: vec4f,
+  // cosine of the angle from a normal up to which there is light
+  cosEdge: vec4f,
+  // 1: also against the normals
+  bothSides: vec4f,
+  // sum of what Emitter has; 0: there is no such child
+  power: vec4f,
+  // in the lowest nodes: which emitter the child is
+  emitters: vec4f,
+}
+
+
+fn sineOf(cosine: vec4f) -> vec4f {
+  return sqrt(max(1.0 - cosine * cosine, vec4f(0.0)));
+}
+
+// cos(max(a - b, 0)), of angles from 0 to pi.
+fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
+  return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
 }
 
 override hasPointLights = false;
@@ -1957,10 +2181,11 @@ struct EmitterChoice {
   index: u32,
   // 0: no light reaches the point.
   probability: f32,
-  // The sum of all estimates at the point, for `probabilityOf`.
-  total: f32,
+  odds: Odds,
 }
 
+
+const noLeaf = -1;
 
 // What sampling a light gives: one direction, and how likely it was.
 struct LightSample {
@@ -2080,6 +2305,61 @@ fn pointOnFaces(e: Emitter, b: BoxView, u: vec2f) -> vec4f {
 fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
+
+fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  let chosen = chooseTriangle(e, u);
+  let instance = fetchInstance(frame.instances + u32(e.instance) * instanceRows);
+  let t = fetchTriangle(instance.triangles + chosen.place * triangleRows);
+  let weights = weightsOnTriangle(chosen.u);
+  let toLight = outOfMesh(instance, t.a + weights.x * (t.b - t.a) + weights.y * (t.c - t.a)) - point;
+  let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
+  let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
+  let distance = length(toLight);
+  let pdf = areaPdf(e.area / chosen.density, abs(height), distance);
+  let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
+  // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
+  let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
+  return LightSample(toLight / max(distance, 1e-30), reached, e.radiance, select(0.0, pdf, lit), false);
+}
+
+fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
+  let first = frame.lampTables + u32(e.table);
+  let column = min(u32(u.x * e.triangles), u32(e.triangles) - 1u);
+  let entry = fetchLampTriangle(first + column);
+  // The digits that the choice of a column has used up are replaced by hashed ones.
+  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
+  let fine = f32(hash) * 5.9604644775390625e-8 * 5.9604644775390625e-8 * e.triangles;
+  let x = clamp(u.x * e.triangles - f32(column) + fine, 0.0, 0.99999994);
+  let own = x < entry.own;
+  let rest = select((x - entry.own) / max(1.0 - entry.own, 1e-7), x / max(entry.own, 1e-37), own);
+  let place = select(entry.other, entry.place, own);
+  let density = fetchLampTriangle(first + column + place - entry.place).density;
+  return ChosenTriangle(place, density, vec2f(min(rest, 1.0), u.y));
+}
+
+// How much the second and third vertex count at a uniform point: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
+fn weightsOnTriangle(u: vec2f) -> vec2f {
+  let low = 0.5 * min(u.x, u.y);
+  let high = max(u.x, u.y) - low;
+  return select(vec2f(high, low), vec2f(low, high), u.x < u.y);
+}
+
+// From the space of the mesh to the eye-relative world: the inverse of what the instance has, by Cramer's rule.
+fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
+  let q = p - vec3f(i.toMeshX.w, i.toMeshY.w, i.toMeshZ.w);
+  let x = cross(i.toMeshY.xyz, i.toMeshZ.xyz);
+  let y = cross(i.toMeshZ.xyz, i.toMeshX.xyz);
+  let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
+  return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
+}
+
+struct ChosenTriangle {
+  place: u32,
+  density: f32,
+  // Two random numbers that are left.
+  u: vec2f,
+}
+
 
 const pointKind = 3.0;
 
@@ -3017,7 +3297,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var top = 1u;
   var current = first;
   // A leaf waits while the ray goes on to the next node, so that each turn has work for both.
-  var waiting = noLeaf;
+  var waiting = noLeaf0;
   // Once, and once more for each triangle that may not be there: it is looked at when all rays side by side have come as far.
   loop {
     loop {
@@ -3059,16 +3339,16 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
           current = stack[top];
         }
       }
-      if ((waiting == noLeaf) & (current >= leaves)) {
+      if ((waiting == noLeaf0) & (current >= leaves)) {
         waiting = current;
         top--;
         current = stack[top];
       }
-      if (waiting != noLeaf) {
+      if (waiting != noLeaf0) {
         // One triangle a turn, so that lanes with short leaves do not wait.
         let place = waiting & placeMask;
         waiting = waiting + 1u - (1u << countShift);
-        waiting = select(waiting, noLeaf, waiting < leaves);
+        waiting = select(waiting, noLeaf0, waiting < leaves);
         let hit = crossTriangle(ray, fetchTriangle(triangles + place * triangleRows));
         var nearer = hit.within & (hit.depth > rays.least * hit.sum) & (hit.depth < most * hit.sum) & (place != own);
         if (hasOneSided) {
@@ -3216,7 +3496,7 @@ var<private> stack: array<u32, 64>;
 const ending = 0x8fffffffu;
 
 // A leaf that is none.
-const noLeaf = 0u;
+const noLeaf0 = 0u;
 
 // `number`: of the ray.
 fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
@@ -3539,4 +3819,12 @@ struct Frame {
   tile: vec2u,
   // instances of meshes
   instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
 }

@@ -439,6 +439,14 @@ struct Frame {
   tile: vec2u,
   // instances of meshes
   instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
 }
 
 
