@@ -47,6 +47,13 @@ struct Layers {
     float spare1_;
     float spare2_;
 };
+struct Outgoing {
+    vec3 wo;
+    float share;
+    float ratio;
+    float bound;
+    float stretched;
+};
 struct Stack {
     Layers layers;
     vec3 wo;
@@ -64,14 +71,6 @@ struct Stack {
     float ofFacets;
     float ofSheen;
     float ofDiffuse;
-};
-struct Outgoing {
-    vec3 wo;
-    float share;
-    float ratio;
-    float bound;
-    float stretched;
-    Stack stack;
 };
 struct BsdfSample {
     vec3 direction;
@@ -138,22 +137,26 @@ struct Frame {
 };
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;
+const uint metallicRoughness = 1u;
 const uint conductor = 2u;
 const uint dielectric0_ = 3u;
-const uint metallicRoughness = 1u;
 const uint diffuse0_ = 0u;
 
 uniform highp sampler2D questions;
 
 uniform highp sampler2D sceneTable;
 
-const bool hasConductors = false;
-
-const bool hasGlass = false;
+Layers layersHere = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasLayers = false;
 
 const bool hasMetallicRoughness = false;
+
+const bool hasConductors = false;
+
+const bool hasGlass = false;
+
+Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasCompensation = false;
 
@@ -178,28 +181,53 @@ uint kindOf(uint code) {
     return (code & 3u);
 }
 
-bool isConductor(uint code_1) {
-    const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_1);
-    return pick(_e2, (_e3 == conductor), false);
-}
-
-bool isDielectric(uint code_2) {
-    const bool _e2 = hasGlass;
-    uint _e3 = kindOf(code_2);
-    return pick(_e2, (_e3 == dielectric0_), false);
-}
-
-bool isMetallicRoughness(uint code_3) {
+bool isMetallicRoughness(uint code_1) {
     const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_3);
+    uint _e3 = kindOf(code_1);
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-bool isLayered(uint code_4, float eta) {
+bool isLayered(uint code_2, float eta) {
     const bool _e3 = hasLayers;
-    bool _e4 = isMetallicRoughness(code_4);
+    bool _e4 = isMetallicRoughness(code_2);
     return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+}
+
+Layers fetchLayers(uint i_1) {
+    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
+    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
+    return Layers(t0_1.xyz, t0_1.w, t1_1.xyz, t1_1.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+}
+
+Layers layersOf(uint code_3, float eta_1) {
+    Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bool _e4 = hasLayers;
+    if (_e4) {
+        bool _e5 = isLayered(code_3, eta_1);
+        if (_e5) {
+            Layers _e8 = fetchLayers(uint(abs(eta_1)));
+            l = _e8;
+        }
+    }
+    Layers _e9 = l;
+    return _e9;
+}
+
+bool isConductor(uint code_4) {
+    const bool _e2 = hasConductors;
+    uint _e3 = kindOf(code_4);
+    return pick(_e2, (_e3 == conductor), false);
+}
+
+bool isDielectric(uint code_5) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_5);
+    return pick(_e2, (_e3 == dielectric0_), false);
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
@@ -237,9 +265,9 @@ float sheenAlbedo(float cosine_2, float roughness) {
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
 
-vec3 dielectricF0_(Layers l) {
-    float contrast = ((l.ior - 1.0) / (l.ior + 1.0));
-    return min(((contrast * contrast) * l.specularColor), vec3(1.0));
+vec3 dielectricF0_(Layers l_1) {
+    float contrast = ((l_1.ior - 1.0) / (l_1.ior + 1.0));
+    return min(((contrast * contrast) * l_1.specularColor), vec3(1.0));
 }
 
 float singleScatteringAlbedo(float cosine_3, float alpha_1) {
@@ -318,27 +346,27 @@ vec4 baseReflectance(Surface s, Stack o, float cosine_7) {
     vec3 dielectric = vec3(0.0);
     vec3 metal = vec3(0.0);
     bool isMetal = false;
-    Layers l_4 = o.layers;
+    Layers l_3 = o.layers;
     float _e5 = cosineInAir(cosine_7, o.ratio);
-    vec3 _e6 = dielectricF0_(l_4);
+    vec3 _e6 = dielectricF0_(l_3);
     vec3 _e8 = schlick(_e6, _e5);
-    dielectric = (l_4.specularWeight * _e8);
+    dielectric = (l_3.specularWeight * _e8);
     vec3 _e12 = schlick(s.baseColor, _e5);
     metal = _e12;
     const bool _e15 = hasIridescence;
     if (_e15) {
-        if ((l_4.film > 0.0)) {
+        if ((l_3.film > 0.0)) {
             isMetal = (s.metallic >= 1.0);
             while(true) {
                 bool _e26 = isMetal;
-                vec3 _e30 = filmReflectance(pick(_e26, s.baseColor, (l_4.specularWeight * _e6)), l_4.filmIor, l_4.filmThickness, _e5);
+                vec3 _e30 = filmReflectance(pick(_e26, s.baseColor, (l_3.specularWeight * _e6)), l_3.filmIor, l_3.filmThickness, _e5);
                 bool _e31 = isMetal;
                 if (_e31) {
                     vec3 _e32 = metal;
-                    metal = mix(_e32, _e30, l_4.film);
+                    metal = mix(_e32, _e30, l_3.film);
                 } else {
                     vec3 _e35 = dielectric;
-                    dielectric = mix(_e35, _e30, l_4.film);
+                    dielectric = mix(_e35, _e30, l_3.film);
                 }
                 bool _e38 = isMetal;
                 if (pick(_e38, true, (s.metallic <= 0.0))) {
@@ -362,56 +390,56 @@ float mean3_(vec3 v_1) {
     return dot(v_1, vec3(0.33333334));
 }
 
-Stack stackOf(Surface s_1, Layers l_1, vec3 given, vec3 hero_1) {
+Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_1 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float side_1 = pick((given.z < 0.0), -1.0, 1.0);
     vec3 wo_8 = vec3(given.xy, (given.z * side_1));
-    bool isSolid = (l_1.solid > 0.0);
+    bool isSolid = (l_2.solid > 0.0);
     bool inside = pick(isSolid, (side_1 < 0.0), false);
-    float _e22 = dispersedIndex(l_1.ior, l_1.dispersion, hero_1);
+    float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
     float ratio_6 = pick(isSolid, pick(inside, (1.0 / _e22), _e22), 1.0);
-    bool flat_ = pick(pick(isSolid, (l_1.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
-    vec2 _e39 = ellipticAlpha(s_1.alpha, l_1.anisotropy);
+    bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
+    vec2 _e39 = ellipticAlpha(s_1.alpha, l_2.anisotropy);
     vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
-    float coatAlpha = (l_1.coatRoughness * l_1.coatRoughness);
-    float _e48 = coatReflectance(l_1.coat, wo_8.z);
+    float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
+    float _e48 = coatReflectance(l_2.coat, wo_8.z);
     float coat_1 = pick(inside, 0.0, _e48);
-    float _e52 = greatest(l_1.sheenColor);
+    float _e52 = greatest(l_2.sheenColor);
     if ((_e52 > 0.0)) {
-        float _e59 = sheenAlbedo(wo_8.z, l_1.sheenRoughness);
+        float _e59 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
         sheen = pick(inside, 0.0, _e59);
     }
-    vec3 _e63 = dielectricF0_(l_1);
-    vec3 f0_3 = (l_1.specularWeight * _e63);
+    vec3 _e63 = dielectricF0_(l_2);
+    vec3 f0_3 = (l_2.specularWeight * _e63);
     const bool _e69 = hasCompensation;
     if (_e69) {
         float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
-        bool asked = pick(((uint(s_1.code) & 8u) != 0u), (l_1.transmission <= 0.0), false);
+        bool asked = pick(((uint(s_1.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
         vec3 _e86 = more;
         more = pick(asked, (vec3(1.0) + (mix(f0_3, s_1.baseColor, s_1.metallic) * ((1.0 - _e75) / _e75))), _e86);
     }
     vec3 _e98 = more;
     float _e99 = sheen;
-    o_1 = Stack(l_1, wo_8, side_1, hero_1, ratio_6, inside, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    o_1 = Stack(l_2, wo_8, side_1, hero_1, ratio_6, inside, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
     Stack _e106 = o_1;
     vec4 _e108 = baseReflectance(s_1, _e106, wo_8.z);
     float _e111 = sheen;
     float below = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
-    float film = pick((l_1.film > 0.0), (0.25 * l_1.film), 0.0);
+    float film = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
     float _e127 = mean3_(_e108.xyz);
     float _e133 = mean3_(s_1.baseColor);
-    float facets = (below * ((_e127 + film) + ((_e108.w * l_1.transmission) * _e133)));
+    float facets = (below * ((_e127 + film) + ((_e108.w * l_2.transmission) * _e133)));
     float _e139 = sheen;
-    float _e142 = mean3_(l_1.sheenColor);
+    float _e142 = mean3_(l_2.sheenColor);
     float fibres = (((1.0 - coat_1) * _e139) * _e142);
     float _e148 = greatest(f0_3);
-    float body = (((below * (1.0 - s_1.metallic)) * (1.0 - _e148)) * (1.0 - l_1.transmission));
+    float body = (((below * (1.0 - s_1.metallic)) * (1.0 - _e148)) * (1.0 - l_2.transmission));
     float _e161 = mean3_(s_1.baseColor);
-    float diffuse = ((body * (1.0 - l_1.beyond)) * _e161);
-    float _e166 = mean3_(l_1.beyondColor);
-    float beyond = ((body * l_1.beyond) * _e166);
+    float diffuse = ((body * (1.0 - l_2.beyond)) * _e161);
+    float _e166 = mean3_(l_2.beyondColor);
+    float beyond = ((body * l_2.beyond) * _e166);
     float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
     o_1.ofCoat = (coat_1 / all_);
     o_1.ofFacets = (facets / all_);
@@ -439,13 +467,13 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float indexRatio(float eta_1, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_1), eta_1);
+float indexRatio(float eta_2, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
 }
 
-bool isThin(uint code_5) {
+bool isThin(uint code_6) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_5 & 7u) == 7u), false);
+    return pick(_e2, ((code_6 & 7u) == 7u), false);
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
@@ -459,75 +487,47 @@ float stretched(vec3 w, float alpha_3) {
     return sqrt(((w.z * w.z) + ((alpha_3 * alpha_3) * dot(w.xy, w.xy))));
 }
 
-Outgoing outgoing(Surface s_2, Layers l_2, vec3 wo_1, vec3 hero_2) {
-    Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
+    Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
     uint code_8 = uint(s_2.code);
-    o_2.wo = wo_1;
-    bool _e9 = isConductor(code_8);
-    bool _e10 = isDielectric(code_8);
-    o_2.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
-    o_2.ratio = 1.0;
-    o_2.bound = 1.0;
-    o_2.stretched = 1.0;
-    const bool _e22 = hasLayers;
-    if (_e22) {
-        bool _e27 = isLayered(uint(s_2.code), s_2.eta.x);
-        if (_e27) {
-            Stack _e29 = stackOf(s_2, l_2, wo_1, hero_2);
-            o_2.stack = _e29;
+    bool _e5 = isConductor(code_8);
+    bool _e6 = isDielectric(code_8);
+    o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e17 = hasLayers;
+    if (_e17) {
+        bool _e22 = isLayered(uint(s_2.code), s_2.eta.x);
+        if (_e22) {
+            Layers _e25 = layersHere;
+            Stack _e26 = stackOf(s_2, _e25, wo_1, hero_2);
+            stackHere = _e26;
         }
     }
-    const bool _e31 = hasMetallicRoughness;
-    if (_e31) {
-        float _e34 = o_2.share;
-        float _e38 = specularShare(s_2.baseColor, s_2.metallic, wo_1.z);
-        bool _e39 = isMetallicRoughness(code_8);
-        o_2.share = pick(_e39, _e38, _e34);
+    const bool _e28 = hasMetallicRoughness;
+    if (_e28) {
+        float _e31 = o_2.share;
+        float _e35 = specularShare(s_2.baseColor, s_2.metallic, wo_1.z);
+        bool _e36 = isMetallicRoughness(code_8);
+        o_2.share = pick(_e36, _e35, _e31);
     }
-    const bool _e42 = hasGlass;
-    if (_e42) {
-        bool _e47 = isThin(code_8);
-        float _e48 = indexRatio(s_2.eta.x, wo_1.z, _e47);
-        bool _e49 = isDielectric(code_8);
-        o_2.ratio = pick(_e49, _e48, 1.0);
+    const bool _e39 = hasGlass;
+    if (_e39) {
+        bool _e44 = isThin(code_8);
+        float _e45 = indexRatio(s_2.eta.x, wo_1.z, _e44);
+        bool _e46 = isDielectric(code_8);
+        o_2.ratio = pick(_e46, _e45, 1.0);
     }
-    const bool _e53 = hasConductors;
-    const bool _e55 = hasMetallicRoughness;
-    const bool _e58 = hasGlass;
-    if (pick(pick(_e53, true, _e55), true, _e58)) {
-        float _e62 = reflectionBound(wo_1, s_2.alpha);
-        bool _e63 = isDielectric(code_8);
-        o_2.bound = pick(_e63, 1.0, _e62);
-        float _e68 = stretched(wo_1, s_2.alpha);
-        o_2.stretched = _e68;
+    const bool _e50 = hasConductors;
+    const bool _e52 = hasMetallicRoughness;
+    const bool _e55 = hasGlass;
+    if (pick(pick(_e50, true, _e52), true, _e55)) {
+        float _e59 = reflectionBound(wo_1, s_2.alpha);
+        bool _e60 = isDielectric(code_8);
+        o_2.bound = pick(_e60, 1.0, _e59);
+        float _e65 = stretched(wo_1, s_2.alpha);
+        o_2.stretched = _e65;
     }
-    Outgoing _e69 = o_2;
-    return _e69;
-}
-
-Layers fetchLayers(uint i_1) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
-    return Layers(t0_1.xyz, t0_1.w, t1_1.xyz, t1_1.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
-}
-
-Layers layersOf(uint code_6, float eta_2) {
-    Layers l_3 = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    const bool _e4 = hasLayers;
-    if (_e4) {
-        bool _e5 = isLayered(code_6, eta_2);
-        if (_e5) {
-            Layers _e8 = fetchLayers(uint(abs(eta_2)));
-            l_3 = _e8;
-        }
-    }
-    Layers _e9 = l_3;
-    return _e9;
+    Outgoing _e66 = o_2;
+    return _e66;
 }
 
 float mirrorShare(float reflectivity) {
@@ -666,16 +666,16 @@ Parting partingOf(Surface s_4, Stack o_4, vec4 reflectance_1) {
 
 float throughCover(Stack o_5, float zi, bool crossing) {
     float sheen_1 = 0.0;
-    Layers l_5 = o_5.layers;
-    bool isSolid_1 = (l_5.solid > 0.0);
+    Layers l_4 = o_5.layers;
+    bool isSolid_1 = (l_4.solid > 0.0);
     bool entersHere = pick(o_5.inside, crossing, false);
-    float _e11 = coatReflectance(l_5.coat, zi);
+    float _e11 = coatReflectance(l_4.coat, zi);
     float coat_2 = pick(entersHere, _e11, o_5.coat);
     sheen_1 = o_5.sheen;
     if ((o_5.sheenColor > 0.0)) {
         bool isOutside = pick(!(isSolid_1), true, (o_5.inside == crossing));
         float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_5.sheenRoughness);
+        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
         sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
     }
     float _e31 = sheen_1;
@@ -783,25 +783,26 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     if (_e116) {
         bool _e121 = isLayered(uint(s_6.code), s_6.eta.x);
         if (_e121) {
-            LayeredSample _e125 = sampleLayered(s_6, o_7.stack, vec3(u_5.xy, choice));
-            drawn_1 = BsdfSample(_e125.direction, (base_1 * _e125.pdf), _e125.weight, _e125.delta);
+            Stack _e123 = stackHere;
+            LayeredSample _e126 = sampleLayered(s_6, _e123, vec3(u_5.xy, choice));
+            drawn_1 = BsdfSample(_e126.direction, (base_1 * _e126.pdf), _e126.weight, _e126.delta);
         }
     }
-    const bool _e133 = hasMirrorLayers;
-    if (_e133) {
+    const bool _e134 = hasMirrorLayers;
+    if (_e134) {
         bool reflected_1 = (u_5.z < _e5);
-        vec3 _e138 = drawn_1.direction;
-        vec3 _e139 = mirrored(wo_10);
-        drawn_1.direction = pick(reflected_1, _e139, _e138);
-        float _e143 = drawn_1.pdf;
-        drawn_1.pdf = pick(reflected_1, _e5, _e143);
-        vec3 _e147 = drawn_1.weight;
-        drawn_1.weight = pick(reflected_1, vec3(1.0), _e147);
-        bool _e153 = drawn_1.delta;
-        drawn_1.delta = pick(_e153, true, reflected_1);
+        vec3 _e139 = drawn_1.direction;
+        vec3 _e140 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_1, _e140, _e139);
+        float _e144 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_1, _e5, _e144);
+        vec3 _e148 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_1, vec3(1.0), _e148);
+        bool _e154 = drawn_1.delta;
+        drawn_1.delta = pick(_e154, true, reflected_1);
     }
-    BsdfSample _e155 = drawn_1;
-    return _e155;
+    BsdfSample _e156 = drawn_1;
+    return _e156;
 }
 
 float facetDensity(vec3 h_1, float alpha_9) {
@@ -938,7 +939,7 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
     bool isCoat = false;
     vec3 lobe = vec3(0.0);
     float chosen = 0.0;
-    Layers l_6 = o_11.layers;
+    Layers l_5 = o_11.layers;
     vec3 wo_12 = o_11.wo;
     vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_11.side));
     bool crossing_4 = (wi_4.z < 0.0);
@@ -948,7 +949,7 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
     isCoat = pick((o_11.coat > 0.0), true, (s_10.metallic < 1.0));
     while(true) {
         bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_6.solid > 0.0), false);
+        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
         bool _e42 = isCoat;
         vec2 alpha_16 = pick(_e42, vec2(o_11.coatAlpha), o_11.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
@@ -967,7 +968,7 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
         float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
         float _e98 = ellipticBound(wo_12, wide_1);
         bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_6.solid > 0.0), !(_e102), false), 1.0, _e98);
+        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
         float density_1 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
         bool _e115 = isCoat;
         vec4 _e119 = baseReflectance(s_10, o_11, pick(pick(_e115, o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
@@ -991,17 +992,17 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
         isCoat = false;
     }
     if (pick(pick((o_11.sheenColor > 0.0), !(crossing_4), false), !(o_11.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_6.sheenRoughness);
+        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
         float most = max(max(o_11.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_6.sheenRoughness);
+        float _e180 = sheenAlpha(l_5.sheenRoughness);
         float _e181 = whiteSheen(wo_12, wi_4, _e180);
         float fibres_1 = (((1.0 - o_11.coat) * _e181) / most);
         vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_6.sheenColor), (o_11.ofSheen * 0.15915494)));
+        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
     }
-    vec3 body_1 = pick(crossing_4, (l_6.beyond * l_6.beyondColor), ((1.0 - l_6.beyond) * s_10.baseColor));
+    vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_10.baseColor));
     float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_6.transmission)) * body_1);
+    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
     vec4 _e208 = sum_1;
     float _e210 = ofBeyond(o_11);
     return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
@@ -1021,25 +1022,26 @@ Pair evaluatePair(Surface s_11, Outgoing o_12, vec3 toLight, vec3 toSample) {
             isLight = (_e17 > 0u);
             while(true) {
                 float _e22 = mirrorShare(s_11.reflectivity);
-                bool _e26 = isLight;
-                vec4 _e28 = evaluateLayered(s_11, o_12.stack, pick(_e26, toLight, toSample));
-                vec4 value_2 = ((1.0 - _e22) * _e28);
-                bool _e30 = isLight;
-                if (_e30) {
+                Stack _e26 = stackHere;
+                bool _e27 = isLight;
+                vec4 _e29 = evaluateLayered(s_11, _e26, pick(_e27, toLight, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e29);
+                bool _e31 = isLight;
+                if (_e31) {
                     pair.toLight = value_2;
                 } else {
                     pair.toSample = value_2;
                 }
-                bool _e33 = isLight;
-                if (!(_e33)) {
+                bool _e34 = isLight;
+                if (!(_e34)) {
                     break;
                 }
                 isLight = false;
             }
         }
     }
-    Pair _e36 = pair;
-    return _e36;
+    Pair _e37 = pair;
+    return _e37;
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
@@ -1057,20 +1059,21 @@ void main() {
     uint asked_2 = (uint(b_2.w) % 3u);
     uint color = (uint(b_2.w) / 3u);
     vec3 hero_3 = pick((color == 0u), vec3(1.0), (3.0 * vec3(equal(uvec3(color), uvec3(1u, 2u, 3u)))));
-    Layers _e50 = layersOf(uint(_e23.code), _e23.eta.x);
-    Outgoing _e52 = outgoing(_e23, _e50, a_2.xyz, hero_3);
-    BsdfSample _e54 = sampleLobe(_e23, _e52, b_2.xyz);
-    Pair _e57 = evaluatePair(_e23, _e52, b_2.xyz, _e54.direction);
+    Layers _e51 = layersOf(uint(_e23.code), _e23.eta.x);
+    layersHere = _e51;
+    Outgoing _e53 = outgoing(_e23, a_2.xyz, hero_3);
+    BsdfSample _e55 = sampleLobe(_e23, _e53, b_2.xyz);
+    Pair _e58 = evaluatePair(_e23, _e53, b_2.xyz, _e55.direction);
     if ((asked_2 == evaluation)) {
-        _fs2p_location0 = _e57.toLight;
+        _fs2p_location0 = _e58.toLight;
         return;
     }
-    BsdfSample _e62 = completed(_e54, _e57.toSample);
+    BsdfSample _e63 = completed(_e55, _e58.toSample);
     if ((asked_2 == sampledDirection)) {
-        _fs2p_location0 = vec4(_e62.direction, _e62.pdf);
+        _fs2p_location0 = vec4(_e63.direction, _e63.pdf);
         return;
     }
-    _fs2p_location0 = vec4(_e62.weight, pick(_e62.delta, 1.0, 0.0));
+    _fs2p_location0 = vec4(_e63.weight, pick(_e63.delta, 1.0, 0.0));
     return;
 }
 

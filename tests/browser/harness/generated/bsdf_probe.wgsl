@@ -14,7 +14,8 @@ const sampledDirection = 1u;
   let asked = u32(b.w) % 3u;
   let color = u32(b.w) / 3u;
   let hero = select(3.0 * vec3f(vec3u(color) == vec3u(1u, 2u, 3u)), vec3f(1.0), color == 0u);
-  let o = outgoing(surface, layersOf(u32(surface.code), surface.eta.x), a.xyz, hero);
+  layersHere = layersOf(u32(surface.code), surface.eta.x);
+  let o = outgoing(surface, a.xyz, hero);
   let drawn = sampleLobe(surface, o, b.xyz);
   // The other direction is to a light in path.wesl.
   let values = evaluatePair(surface, o, b.xyz, drawn.direction);
@@ -38,18 +39,26 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
-// `hero`: layers/transmission.wesl; white where colours do not part.
-fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
+var<private> layersHere: Layers;
+
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers {
+  var l: Layers;
+  if (hasLayers) {
+    if (isLayered(code, eta)) {
+      l = fetchLayers(u32(abs(eta)));
+    }
+  }
+  return l;
+}
+
+// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
+fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   let code = u32(s.code);
-  var o: Outgoing;
-  o.wo = wo;
-  o.share = select(0.0, 1.0, isConductor(code) | isDielectric(code));
-  o.ratio = 1.0;
-  o.bound = 1.0;
-  o.stretched = 1.0;
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
   if (hasLayers) {
     if (isLayered(u32(s.code), s.eta.x)) {
-      o.stack = stackOf(s, l, wo, hero);
+      stackHere = stackOf(s, layersHere, wo, hero);
     }
   }
   if (hasMetallicRoughness) {
@@ -63,17 +72,6 @@ fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
     o.stretched = stretched(wo, s.alpha);
   }
   return o;
-}
-
-// All zero where there are none.
-fn layersOf(code: u32, eta: f32) -> Layers {
-  var l: Layers;
-  if (hasLayers) {
-    if (isLayered(code, eta)) {
-      l = fetchLayers(u32(abs(eta)));
-    }
-  }
-  return l;
 }
 
 // A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
@@ -112,7 +110,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   }
   if (hasLayers) {
     if (isLayered(u32(s.code), s.eta.x)) {
-      let layered = sampleLayered(s, o.stack, vec3f(u.xy, choice));
+      let layered = sampleLayered(s, stackHere, vec3f(u.xy, choice));
       drawn = BsdfSample(layered.direction, base * layered.pdf, layered.weight, layered.delta);
     }
   }
@@ -134,7 +132,7 @@ fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pai
     if (isLayered(u32(s.code), s.eta.x)) {
       var isLight = frame.emitterCount > 0u;
       loop {
-        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, o.stack, select(toSample, toLight, isLight));
+        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
         if (isLight) {
           pair.toLight = value;
         } else {
@@ -183,21 +181,6 @@ struct Surface {
 }
 
 
-fn isConductor(code: u32) -> bool {
-  return hasConductors & (kindOf(code) == conductor);
-}
-
-fn isDielectric(code: u32) -> bool {
-  return hasGlass & (kindOf(code) == dielectric0);
-}
-
-// What glTF's extensions add to metallicRoughness, and the one of them that is long.
-override hasLayers = false;
-
-override hasGlass = false;
-
-override hasConductors = false;
-
 struct Layers {
   // factor on what facets of the dielectric reflect at normal incidence
   specularColor: vec3f,
@@ -244,6 +227,38 @@ struct Layers {
 }
 
 
+// What glTF's extensions add to metallicRoughness, and the one of them that is long.
+override hasLayers = false;
+
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+}
+
+fn fetchLayers(i: u32) -> Layers {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
+}
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
+
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {
   wo: vec3f,
@@ -254,46 +269,22 @@ struct Outgoing {
   // ggx.wesl, of wo.
   bound: f32,
   stretched: f32,
-  // All of a surface with layers.
-  stack: Stack,
 }
 
 
-// What follows from the direction that light leaves in, whichever it comes from.
-struct Stack {
-  layers: Layers,
-  // Above the surface.
-  wo: vec3f,
-  // -1: wo was below.
-  side: f32,
-  // Colour that refracted light goes on with, times its weight: transmission.wesl.
-  hero: vec3f,
-  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
-  ratio: f32,
-  // wo is inside a solid.
-  inside: bool,
-  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
-  more: vec3f,
-  // Facets of the base; below leastAlpha they are a mirror.
-  alpha: vec2f,
-  coatAlpha: f32,
-  // Share of the light towards wo that is the coat's.
-  coat: f32,
-  // Share of white light that fibres send to wo, and of the strongest colour of these.
-  sheen: f32,
-  sheenColor: f32,
-  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
-  ofCoat: f32,
-  ofFacets: f32,
-  ofSheen: f32,
-  ofDiffuse: f32,
+fn isConductor(code: u32) -> bool {
+  return hasConductors & (kindOf(code) == conductor);
 }
 
-
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric0);
 }
+
+override hasGlass = false;
+
+override hasConductors = false;
+
+var<private> stackHere: Stack;
 
 fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   let side = select(1.0, -1.0, given.z < 0.0);
@@ -337,6 +328,37 @@ fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   o.ofDiffuse = diffuse / all;
   return o;
 }
+
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Stack {
+  layers: Layers,
+  // Above the surface.
+  wo: vec3f,
+  // -1: wo was below.
+  side: f32,
+  // Colour that refracted light goes on with, times its weight: transmission.wesl.
+  hero: vec3f,
+  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
+  ratio: f32,
+  // wo is inside a solid.
+  inside: bool,
+  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
+  more: vec3f,
+  // Facets of the base; below leastAlpha they are a mirror.
+  alpha: vec2f,
+  coatAlpha: f32,
+  // Share of the light towards wo that is the coat's.
+  coat: f32,
+  // Share of white light that fibres send to wo, and of the strongest colour of these.
+  sheen: f32,
+  sheenColor: f32,
+  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
+  ofCoat: f32,
+  ofFacets: f32,
+  ofSheen: f32,
+  ofDiffuse: f32,
+}
+
 
 // KHR_materials_transmission and KHR_materials_volume: light that goes through facets.
 // KHR_materials_dispersion: the index that red, green or blue light meets; `hero` is the colour that the path goes on with, or white.
@@ -516,19 +538,6 @@ fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
   return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
 }
 
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
-}
-
-override hasMetallicRoughness = false;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const metallicRoughness = 1u;
-
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
 // its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
 fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
@@ -574,17 +583,6 @@ fn stretched(w: vec3f, alpha: f32) -> f32 {
 const conductor = 2u;
 
 const dielectric0 = 3u;
-
-fn fetchLayers(i: u32) -> Layers {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
-}
 
 // Share of the perfect mirror over the base.
 fn mirrorShare(reflectivity: f32) -> f32 {

@@ -654,17 +654,17 @@ const instances = 0x80000000u;
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
 
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
-  var layers = layersOf(u32(surface.code), surface.eta.x);
+  
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
   
-  var grain = vec3f(0.0);
   
-  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
 // One-sided lamps have a dark back.
@@ -714,13 +714,6 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
-// All zero where there are none.
-fn layersOf(code: u32, eta: f32) -> Layers0 {
-  var l: Layers0;
-  
-  return l;
-}
-
 struct Normals {
   geometric: vec3f,
   shading: vec3f,
@@ -729,13 +722,14 @@ struct Normals {
 
 struct SurfacePoint {
   surface: Surface,
-  // All zero where it has none.
-  layers: Layers0,
   // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
   geometric: vec3f,
   shading: vec3f,
-  // Along the surface, where facets have a grain; else zero.
-  grain: vec3f,
+}
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
 }
 
 struct Surface {
@@ -759,57 +753,6 @@ struct Surface {
   absorption: vec3f,
   // row of its MaterialTextures among the texels
   textures: f32,
-}
-
-
-struct Layers0 {
-  // factor on what facets of the dielectric reflect at normal incidence
-  specularColor: vec3f,
-  // share of what they reflect
-  specularWeight: f32,
-  // of the fibres on top; black: there are none
-  sheenColor: vec3f,
-  // alpha is its square
-  sheenRoughness: f32,
-  // factor on light that leaves diffusely on the other side
-  beyondColor: vec3f,
-  // share of the diffuse light that does
-  beyond: f32,
-  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
-  grain: vec2f,
-  // how much they are; 0: not
-  anisotropy: f32,
-  // share of the diffuse body that is a refracting boundary instead
-  transmission: f32,
-  // share of the surface that has a clear coat
-  coat: f32,
-  // alpha is its square
-  coatRoughness: f32,
-  // index of the body
-  ior: f32,
-  // 1: the body is solid; 0: a thin wall
-  solid: f32,
-  // share of the surface that has a thin film
-  film: f32,
-  // its index
-  filmIor: f32,
-  // nanometres; where a texture says how thick: where it is 1
-  filmThickness: f32,
-  // its thickness where that texture is 0
-  filmLeast: f32,
-  // 20 / Abbe number
-  dispersion: f32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
-}
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
 }
 
 const dielectric = 3u;

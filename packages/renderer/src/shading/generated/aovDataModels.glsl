@@ -210,6 +210,11 @@ struct Surface {
     vec3 absorption;
     float textures;
 };
+struct SurfacePoint {
+    Surface surface;
+    vec3 geometric;
+    vec3 shading;
+};
 struct Layers0_ {
     vec3 specularColor;
     float specularWeight;
@@ -232,13 +237,6 @@ struct Layers0_ {
     float spare0_;
     float spare1_;
     float spare2_;
-};
-struct SurfacePoint {
-    Surface surface;
-    Layers0_ layers;
-    vec3 geometric;
-    vec3 shading;
-    vec3 grain;
 };
 struct Normals {
     vec3 geometric;
@@ -351,11 +349,15 @@ uniform highp usampler2D texels;
 
 const bool hasLayers = false;
 
+Layers0_ layersHere = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
 const bool hasMetallicRoughness = false;
 
 const bool hasTextures = false;
 
 const bool hasGlass = false;
+
+vec3 grainHere = vec3(0.0);
 
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
@@ -1485,87 +1487,87 @@ bool isSmooth(uint code_5) {
     return ((code_5 & 32u) != 0u);
 }
 
-void takeUpLayer(inout Layers0_ l_1, uint slot, vec4 texel_1) {
-    float _e4 = l_1.specularWeight;
-    l_1.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
-    vec3 _e12 = l_1.specularColor;
-    l_1.specularColor = (_e12 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e21 = l_1.transmission;
-    l_1.transmission = (_e21 * pick((slot == transmissionSlot), texel_1.x, 1.0));
-    float _e29 = l_1.beyond;
-    l_1.beyond = (_e29 * pick((slot == beyondSlot), texel_1.w, 1.0));
-    vec3 _e37 = l_1.beyondColor;
-    l_1.beyondColor = (_e37 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e46 = l_1.coat;
-    l_1.coat = (_e46 * pick((slot == coatSlot), texel_1.x, 1.0));
-    float _e54 = l_1.coatRoughness;
-    l_1.coatRoughness = (_e54 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
-    vec3 _e62 = l_1.sheenColor;
-    l_1.sheenColor = (_e62 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e71 = l_1.sheenRoughness;
-    l_1.sheenRoughness = (_e71 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
-    float _e79 = l_1.film;
-    l_1.film = (_e79 * pick((slot == filmSlot), texel_1.x, 1.0));
-    float _e88 = l_1.filmThickness;
-    float _e90 = l_1.filmLeast;
-    float _e92 = l_1.filmThickness;
-    l_1.filmThickness = pick((slot == filmThicknessSlot), mix(_e90, _e92, texel_1.y), _e88);
+void takeUpLayer(uint slot, vec4 texel_1) {
+    float _e4 = layersHere.specularWeight;
+    layersHere.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
+    vec3 _e13 = layersHere.specularColor;
+    layersHere.specularColor = (_e13 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e23 = layersHere.transmission;
+    layersHere.transmission = (_e23 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+    float _e32 = layersHere.beyond;
+    layersHere.beyond = (_e32 * pick((slot == beyondSlot), texel_1.w, 1.0));
+    vec3 _e41 = layersHere.beyondColor;
+    layersHere.beyondColor = (_e41 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e51 = layersHere.coat;
+    layersHere.coat = (_e51 * pick((slot == coatSlot), texel_1.x, 1.0));
+    float _e60 = layersHere.coatRoughness;
+    layersHere.coatRoughness = (_e60 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    vec3 _e69 = layersHere.sheenColor;
+    layersHere.sheenColor = (_e69 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e79 = layersHere.sheenRoughness;
+    layersHere.sheenRoughness = (_e79 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    float _e88 = layersHere.film;
+    layersHere.film = (_e88 * pick((slot == filmSlot), texel_1.x, 1.0));
+    float _e99 = layersHere.filmThickness;
+    float _e102 = layersHere.filmLeast;
+    float _e105 = layersHere.filmThickness;
+    layersHere.filmThickness = pick((slot == filmThicknessSlot), mix(_e102, _e105, texel_1.y), _e99);
     bool isGrain = (slot == anisotropySlot);
-    float _e101 = l_1.anisotropy;
-    l_1.anisotropy = (_e101 * pick(isGrain, texel_1.z, 1.0));
+    float _e115 = layersHere.anisotropy;
+    layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
     vec2 given = ((2.0 * texel_1.xy) - vec2(1.0));
     float size_3 = dot(given, given);
     vec2 d_3 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
-    vec2 own_5 = l_1.grain;
-    l_1.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
+    vec2 own_5 = layersHere.grain;
+    layersHere.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
     return;
 }
 
-vec3 takeUpTextures(inout Surface s_4, inout Layers0_ l_2, vec4 uv_2, vec3 color) {
+vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     vec3 bump = vec3(0.0, 0.0, 1.0);
     uint i_17 = 0u;
-    float _e5 = s_4.textures;
-    uint row_8 = uint(_e5);
-    MaterialTextures _e7 = fetchMaterialTextures(row_8);
-    bool unlit = ((_e7.flags & isUnlit) != 0u);
-    vec3 _e14 = s_4.baseColor;
-    s_4.baseColor = (_e14 * color);
-    vec3 _e17 = s_4.emission;
-    s_4.emission = (_e17 * pick(unlit, color, vec3(1.0)));
-    if ((_e7.count > 0u)) {
+    float _e4 = s_4.textures;
+    uint row_8 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_8);
+    bool unlit = ((_e6.flags & isUnlit) != 0u);
+    vec3 _e13 = s_4.baseColor;
+    s_4.baseColor = (_e13 * color);
+    vec3 _e16 = s_4.emission;
+    s_4.emission = (_e16 * pick(unlit, color, vec3(1.0)));
+    if ((_e6.count > 0u)) {
         while(true) {
-            uint _e34 = i_17;
-            TextureUse _e38 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e34 * textureUseRows)));
-            vec4 _e47 = lookUp(_e38, pick(((_e38.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
-            vec3 _e49 = s_4.baseColor;
-            s_4.baseColor = (_e49 * pick((_e38.slot == baseColorSlot), _e47.xyz, vec3(1.0)));
-            vec3 _e59 = s_4.emission;
-            s_4.emission = (_e59 * pick((_e38.slot == emissionSlot), _e47.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e38.slot == metallicRoughnessSlot), _e47.yz, vec2(1.0));
-            float _e76 = s_4.alpha;
-            float rough = max(((_e76 * share_2.x) * share_2.x), 0.001);
-            float _e85 = s_4.alpha;
-            float _e87 = s_4.code;
-            bool _e89 = isSmooth(uint(_e87));
-            s_4.alpha = pick(_e89, _e85, rough);
-            float _e92 = s_4.metallic;
-            s_4.metallic = (_e92 * share_2.y);
-            vec3 _e95 = bump;
-            bump = pick((_e38.slot == normalSlot), (((2.0 * _e47.xyz) - vec3(1.0)) * vec3(_e38.scale, _e38.scale, 1.0)), _e95);
-            const bool _e112 = hasLayers;
-            if (_e112) {
-                takeUpLayer(l_2, _e38.slot, _e47);
+            uint _e33 = i_17;
+            TextureUse _e37 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e33 * textureUseRows)));
+            vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec3 _e48 = s_4.baseColor;
+            s_4.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
+            vec3 _e58 = s_4.emission;
+            s_4.emission = (_e58 * pick((_e37.slot == emissionSlot), _e46.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e37.slot == metallicRoughnessSlot), _e46.yz, vec2(1.0));
+            float _e75 = s_4.alpha;
+            float rough = max(((_e75 * share_2.x) * share_2.x), 0.001);
+            float _e84 = s_4.alpha;
+            float _e86 = s_4.code;
+            bool _e88 = isSmooth(uint(_e86));
+            s_4.alpha = pick(_e88, _e84, rough);
+            float _e91 = s_4.metallic;
+            s_4.metallic = (_e91 * share_2.y);
+            vec3 _e94 = bump;
+            bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
+            const bool _e111 = hasLayers;
+            if (_e111) {
+                takeUpLayer(_e37.slot, _e46);
             }
-            uint _e115 = i_17;
-            i_17 = (_e115 + 1u);
-            uint _e117 = i_17;
-            if ((_e117 >= _e7.count)) {
+            uint _e114 = i_17;
+            i_17 = (_e114 + 1u);
+            uint _e116 = i_17;
+            if ((_e116 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e120 = bump;
-    return _e120;
+    vec3 _e119 = bump;
+    return _e119;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1623,63 +1625,63 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Layers0_ layers = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent_1 = vec3(0.0);
     vec3 bitangent_1 = vec3(0.0);
-    vec3 grain_1 = vec3(0.0);
     vec3 _e4 = normalAt(rays_1, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
     surface = _e5;
-    float _e8 = surface.code;
-    float _e12 = surface.eta.x;
-    Layers0_ _e13 = layersOf(uint(_e8), _e12);
-    layers = _e13;
+    const bool _e8 = hasLayers;
+    if (_e8) {
+        float _e11 = surface.code;
+        float _e15 = surface.eta.x;
+        Layers0_ _e16 = layersOf(uint(_e11), _e15);
+        layersHere = _e16;
+    }
     normals = Normals(_e4, _e4);
-    const bool _e24 = hasMeshes;
-    if (_e24) {
+    const bool _e26 = hasMeshes;
+    if (_e26) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e34 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            normals = Normals(_e34.geometric, _e34.shading);
-            const bool _e39 = hasTextures;
-            if (_e39) {
-                vec3 _e43 = takeUpTextures(surface, layers, _e34.uv, _e34.color.xyz);
-                tangent_1 = _e34.tangent;
-                bitangent_1 = _e34.bitangent;
-                if (any(notEqual(_e43, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e67 = validNormal(_e34.geometric, rays_1.direction, (((_e43.x * _e34.tangent) + (_e43.y * _e34.bitangent)) + (_e43.z * _e34.normal)), _e34.shading);
-                    normals.shading = _e67;
+            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e36.geometric, _e36.shading);
+            const bool _e41 = hasTextures;
+            if (_e41) {
+                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
+                tangent_1 = _e36.tangent;
+                bitangent_1 = _e36.bitangent;
+                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
+                    normals.shading = _e69;
                 }
             }
-            vec3 _e69 = normals.geometric;
-            vec3 _e75 = normals.shading;
-            bool agree = ((dot(_e69, rays_1.direction) > 0.0) == (dot(_e75, rays_1.direction) > 0.0));
-            vec3 _e83 = normals.shading;
-            vec3 _e85 = normals.geometric;
-            float _e87 = surface.code;
-            float _e91 = surface.eta.x;
-            bool _e92 = letsThrough(uint(_e87), _e91);
-            normals.shading = pick(pick(_e92, !(agree), false), _e85, _e83);
+            vec3 _e71 = normals.geometric;
+            vec3 _e77 = normals.shading;
+            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
+            vec3 _e85 = normals.shading;
+            vec3 _e87 = normals.geometric;
+            float _e89 = surface.code;
+            float _e93 = surface.eta.x;
+            bool _e94 = letsThrough(uint(_e89), _e93);
+            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
         }
     }
-    const bool _e100 = hasLayers;
-    if (_e100) {
-        float _e102 = layers.anisotropy;
-        if ((_e102 > 0.0)) {
-            vec3 _e106 = normals.shading;
-            vec3 _e107 = tangent_1;
-            vec3 _e108 = bitangent_1;
-            vec2 _e110 = layers.grain;
-            vec3 _e111 = grainAt(_e106, _e107, _e108, _e110);
-            grain_1 = _e111;
+    const bool _e99 = hasLayers;
+    if (_e99) {
+        grainHere = vec3(0.0);
+        float _e105 = layersHere.anisotropy;
+        if ((_e105 > 0.0)) {
+            vec3 _e110 = normals.shading;
+            vec3 _e111 = tangent_1;
+            vec3 _e112 = bitangent_1;
+            vec2 _e115 = layersHere.grain;
+            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
+            grainHere = _e116;
         }
     }
-    Surface _e112 = surface;
-    Layers0_ _e113 = layers;
-    vec3 _e115 = normals.geometric;
-    vec3 _e117 = normals.shading;
-    vec3 _e118 = grain_1;
-    return SurfacePoint(_e112, _e113, _e115, _e117, _e118);
+    Surface _e117 = surface;
+    vec3 _e119 = normals.geometric;
+    vec3 _e121 = normals.shading;
+    return SurfacePoint(_e117, _e119, _e121);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {

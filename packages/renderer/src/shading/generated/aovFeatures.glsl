@@ -125,35 +125,10 @@ struct Surface {
     vec3 absorption;
     float textures;
 };
-struct Layers0_ {
-    vec3 specularColor;
-    float specularWeight;
-    vec3 sheenColor;
-    float sheenRoughness;
-    vec3 beyondColor;
-    float beyond;
-    vec2 grain;
-    float anisotropy;
-    float transmission;
-    float coat;
-    float coatRoughness;
-    float ior;
-    float solid;
-    float film;
-    float filmIor;
-    float filmThickness;
-    float filmLeast;
-    float dispersion;
-    float spare0_;
-    float spare1_;
-    float spare2_;
-};
 struct SurfacePoint {
     Surface surface;
-    Layers0_ layers;
     vec3 geometric;
     vec3 shading;
-    vec3 grain;
 };
 struct Normals {
     vec3 geometric;
@@ -741,46 +716,32 @@ Surface fetchSurface(uint i_12) {
     return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-Layers0_ layersOf(uint code, float eta) {
-    Layers0_ l = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    Layers0_ _e3 = l;
-    return _e3;
-}
-
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
     Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Layers0_ layers = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent = vec3(0.0);
     vec3 bitangent = vec3(0.0);
-    vec3 grain = vec3(0.0);
     vec3 _e4 = normalAt(rays, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
     surface = _e5;
-    float _e8 = surface.code;
-    float _e12 = surface.eta.x;
-    Layers0_ _e13 = layersOf(uint(_e8), _e12);
-    layers = _e13;
     normals = Normals(_e4, _e4);
-    Surface _e24 = surface;
-    Layers0_ _e25 = layers;
-    vec3 _e27 = normals.geometric;
-    vec3 _e29 = normals.shading;
-    vec3 _e30 = grain;
-    return SurfacePoint(_e24, _e25, _e27, _e29, _e30);
+    Surface _e13 = surface;
+    vec3 _e15 = normals.geometric;
+    vec3 _e17 = normals.shading;
+    return SurfacePoint(_e13, _e15, _e17);
 }
 
-uint kindOf(uint code_1) {
-    return (code_1 & 3u);
+uint kindOf(uint code) {
+    return (code & 3u);
 }
 
-vec3 conductorFresnel(float cosine, vec3 eta_1, vec3 k) {
+vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
     float cosine2_ = (cosine * cosine);
     float sine2_ = (1.0 - cosine2_);
-    vec3 difference = (((eta_1 * eta_1) - (k * k)) - vec3(sine2_));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k) * k)));
+    vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_1 * k) / larger);
+    vec3 smaller = ((eta * k) / larger);
     vec3 a = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
     vec3 b_1 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_1 * b_1) + vec3(1e-20));
@@ -793,9 +754,9 @@ vec3 conductorFresnel(float cosine, vec3 eta_1, vec3 k) {
     return ((0.5 * across_3) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor, vec3 eta_2, vec3 k_1, float cosine_1) {
-    float constants = dot((eta_2 + k_1), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_1, eta_2, k_1);
+vec3 conductorReflectance(vec3 baseColor, vec3 eta_1, vec3 k_1, float cosine_1) {
+    float constants = dot((eta_1 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_1, eta_1, k_1);
     return pick((constants > 0.0), _e8, baseColor);
 }
 

@@ -1240,10 +1240,13 @@ struct MaterialTextures {
 }
 
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
-  var layers = layersOf(u32(surface.code), surface.eta.x);
+  if (hasLayers) {
+    layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
@@ -1252,7 +1255,7 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
       normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
+        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
         if (any(bump != vec3f(0.0, 0.0, 1.0))) {
@@ -1264,13 +1267,13 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
   }
-  var grain = vec3f(0.0);
   if (hasLayers) {
-    if (layers.anisotropy > 0.0) {
-      grain = grainAt(normals.shading, tangent, bitangent, layers.grain);
+    grainHere = vec3f(0.0);
+    if (layersHere.anisotropy > 0.0) {
+      grainHere = grainAt(normals.shading, tangent, bitangent, layersHere.grain);
     }
   }
-  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
 // One-sided lamps have a dark back.
@@ -1320,6 +1323,25 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
+// What glTF's extensions add to metallicRoughness, and the one of them that is long.
+override hasLayers = false;
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+struct SurfacePoint {
+  surface: Surface,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+var<private> layersHere: Layers0;
+
 // All zero where there are none.
 fn layersOf(code: u32, eta: f32) -> Layers0 {
   var l: Layers0;
@@ -1331,23 +1353,80 @@ fn layersOf(code: u32, eta: f32) -> Layers0 {
   return l;
 }
 
-struct Normals {
-  geometric: vec3f,
-  shading: vec3f,
+struct Layers0 {
+  // factor on what facets of the dielectric reflect at normal incidence
+  specularColor: vec3f,
+  // share of what they reflect
+  specularWeight: f32,
+  // of the fibres on top; black: there are none
+  sheenColor: vec3f,
+  // alpha is its square
+  sheenRoughness: f32,
+  // factor on light that leaves diffusely on the other side
+  beyondColor: vec3f,
+  // share of the diffuse light that does
+  beyond: f32,
+  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
+  grain: vec2f,
+  // how much they are; 0: not
+  anisotropy: f32,
+  // share of the diffuse body that is a refracting boundary instead
+  transmission: f32,
+  // share of the surface that has a clear coat
+  coat: f32,
+  // alpha is its square
+  coatRoughness: f32,
+  // index of the body
+  ior: f32,
+  // 1: the body is solid; 0: a thin wall
+  solid: f32,
+  // share of the surface that has a thin film
+  film: f32,
+  // its index
+  filmIor: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
+  // 20 / Abbe number
+  dispersion: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
 }
 
 
-struct SurfacePoint {
-  surface: Surface,
-  // All zero where it has none.
-  layers: Layers0,
-  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
-  geometric: vec3f,
-  shading: vec3f,
-  // Along the surface, where facets have a grain; else zero.
-  grain: vec3f,
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
 }
 
+fn fetchLayers(i: u32) -> Layers0 {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  return Layers0(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
+}
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
 
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
@@ -1404,7 +1483,7 @@ fn letsThrough(code: u32, eta: f32) -> bool {
 }
 
 // `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, l: ptr<function, Layers0>, uv: vec4f, color: vec3f) -> vec3f {
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
   let row = u32((*s).textures);
   let material = fetchMaterialTextures(row);
   let unlit = (material.flags & isUnlit) != 0u;
@@ -1425,7 +1504,7 @@ fn takeUpTextures(s: ptr<function, Surface>, l: ptr<function, Layers0>, uv: vec4
       (*s).metallic *= share.y;
       bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
       if (hasLayers) {
-        takeUpLayer(l, t.slot, texel);
+        takeUpLayer(t.slot, texel);
       }
       i++;
       if (i >= material.count) {
@@ -1496,52 +1575,6 @@ struct Surface {
 }
 
 
-struct Layers0 {
-  // factor on what facets of the dielectric reflect at normal incidence
-  specularColor: vec3f,
-  // share of what they reflect
-  specularWeight: f32,
-  // of the fibres on top; black: there are none
-  sheenColor: vec3f,
-  // alpha is its square
-  sheenRoughness: f32,
-  // factor on light that leaves diffusely on the other side
-  beyondColor: vec3f,
-  // share of the diffuse light that does
-  beyond: f32,
-  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
-  grain: vec2f,
-  // how much they are; 0: not
-  anisotropy: f32,
-  // share of the diffuse body that is a refracting boundary instead
-  transmission: f32,
-  // share of the surface that has a clear coat
-  coat: f32,
-  // alpha is its square
-  coatRoughness: f32,
-  // index of the body
-  ior: f32,
-  // 1: the body is solid; 0: a thin wall
-  solid: f32,
-  // share of the surface that has a thin film
-  film: f32,
-  // its index
-  filmIor: f32,
-  // nanometres; where a texture says how thick: where it is 1
-  filmThickness: f32,
-  // its thickness where that texture is 0
-  filmLeast: f32,
-  // 20 / Abbe number
-  dispersion: f32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
-}
-
-
 const textureUseRows = 3u;
 
 const baseColorSlot = 0u;
@@ -1563,29 +1596,26 @@ fn isSmooth(code: u32) -> bool {
 
 const normalSlot = 3u;
 
-// What glTF's extensions add to metallicRoughness, and the one of them that is long.
-override hasLayers = false;
-
-fn takeUpLayer(l: ptr<function, Layers0>, slot: u32, texel: vec4f) {
-  (*l).specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
-  (*l).specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
-  (*l).transmission *= select(1.0, texel.r, slot == transmissionSlot);
-  (*l).beyond *= select(1.0, texel.a, slot == beyondSlot);
-  (*l).beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
-  (*l).coat *= select(1.0, texel.r, slot == coatSlot);
-  (*l).coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
-  (*l).sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
-  (*l).sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
-  (*l).film *= select(1.0, texel.r, slot == filmSlot);
-  (*l).filmThickness = select((*l).filmThickness, mix((*l).filmLeast, (*l).filmThickness, texel.g), slot == filmThicknessSlot);
+fn takeUpLayer(slot: u32, texel: vec4f) {
+  layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
+  layersHere.specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
+  layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
+  layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
+  layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
+  layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
+  layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
+  layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
+  layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
+  layersHere.film *= select(1.0, texel.r, slot == filmSlot);
+  layersHere.filmThickness = select(layersHere.filmThickness, mix(layersHere.filmLeast, layersHere.filmThickness, texel.g), slot == filmThicknessSlot);
   let isGrain = slot == anisotropySlot;
-  (*l).anisotropy *= select(1.0, texel.b, isGrain);
+  layersHere.anisotropy *= select(1.0, texel.b, isGrain);
   // A direction in the frame of tangents, which the material's angle turns.
   let given = 2.0 * texel.rg - 1.0;
   let size = dot(given, given);
   let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
-  let own = (*l).grain;
-  (*l).grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+  let own = layersHere.grain;
+  layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
 }
 
 const specularWeightSlot = 4u;
@@ -1644,27 +1674,12 @@ fn isDielectric(code: u32) -> bool {
   return hasGlass & (kindOf(code) == dielectric);
 }
 
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
-}
-
 override hasGlass = false;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
 
 const dielectric = 3u;
 
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
-}
-
-override hasMetallicRoughness = false;
-
-const metallicRoughness = 1u;
+// Along the surface, where facets have a grain; else zero.
+var<private> grainHere: vec3f;
 
 // In the world; `tangent` and `bitangent` of the mesh, of any length, or zero where it has none. `grain`: cosine and sine of the angle from
 // the one towards the other. Never along the normal.
@@ -1714,17 +1729,6 @@ fn isBox(i: u32) -> bool {
 
 fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
-}
-
-fn fetchLayers(i: u32) -> Layers0 {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  return Layers0(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
 }
 
 const conductor = 2u;

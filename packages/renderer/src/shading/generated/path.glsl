@@ -136,35 +136,10 @@ struct Surface {
     vec3 absorption;
     float textures;
 };
-struct Layers {
-    vec3 specularColor;
-    float specularWeight;
-    vec3 sheenColor;
-    float sheenRoughness;
-    vec3 beyondColor;
-    float beyond;
-    vec2 grain;
-    float anisotropy;
-    float transmission;
-    float coat;
-    float coatRoughness;
-    float ior;
-    float solid;
-    float film;
-    float filmIor;
-    float filmThickness;
-    float filmLeast;
-    float dispersion;
-    float spare0_;
-    float spare1_;
-    float spare2_;
-};
 struct SurfacePoint {
     Surface surface;
-    Layers layers;
     vec3 geometric;
     vec3 shading;
-    vec3 grain;
 };
 struct Normals {
     vec3 geometric;
@@ -263,31 +238,12 @@ struct Parts {
     uvec2 whole;
     vec2 rest;
 };
-struct Stack {
-    Layers layers;
-    vec3 wo;
-    float side;
-    vec3 hero;
-    float ratio;
-    bool inside;
-    vec3 more;
-    vec2 alpha;
-    float coatAlpha;
-    float coat;
-    float sheen;
-    float sheenColor;
-    float ofCoat;
-    float ofFacets;
-    float ofSheen;
-    float ofDiffuse;
-};
 struct Outgoing {
     vec3 wo;
     float share;
     float ratio;
     float bound;
     float stretched;
-    Stack stack;
 };
 struct BsdfSample {
     vec3 direction;
@@ -928,60 +884,46 @@ Surface fetchSurface(uint i_12) {
     return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-Layers layersOf(uint code, float eta) {
-    Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    Layers _e3 = l;
-    return _e3;
-}
-
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
     Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Layers layers = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent = vec3(0.0);
     vec3 bitangent = vec3(0.0);
-    vec3 grain = vec3(0.0);
     vec3 _e4 = normalAt(rays, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
     surface = _e5;
-    float _e8 = surface.code;
-    float _e12 = surface.eta.x;
-    Layers _e13 = layersOf(uint(_e8), _e12);
-    layers = _e13;
     normals = Normals(_e4, _e4);
-    Surface _e24 = surface;
-    Layers _e25 = layers;
-    vec3 _e27 = normals.geometric;
-    vec3 _e29 = normals.shading;
-    vec3 _e30 = grain;
-    return SurfacePoint(_e24, _e25, _e27, _e29, _e30);
+    Surface _e13 = surface;
+    vec3 _e15 = normals.geometric;
+    vec3 _e17 = normals.shading;
+    return SurfacePoint(_e13, _e15, _e17);
 }
 
-uint kindOf(uint code_1) {
-    return (code_1 & 3u);
+uint kindOf(uint code) {
+    return (code & 3u);
 }
 
-bool isDielectric(uint code_2) {
+bool isDielectric(uint code_1) {
     const bool _e2 = hasGlass;
-    uint _e3 = kindOf(code_2);
+    uint _e3 = kindOf(code_1);
     return pick(_e2, (_e3 == dielectric), false);
 }
 
-bool isMetallicRoughness(uint code_3) {
+bool isMetallicRoughness(uint code_2) {
     const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_3);
+    uint _e3 = kindOf(code_2);
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-bool isLayered(uint code_4, float eta_1) {
-    bool _e3 = isMetallicRoughness(code_4);
-    return pick(pick(hasLayers, _e3, false), (eta_1 != 0.0), false);
+bool isLayered(uint code_3, float eta) {
+    bool _e3 = isMetallicRoughness(code_3);
+    return pick(pick(hasLayers, _e3, false), (eta != 0.0), false);
 }
 
-bool letsThrough(uint code_5, float eta_2) {
-    bool _e2 = isDielectric(code_5);
-    bool _e3 = isLayered(code_5, eta_2);
-    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+bool letsThrough(uint code_4, float eta_1) {
+    bool _e2 = isDielectric(code_4);
+    bool _e3 = isLayered(code_4, eta_1);
+    return pick(_e2, true, pick(_e3, (eta_1 < 0.0), false));
 }
 
 Basis basisAbout(vec3 n) {
@@ -995,9 +937,9 @@ vec3 toLocal(Basis b, vec3 v_3) {
     return vec3(dot(v_3, b.tangent), dot(v_3, b.bitangent), dot(v_3, b.normal));
 }
 
-bool isThin(uint code_6) {
+bool isThin(uint code_5) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_6 & 7u) == 7u), false);
+    return pick(_e2, ((code_5 & 7u) == 7u), false);
 }
 
 Emitter fetchEmitter(uint i_13) {
@@ -1010,8 +952,8 @@ Emitter fetchEmitter(uint i_13) {
     return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
 }
 
-int emitterOf(float code_7) {
-    return ((int(code_7) >> 6u) - 1);
+int emitterOf(float code_6) {
+    return ((int(code_6) >> 6u) - 1);
 }
 
 Emitter emitterAt(uint i_14, Emitter only) {
@@ -1698,9 +1640,9 @@ LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     return _e67;
 }
 
-bool isConductor(uint code_8) {
+bool isConductor(uint code_7) {
     const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_8);
+    uint _e3 = kindOf(code_7);
     return pick(_e2, (_e3 == conductor), false);
 }
 
@@ -1728,8 +1670,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
     return (specular / max((specular + diffuse), 1e-20));
 }
 
-float indexRatio(float eta_3, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
+float indexRatio(float eta_2, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
 }
 
 float reflectionBound(vec3 wo, float alpha) {
@@ -1743,42 +1685,38 @@ float stretched(vec3 w_1, float alpha_1) {
     return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
 }
 
-Outgoing outgoing(Surface s_11, Layers l_1, vec3 wo_1, vec3 hero) {
-    Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
-    uint code_10 = uint(s_11.code);
-    o.wo = wo_1;
-    bool _e9 = isConductor(code_10);
-    bool _e10 = isDielectric(code_10);
-    o.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
-    o.ratio = 1.0;
-    o.bound = 1.0;
-    o.stretched = 1.0;
-    const bool _e22 = hasMetallicRoughness;
-    if (_e22) {
-        float _e25 = o.share;
-        float _e29 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
-        bool _e30 = isMetallicRoughness(code_10);
-        o.share = pick(_e30, _e29, _e25);
+Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
+    Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+    uint code_9 = uint(s_11.code);
+    bool _e5 = isConductor(code_9);
+    bool _e6 = isDielectric(code_9);
+    o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e17 = hasMetallicRoughness;
+    if (_e17) {
+        float _e20 = o.share;
+        float _e24 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
+        bool _e25 = isMetallicRoughness(code_9);
+        o.share = pick(_e25, _e24, _e20);
     }
-    const bool _e33 = hasGlass;
-    if (_e33) {
-        bool _e38 = isThin(code_10);
-        float _e39 = indexRatio(s_11.eta.x, wo_1.z, _e38);
-        bool _e40 = isDielectric(code_10);
-        o.ratio = pick(_e40, _e39, 1.0);
+    const bool _e28 = hasGlass;
+    if (_e28) {
+        bool _e33 = isThin(code_9);
+        float _e34 = indexRatio(s_11.eta.x, wo_1.z, _e33);
+        bool _e35 = isDielectric(code_9);
+        o.ratio = pick(_e35, _e34, 1.0);
     }
-    const bool _e44 = hasConductors;
-    const bool _e46 = hasMetallicRoughness;
-    const bool _e49 = hasGlass;
-    if (pick(pick(_e44, true, _e46), true, _e49)) {
-        float _e53 = reflectionBound(wo_1, s_11.alpha);
-        bool _e54 = isDielectric(code_10);
-        o.bound = pick(_e54, 1.0, _e53);
-        float _e59 = stretched(wo_1, s_11.alpha);
-        o.stretched = _e59;
+    const bool _e39 = hasConductors;
+    const bool _e41 = hasMetallicRoughness;
+    const bool _e44 = hasGlass;
+    if (pick(pick(_e39, true, _e41), true, _e44)) {
+        float _e48 = reflectionBound(wo_1, s_11.alpha);
+        bool _e49 = isDielectric(code_9);
+        o.bound = pick(_e49, 1.0, _e48);
+        float _e54 = stretched(wo_1, s_11.alpha);
+        o.stretched = _e54;
     }
-    Outgoing _e60 = o;
-    return _e60;
+    Outgoing _e55 = o;
+    return _e55;
 }
 
 float mirrorShare(float reflectivity) {
@@ -1792,8 +1730,8 @@ vec3 sampleCosine(vec2 u_18) {
     return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_18.x))));
 }
 
-bool isSmooth(uint code_9) {
-    return ((code_9 & 32u) != 0u);
+bool isSmooth(uint code_8) {
+    return ((code_8 & 32u) != 0u);
 }
 
 vec3 sampleVisibleNormal(vec3 wo_2, float alpha_2, float bound, vec2 u_19) {
@@ -1812,13 +1750,13 @@ vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_20) {
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
-vec3 conductorFresnel(float cosine_3, vec3 eta_4, vec3 k_1) {
+vec3 conductorFresnel(float cosine_3, vec3 eta_3, vec3 k_1) {
     float cosine2_ = (cosine_3 * cosine_3);
     float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta_4 * eta_4) - (k_1 * k_1)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
+    vec3 difference = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_4 * k_1) / larger_1);
+    vec3 smaller = ((eta_3 * k_1) / larger_1);
     vec3 a_5 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
     vec3 b_8 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_8 * b_8) + vec3(1e-20));
@@ -1831,9 +1769,9 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_4, vec3 k_1) {
     return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_4) {
-    float constants = dot((eta_5 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_4, eta_5, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_4 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_4, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
@@ -1852,7 +1790,7 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
 
 vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_11 = uint(s_12.code);
+    uint code_10 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
@@ -1863,15 +1801,15 @@ vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
-        bool _e21 = isConductor(code_11);
+        bool _e21 = isConductor(code_10);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_11);
+        bool _e26 = isThin(code_10);
         float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_11);
+        bool _e29 = isDielectric(code_10);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -1903,9 +1841,9 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_12 = uint(s_13.code);
-        bool _e29 = isDielectric(code_12);
-        bool _e30 = isSmooth(code_12);
+        uint code_11 = uint(s_13.code);
+        bool _e29 = isDielectric(code_11);
+        bool _e30 = isSmooth(code_11);
         vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_21.xy);
         float oh = max(dot(wo_5, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
@@ -1915,7 +1853,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
         weight = (_e38 / vec3(o_2.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_12);
+            bool _e56 = isThin(code_11);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
             wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
@@ -1968,9 +1906,9 @@ float singleScatteringAlbedo(float cosine_8, float alpha_5) {
 }
 
 vec3 compensation(Surface s_14, float cosine_9) {
-    uint code_13 = uint(s_14.code);
-    bool _e8 = isDielectric(code_13);
-    bool asked = pick(((code_13 & 8u) != 0u), !(_e8), false);
+    uint code_12 = uint(s_14.code);
+    bool _e8 = isDielectric(code_12);
+    bool asked = pick(((code_12 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_9, s_14.alpha);
     vec3 _e17 = facetReflectance(s_14, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -2019,24 +1957,24 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_14 = uint(s_16.code);
+        uint code_13 = uint(s_16.code);
         FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_14);
+            bool _e43 = isMetallicRoughness(code_13);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_14);
+        bool _e52 = isSmooth(code_13);
         vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_14);
+        uint _e62 = kindOf(code_13);
         value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_14);
-        bool _e68 = isDielectric(code_14);
+        bool _e67 = isSmooth(code_13);
+        bool _e68 = isDielectric(code_13);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_16.reflectivity);
@@ -2137,54 +2075,54 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     LightSample _e91 = sampleEmitter(_e89, point_16, _e83.xy);
     float lightPdf = (_e91.pdf * _e87.probability);
     Surface _e98 = surface_1;
-    vec3 _e100 = hero_1;
-    Outgoing _e101 = outgoing(_e98, _e10.layers, _e39, _e100);
-    Surface _e102 = surface_1;
-    BsdfSample _e103 = sampleLobe(_e102, _e101, _e85);
-    Surface _e104 = surface_1;
-    Basis _e105 = basis;
-    vec3 _e107 = toLocal(_e105, _e91.direction);
-    Pair _e109 = evaluatePair(_e104, _e101, _e107, _e103.direction);
+    vec3 _e99 = hero_1;
+    Outgoing _e100 = outgoing(_e98, _e39, _e99);
+    Surface _e101 = surface_1;
+    BsdfSample _e102 = sampleLobe(_e101, _e100, _e85);
+    Surface _e103 = surface_1;
+    Basis _e104 = basis;
+    vec3 _e106 = toLocal(_e104, _e91.direction);
+    Pair _e108 = evaluatePair(_e103, _e100, _e106, _e102.direction);
     bool opaque = pick(hasMeshes, !(_e19), false);
-    bool _e117 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
-    bool lightLeaks = pick(opaque, _e117, false);
-    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e109.toLight);
+    bool _e116 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
+    bool lightLeaks = pick(opaque, _e116, false);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e108.toLight);
     bool alone = pick(_e91.delta, true, pick((_e89.shape < 0.0), (_e91.distance_ < 1e30), false));
-    float _e133 = misWeight(lightPdf, toLight_6.w);
-    float lightWeight = (pick(alone, 1.0, _e133) / lightPdf);
-    BsdfSample _e138 = completed(_e103, _e109.toSample);
-    Basis _e139 = basis;
-    vec3 _e141 = toWorld(_e139, _e138.direction);
-    bool _e145 = crosses(_e10.geometric, _e141, -(rays_1.direction));
-    bool leaks = pick(opaque, _e145, false);
-    uint _e149 = p_9.depth;
-    uint _e152 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e149 != _e152), false);
-    vec3 _e156 = p_9.throughput;
-    vec3 contribution = (((_e156 * toLight_6.xyz) * _e91.radiance) * lightWeight);
+    float _e132 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone, 1.0, _e132) / lightPdf);
+    BsdfSample _e137 = completed(_e102, _e108.toSample);
+    Basis _e138 = basis;
+    vec3 _e140 = toWorld(_e138, _e137.direction);
+    bool _e144 = crosses(_e10.geometric, _e140, -(rays_1.direction));
+    bool leaks = pick(opaque, _e144, false);
+    uint _e148 = p_9.depth;
+    uint _e151 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e148 != _e151), false);
+    vec3 _e155 = p_9.throughput;
+    vec3 contribution = (((_e155 * toLight_6.xyz) * _e91.radiance) * lightWeight);
     bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
     p_9.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e178 = p_9.throughput;
-    vec3 throughput = (_e178 * _e138.weight);
-    float _e181 = max3_(throughput);
-    uint _e187 = p_9.depth;
-    float survival = pick((_e187 < rouletteDepth), 1.0, min((_e181 / 0.33333334), 0.95));
-    float _e199 = max3_(throughput);
-    float _e204 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(pick(goesOn, (_e138.pdf > 0.0), false), !(leaks), false), (_e199 > 0.0), false), (_e204 < survival), false);
+    vec3 _e177 = p_9.throughput;
+    vec3 throughput = (_e177 * _e137.weight);
+    float _e180 = max3_(throughput);
+    uint _e186 = p_9.depth;
+    float survival = pick((_e186 < rouletteDepth), 1.0, min((_e180 / 0.33333334), 0.95));
+    float _e198 = max3_(throughput);
+    float _e203 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(pick(goesOn, (_e137.pdf > 0.0), false), !(leaks), false), (_e198 > 0.0), false), (_e203 < survival), false);
     p_9.throughput = (throughput / vec3(survival));
-    uint _e212 = p_9.depth;
-    p_9.depth = (_e212 + 1u);
-    p_9.pdf = pick(_e138.delta, 0.0, _e138.pdf);
+    uint _e211 = p_9.depth;
+    p_9.depth = (_e211 + 1u);
+    p_9.pdf = pick(_e137.delta, 0.0, _e137.pdf);
     p_9.litSide = litSide;
     p_9.odds = _e87.odds;
-    bool _e222 = isFlat(shape_1);
-    bool solid = !(_e222);
+    bool _e221 = isFlat(shape_1);
+    bool solid = !(_e221);
     uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
-    bool _e239 = p_9.alive;
-    Sampler _e254 = p_9.sampler_;
-    uint _e255 = numberOfNext(_e254);
-    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e239, _e141, pick(solid, (dot(_e141, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e255);
+    bool _e238 = p_9.alive;
+    Sampler _e253 = p_9.sampler_;
+    uint _e254 = numberOfNext(_e253);
+    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e238, _e140, pick(solid, (dot(_e140, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e254);
     return;
 }
 

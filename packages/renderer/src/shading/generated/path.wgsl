@@ -287,7 +287,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let lightPdf = light.pdf * choice.probability;
   var hero = vec3f(1.0);
   
-  let o = outgoing(surface, met.layers, wo, hero);
+  let o = outgoing(surface, wo, hero);
   let drawn = sampleLobe(surface, o, uBsdf);
   let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn.direction);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
@@ -321,17 +321,17 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
-  var layers = layersOf(u32(surface.code), surface.eta.x);
+  
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
   
-  var grain = vec3f(0.0);
   
-  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
 // Whether light may go through the surface.
@@ -499,15 +499,10 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   return s;
 }
 
-// `hero`: layers/transmission.wesl; white where colours do not part.
-fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
+// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
+fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   let code = u32(s.code);
-  var o: Outgoing;
-  o.wo = wo;
-  o.share = select(0.0, 1.0, isConductor(code) | isDielectric(code));
-  o.ratio = 1.0;
-  o.bound = 1.0;
-  o.stretched = 1.0;
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
   
   if (hasMetallicRoughness) {
     o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
@@ -700,13 +695,6 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
-// All zero where there are none.
-fn layersOf(code: u32, eta: f32) -> Layers {
-  var l: Layers;
-  
-  return l;
-}
-
 struct Normals {
   geometric: vec3f,
   shading: vec3f,
@@ -715,15 +703,30 @@ struct Normals {
 
 struct SurfacePoint {
   surface: Surface,
-  // All zero where it has none.
-  layers: Layers,
   // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
   geometric: vec3f,
   shading: vec3f,
-  // Along the surface, where facets have a grain; else zero.
-  grain: vec3f,
 }
 
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
 
 const noInstance = 0xffffffffu;
 
@@ -748,52 +751,6 @@ struct Surface {
   absorption: vec3f,
   // row of its MaterialTextures among the texels
   textures: f32,
-}
-
-
-struct Layers {
-  // factor on what facets of the dielectric reflect at normal incidence
-  specularColor: vec3f,
-  // share of what they reflect
-  specularWeight: f32,
-  // of the fibres on top; black: there are none
-  sheenColor: vec3f,
-  // alpha is its square
-  sheenRoughness: f32,
-  // factor on light that leaves diffusely on the other side
-  beyondColor: vec3f,
-  // share of the diffuse light that does
-  beyond: f32,
-  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
-  grain: vec2f,
-  // how much they are; 0: not
-  anisotropy: f32,
-  // share of the diffuse body that is a refracting boundary instead
-  transmission: f32,
-  // share of the surface that has a clear coat
-  coat: f32,
-  // alpha is its square
-  coatRoughness: f32,
-  // index of the body
-  ior: f32,
-  // 1: the body is solid; 0: a thin wall
-  solid: f32,
-  // share of the surface that has a thin film
-  film: f32,
-  // its index
-  filmIor: f32,
-  // nanometres; where a texture says how thick: where it is 1
-  filmThickness: f32,
-  // its thickness where that texture is 0
-  filmLeast: f32,
-  // 20 / Abbe number
-  dispersion: f32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
 }
 
 // The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
@@ -840,8 +797,6 @@ fn fetchExtent(i: u32) -> Extent {
 fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -925,24 +880,6 @@ struct Bounds {
   radius: f32,
 }
 
-
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
-}
-
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
-}
-
-override hasMetallicRoughness = false;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const metallicRoughness = 1u;
 
 fn isDielectric(code: u32) -> bool {
   return hasGlass & (kindOf(code) == dielectric);
@@ -1668,12 +1605,6 @@ struct Parts {
 }
 
 
-fn isConductor(code: u32) -> bool {
-  return hasConductors & (kindOf(code) == conductor);
-}
-
-override hasConductors = false;
-
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {
   wo: vec3f,
@@ -1684,40 +1615,14 @@ struct Outgoing {
   // ggx.wesl, of wo.
   bound: f32,
   stretched: f32,
-  // All of a surface with layers.
-  stack: Stack,
 }
 
 
-// What follows from the direction that light leaves in, whichever it comes from.
-struct Stack {
-  layers: Layers,
-  // Above the surface.
-  wo: vec3f,
-  // -1: wo was below.
-  side: f32,
-  // Colour that refracted light goes on with, times its weight: transmission.wesl.
-  hero: vec3f,
-  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
-  ratio: f32,
-  // wo is inside a solid.
-  inside: bool,
-  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
-  more: vec3f,
-  // Facets of the base; below leastAlpha they are a mirror.
-  alpha: vec2f,
-  coatAlpha: f32,
-  // Share of the light towards wo that is the coat's.
-  coat: f32,
-  // Share of white light that fibres send to wo, and of the strongest colour of these.
-  sheen: f32,
-  sheenColor: f32,
-  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
-  ofCoat: f32,
-  ofFacets: f32,
-  ofSheen: f32,
-  ofDiffuse: f32,
+fn isConductor(code: u32) -> bool {
+  return hasConductors & (kindOf(code) == conductor);
 }
+
+override hasConductors = false;
 
 override hasCompensation = false;
 
@@ -2067,9 +1972,6 @@ const parallel = 1e-12;
 
 // References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
 const instances = 0x80000000u;
-
-// pack-geometry.ts refuses trees that need more. At the bottom lies `ending`.
-var<private> stack: array<u32, 64>;
 
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
 // GPU Rendering", JCGT 9(3), 2020.

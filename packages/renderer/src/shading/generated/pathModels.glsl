@@ -221,6 +221,11 @@ struct Surface {
     vec3 absorption;
     float textures;
 };
+struct SurfacePoint {
+    Surface surface;
+    vec3 geometric;
+    vec3 shading;
+};
 struct Layers {
     vec3 specularColor;
     float specularWeight;
@@ -243,13 +248,6 @@ struct Layers {
     float spare0_;
     float spare1_;
     float spare2_;
-};
-struct SurfacePoint {
-    Surface surface;
-    Layers layers;
-    vec3 geometric;
-    vec3 shading;
-    vec3 grain;
 };
 struct Normals {
     vec3 geometric;
@@ -388,6 +386,13 @@ struct Parts {
     uvec2 whole;
     vec2 rest;
 };
+struct Outgoing {
+    vec3 wo;
+    float share;
+    float ratio;
+    float bound;
+    float stretched;
+};
 struct Stack {
     Layers layers;
     vec3 wo;
@@ -405,14 +410,6 @@ struct Stack {
     float ofFacets;
     float ofSheen;
     float ofDiffuse;
-};
-struct Outgoing {
-    vec3 wo;
-    float share;
-    float ratio;
-    float bound;
-    float stretched;
-    Stack stack;
 };
 struct BsdfSample {
     vec3 direction;
@@ -529,11 +526,15 @@ uniform highp usampler2D texels;
 
 const bool hasLayers = false;
 
+Layers layersHere = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
 const bool hasMetallicRoughness = false;
 
 const bool hasTextures = false;
 
 const bool hasGlass = false;
+
+vec3 grainHere = vec3(0.0);
 
 const bool hasMeshLamps = false;
 
@@ -558,6 +559,8 @@ const bool hasPointLights = false;
 const bool hasLightTree = false;
 
 const bool hasConductors = false;
+
+Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasCompensation = false;
 
@@ -1713,87 +1716,87 @@ bool isSmooth(uint code_5) {
     return ((code_5 & 32u) != 0u);
 }
 
-void takeUpLayer(inout Layers l_1, uint slot, vec4 texel_1) {
-    float _e4 = l_1.specularWeight;
-    l_1.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
-    vec3 _e12 = l_1.specularColor;
-    l_1.specularColor = (_e12 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e21 = l_1.transmission;
-    l_1.transmission = (_e21 * pick((slot == transmissionSlot), texel_1.x, 1.0));
-    float _e29 = l_1.beyond;
-    l_1.beyond = (_e29 * pick((slot == beyondSlot), texel_1.w, 1.0));
-    vec3 _e37 = l_1.beyondColor;
-    l_1.beyondColor = (_e37 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e46 = l_1.coat;
-    l_1.coat = (_e46 * pick((slot == coatSlot), texel_1.x, 1.0));
-    float _e54 = l_1.coatRoughness;
-    l_1.coatRoughness = (_e54 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
-    vec3 _e62 = l_1.sheenColor;
-    l_1.sheenColor = (_e62 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e71 = l_1.sheenRoughness;
-    l_1.sheenRoughness = (_e71 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
-    float _e79 = l_1.film;
-    l_1.film = (_e79 * pick((slot == filmSlot), texel_1.x, 1.0));
-    float _e88 = l_1.filmThickness;
-    float _e90 = l_1.filmLeast;
-    float _e92 = l_1.filmThickness;
-    l_1.filmThickness = pick((slot == filmThicknessSlot), mix(_e90, _e92, texel_1.y), _e88);
+void takeUpLayer(uint slot, vec4 texel_1) {
+    float _e4 = layersHere.specularWeight;
+    layersHere.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
+    vec3 _e13 = layersHere.specularColor;
+    layersHere.specularColor = (_e13 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e23 = layersHere.transmission;
+    layersHere.transmission = (_e23 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+    float _e32 = layersHere.beyond;
+    layersHere.beyond = (_e32 * pick((slot == beyondSlot), texel_1.w, 1.0));
+    vec3 _e41 = layersHere.beyondColor;
+    layersHere.beyondColor = (_e41 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e51 = layersHere.coat;
+    layersHere.coat = (_e51 * pick((slot == coatSlot), texel_1.x, 1.0));
+    float _e60 = layersHere.coatRoughness;
+    layersHere.coatRoughness = (_e60 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    vec3 _e69 = layersHere.sheenColor;
+    layersHere.sheenColor = (_e69 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e79 = layersHere.sheenRoughness;
+    layersHere.sheenRoughness = (_e79 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    float _e88 = layersHere.film;
+    layersHere.film = (_e88 * pick((slot == filmSlot), texel_1.x, 1.0));
+    float _e99 = layersHere.filmThickness;
+    float _e102 = layersHere.filmLeast;
+    float _e105 = layersHere.filmThickness;
+    layersHere.filmThickness = pick((slot == filmThicknessSlot), mix(_e102, _e105, texel_1.y), _e99);
     bool isGrain = (slot == anisotropySlot);
-    float _e101 = l_1.anisotropy;
-    l_1.anisotropy = (_e101 * pick(isGrain, texel_1.z, 1.0));
+    float _e115 = layersHere.anisotropy;
+    layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
     vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
     float size_3 = dot(given_2, given_2);
     vec2 d_3 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
-    vec2 own_6 = l_1.grain;
-    l_1.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
+    vec2 own_6 = layersHere.grain;
+    layersHere.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
     return;
 }
 
-vec3 takeUpTextures(inout Surface s_6, inout Layers l_2, vec4 uv_2, vec3 color) {
+vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     vec3 bump = vec3(0.0, 0.0, 1.0);
     uint i_17 = 0u;
-    float _e5 = s_6.textures;
-    uint row_9 = uint(_e5);
-    MaterialTextures _e7 = fetchMaterialTextures(row_9);
-    bool unlit = ((_e7.flags & isUnlit) != 0u);
-    vec3 _e14 = s_6.baseColor;
-    s_6.baseColor = (_e14 * color);
-    vec3 _e17 = s_6.emission;
-    s_6.emission = (_e17 * pick(unlit, color, vec3(1.0)));
-    if ((_e7.count > 0u)) {
+    float _e4 = s_6.textures;
+    uint row_9 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_9);
+    bool unlit = ((_e6.flags & isUnlit) != 0u);
+    vec3 _e13 = s_6.baseColor;
+    s_6.baseColor = (_e13 * color);
+    vec3 _e16 = s_6.emission;
+    s_6.emission = (_e16 * pick(unlit, color, vec3(1.0)));
+    if ((_e6.count > 0u)) {
         while(true) {
-            uint _e34 = i_17;
-            TextureUse _e38 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e34 * textureUseRows)));
-            vec4 _e47 = lookUp(_e38, pick(((_e38.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
-            vec3 _e49 = s_6.baseColor;
-            s_6.baseColor = (_e49 * pick((_e38.slot == baseColorSlot), _e47.xyz, vec3(1.0)));
-            vec3 _e59 = s_6.emission;
-            s_6.emission = (_e59 * pick((_e38.slot == emissionSlot), _e47.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e38.slot == metallicRoughnessSlot), _e47.yz, vec2(1.0));
-            float _e76 = s_6.alpha;
-            float rough = max(((_e76 * share_2.x) * share_2.x), 0.001);
-            float _e85 = s_6.alpha;
-            float _e87 = s_6.code;
-            bool _e89 = isSmooth(uint(_e87));
-            s_6.alpha = pick(_e89, _e85, rough);
-            float _e92 = s_6.metallic;
-            s_6.metallic = (_e92 * share_2.y);
-            vec3 _e95 = bump;
-            bump = pick((_e38.slot == normalSlot), (((2.0 * _e47.xyz) - vec3(1.0)) * vec3(_e38.scale, _e38.scale, 1.0)), _e95);
-            const bool _e112 = hasLayers;
-            if (_e112) {
-                takeUpLayer(l_2, _e38.slot, _e47);
+            uint _e33 = i_17;
+            TextureUse _e37 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e33 * textureUseRows)));
+            vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec3 _e48 = s_6.baseColor;
+            s_6.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
+            vec3 _e58 = s_6.emission;
+            s_6.emission = (_e58 * pick((_e37.slot == emissionSlot), _e46.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e37.slot == metallicRoughnessSlot), _e46.yz, vec2(1.0));
+            float _e75 = s_6.alpha;
+            float rough = max(((_e75 * share_2.x) * share_2.x), 0.001);
+            float _e84 = s_6.alpha;
+            float _e86 = s_6.code;
+            bool _e88 = isSmooth(uint(_e86));
+            s_6.alpha = pick(_e88, _e84, rough);
+            float _e91 = s_6.metallic;
+            s_6.metallic = (_e91 * share_2.y);
+            vec3 _e94 = bump;
+            bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
+            const bool _e111 = hasLayers;
+            if (_e111) {
+                takeUpLayer(_e37.slot, _e46);
             }
-            uint _e115 = i_17;
-            i_17 = (_e115 + 1u);
-            uint _e117 = i_17;
-            if ((_e117 >= _e7.count)) {
+            uint _e114 = i_17;
+            i_17 = (_e114 + 1u);
+            uint _e116 = i_17;
+            if ((_e116 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e120 = bump;
-    return _e120;
+    vec3 _e119 = bump;
+    return _e119;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1851,63 +1854,63 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
-    Layers layers = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     Normals normals = Normals(vec3(0.0), vec3(0.0));
     vec3 tangent_1 = vec3(0.0);
     vec3 bitangent_1 = vec3(0.0);
-    vec3 grain_1 = vec3(0.0);
     vec3 _e4 = normalAt(rays_1, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
     surface = _e5;
-    float _e8 = surface.code;
-    float _e12 = surface.eta.x;
-    Layers _e13 = layersOf(uint(_e8), _e12);
-    layers = _e13;
+    const bool _e8 = hasLayers;
+    if (_e8) {
+        float _e11 = surface.code;
+        float _e15 = surface.eta.x;
+        Layers _e16 = layersOf(uint(_e11), _e15);
+        layersHere = _e16;
+    }
     normals = Normals(_e4, _e4);
-    const bool _e24 = hasMeshes;
-    if (_e24) {
+    const bool _e26 = hasMeshes;
+    if (_e26) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e34 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            normals = Normals(_e34.geometric, _e34.shading);
-            const bool _e39 = hasTextures;
-            if (_e39) {
-                vec3 _e43 = takeUpTextures(surface, layers, _e34.uv, _e34.color.xyz);
-                tangent_1 = _e34.tangent;
-                bitangent_1 = _e34.bitangent;
-                if (any(notEqual(_e43, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e67 = validNormal(_e34.geometric, rays_1.direction, (((_e43.x * _e34.tangent) + (_e43.y * _e34.bitangent)) + (_e43.z * _e34.normal)), _e34.shading);
-                    normals.shading = _e67;
+            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e36.geometric, _e36.shading);
+            const bool _e41 = hasTextures;
+            if (_e41) {
+                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
+                tangent_1 = _e36.tangent;
+                bitangent_1 = _e36.bitangent;
+                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
+                    normals.shading = _e69;
                 }
             }
-            vec3 _e69 = normals.geometric;
-            vec3 _e75 = normals.shading;
-            bool agree = ((dot(_e69, rays_1.direction) > 0.0) == (dot(_e75, rays_1.direction) > 0.0));
-            vec3 _e83 = normals.shading;
-            vec3 _e85 = normals.geometric;
-            float _e87 = surface.code;
-            float _e91 = surface.eta.x;
-            bool _e92 = letsThrough(uint(_e87), _e91);
-            normals.shading = pick(pick(_e92, !(agree), false), _e85, _e83);
+            vec3 _e71 = normals.geometric;
+            vec3 _e77 = normals.shading;
+            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
+            vec3 _e85 = normals.shading;
+            vec3 _e87 = normals.geometric;
+            float _e89 = surface.code;
+            float _e93 = surface.eta.x;
+            bool _e94 = letsThrough(uint(_e89), _e93);
+            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
         }
     }
-    const bool _e100 = hasLayers;
-    if (_e100) {
-        float _e102 = layers.anisotropy;
-        if ((_e102 > 0.0)) {
-            vec3 _e106 = normals.shading;
-            vec3 _e107 = tangent_1;
-            vec3 _e108 = bitangent_1;
-            vec2 _e110 = layers.grain;
-            vec3 _e111 = grainAt(_e106, _e107, _e108, _e110);
-            grain_1 = _e111;
+    const bool _e99 = hasLayers;
+    if (_e99) {
+        grainHere = vec3(0.0);
+        float _e105 = layersHere.anisotropy;
+        if ((_e105 > 0.0)) {
+            vec3 _e110 = normals.shading;
+            vec3 _e111 = tangent_1;
+            vec3 _e112 = bitangent_1;
+            vec2 _e115 = layersHere.grain;
+            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
+            grainHere = _e116;
         }
     }
-    Surface _e112 = surface;
-    Layers _e113 = layers;
-    vec3 _e115 = normals.geometric;
-    vec3 _e117 = normals.shading;
-    vec3 _e118 = grain_1;
-    return SurfacePoint(_e112, _e113, _e115, _e117, _e118);
+    Surface _e117 = surface;
+    vec3 _e119 = normals.geometric;
+    vec3 _e121 = normals.shading;
+    return SurfacePoint(_e117, _e119, _e121);
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -2927,9 +2930,9 @@ float sheenAlbedo(float cosine_3, float roughness) {
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
 
-vec3 dielectricF0_(Layers l_3) {
-    float contrast = ((l_3.ior - 1.0) / (l_3.ior + 1.0));
-    return min(((contrast * contrast) * l_3.specularColor), vec3(1.0));
+vec3 dielectricF0_(Layers l_1) {
+    float contrast = ((l_1.ior - 1.0) / (l_1.ior + 1.0));
+    return min(((contrast * contrast) * l_1.specularColor), vec3(1.0));
 }
 
 float singleScatteringAlbedo(float cosine_4, float alpha_1) {
@@ -3008,27 +3011,27 @@ vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
     vec3 dielectric = vec3(0.0);
     vec3 metal = vec3(0.0);
     bool isMetal = false;
-    Layers l_6 = o_2.layers;
+    Layers l_3 = o_2.layers;
     float _e5 = cosineInAir(cosine_8, o_2.ratio);
-    vec3 _e6 = dielectricF0_(l_6);
+    vec3 _e6 = dielectricF0_(l_3);
     vec3 _e8 = schlick(_e6, _e5);
-    dielectric = (l_6.specularWeight * _e8);
+    dielectric = (l_3.specularWeight * _e8);
     vec3 _e12 = schlick(s_13.baseColor, _e5);
     metal = _e12;
     const bool _e15 = hasIridescence;
     if (_e15) {
-        if ((l_6.film > 0.0)) {
+        if ((l_3.film > 0.0)) {
             isMetal = (s_13.metallic >= 1.0);
             while(true) {
                 bool _e26 = isMetal;
-                vec3 _e30 = filmReflectance(pick(_e26, s_13.baseColor, (l_6.specularWeight * _e6)), l_6.filmIor, l_6.filmThickness, _e5);
+                vec3 _e30 = filmReflectance(pick(_e26, s_13.baseColor, (l_3.specularWeight * _e6)), l_3.filmIor, l_3.filmThickness, _e5);
                 bool _e31 = isMetal;
                 if (_e31) {
                     vec3 _e32 = metal;
-                    metal = mix(_e32, _e30, l_6.film);
+                    metal = mix(_e32, _e30, l_3.film);
                 } else {
                     vec3 _e35 = dielectric;
-                    dielectric = mix(_e35, _e30, l_6.film);
+                    dielectric = mix(_e35, _e30, l_3.film);
                 }
                 bool _e38 = isMetal;
                 if (pick(_e38, true, (s_13.metallic <= 0.0))) {
@@ -3052,56 +3055,56 @@ float mean3_(vec3 v_8) {
     return dot(v_8, vec3(0.33333334));
 }
 
-Stack stackOf(Surface s_14, Layers l_4, vec3 given, vec3 hero_1) {
+Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float side_8 = pick((given.z < 0.0), -1.0, 1.0);
     vec3 wo_8 = vec3(given.xy, (given.z * side_8));
-    bool isSolid = (l_4.solid > 0.0);
+    bool isSolid = (l_2.solid > 0.0);
     bool inside_4 = pick(isSolid, (side_8 < 0.0), false);
-    float _e22 = dispersedIndex(l_4.ior, l_4.dispersion, hero_1);
+    float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
     float ratio_8 = pick(isSolid, pick(inside_4, (1.0 / _e22), _e22), 1.0);
-    bool flat_ = pick(pick(isSolid, (l_4.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
-    vec2 _e39 = ellipticAlpha(s_14.alpha, l_4.anisotropy);
+    bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
+    vec2 _e39 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
     vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
-    float coatAlpha = (l_4.coatRoughness * l_4.coatRoughness);
-    float _e48 = coatReflectance(l_4.coat, wo_8.z);
+    float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
+    float _e48 = coatReflectance(l_2.coat, wo_8.z);
     float coat_1 = pick(inside_4, 0.0, _e48);
-    float _e52 = greatest(l_4.sheenColor);
+    float _e52 = greatest(l_2.sheenColor);
     if ((_e52 > 0.0)) {
-        float _e59 = sheenAlbedo(wo_8.z, l_4.sheenRoughness);
+        float _e59 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
         sheen = pick(inside_4, 0.0, _e59);
     }
-    vec3 _e63 = dielectricF0_(l_4);
-    vec3 f0_3 = (l_4.specularWeight * _e63);
+    vec3 _e63 = dielectricF0_(l_2);
+    vec3 f0_3 = (l_2.specularWeight * _e63);
     const bool _e69 = hasCompensation;
     if (_e69) {
         float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
-        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (l_4.transmission <= 0.0), false);
+        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
         vec3 _e86 = more;
         more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, s_14.metallic) * ((1.0 - _e75) / _e75))), _e86);
     }
     vec3 _e98 = more;
     float _e99 = sheen;
-    o_3 = Stack(l_4, wo_8, side_8, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    o_3 = Stack(l_2, wo_8, side_8, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
     Stack _e106 = o_3;
     vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
     float _e111 = sheen;
     float below_2 = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
-    float film_1 = pick((l_4.film > 0.0), (0.25 * l_4.film), 0.0);
+    float film_1 = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
     float _e127 = mean3_(_e108.xyz);
     float _e133 = mean3_(s_14.baseColor);
-    float facets = (below_2 * ((_e127 + film_1) + ((_e108.w * l_4.transmission) * _e133)));
+    float facets = (below_2 * ((_e127 + film_1) + ((_e108.w * l_2.transmission) * _e133)));
     float _e139 = sheen;
-    float _e142 = mean3_(l_4.sheenColor);
+    float _e142 = mean3_(l_2.sheenColor);
     float fibres = (((1.0 - coat_1) * _e139) * _e142);
     float _e148 = greatest(f0_3);
-    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e148)) * (1.0 - l_4.transmission));
+    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e148)) * (1.0 - l_2.transmission));
     float _e161 = mean3_(s_14.baseColor);
-    float diffuse = ((body * (1.0 - l_4.beyond)) * _e161);
-    float _e166 = mean3_(l_4.beyondColor);
-    float beyond = ((body * l_4.beyond) * _e166);
+    float diffuse = ((body * (1.0 - l_2.beyond)) * _e161);
+    float _e166 = mean3_(l_2.beyondColor);
+    float beyond = ((body * l_2.beyond) * _e166);
     float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
     o_3.ofCoat = (coat_1 / all_);
     o_3.ofFacets = (facets / all_);
@@ -3144,50 +3147,47 @@ float stretched(vec3 w_1, float alpha_3) {
     return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
 }
 
-Outgoing outgoing(Surface s_15, Layers l_5, vec3 wo_1, vec3 hero_2) {
-    Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0, Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
+    Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
     uint code_11 = uint(s_15.code);
-    o_4.wo = wo_1;
-    bool _e9 = isConductor(code_11);
-    bool _e10 = isDielectric(code_11);
-    o_4.share = pick(pick(_e9, true, _e10), 1.0, 0.0);
-    o_4.ratio = 1.0;
-    o_4.bound = 1.0;
-    o_4.stretched = 1.0;
-    const bool _e22 = hasLayers;
-    if (_e22) {
-        bool _e27 = isLayered(uint(s_15.code), s_15.eta.x);
-        if (_e27) {
-            Stack _e29 = stackOf(s_15, l_5, wo_1, hero_2);
-            o_4.stack = _e29;
+    bool _e5 = isConductor(code_11);
+    bool _e6 = isDielectric(code_11);
+    o_4 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e17 = hasLayers;
+    if (_e17) {
+        bool _e22 = isLayered(uint(s_15.code), s_15.eta.x);
+        if (_e22) {
+            Layers _e25 = layersHere;
+            Stack _e26 = stackOf(s_15, _e25, wo_1, hero_2);
+            stackHere = _e26;
         }
     }
-    const bool _e31 = hasMetallicRoughness;
-    if (_e31) {
-        float _e34 = o_4.share;
-        float _e38 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
-        bool _e39 = isMetallicRoughness(code_11);
-        o_4.share = pick(_e39, _e38, _e34);
+    const bool _e28 = hasMetallicRoughness;
+    if (_e28) {
+        float _e31 = o_4.share;
+        float _e35 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
+        bool _e36 = isMetallicRoughness(code_11);
+        o_4.share = pick(_e36, _e35, _e31);
     }
-    const bool _e42 = hasGlass;
-    if (_e42) {
-        bool _e47 = isThin(code_11);
-        float _e48 = indexRatio(s_15.eta.x, wo_1.z, _e47);
-        bool _e49 = isDielectric(code_11);
-        o_4.ratio = pick(_e49, _e48, 1.0);
+    const bool _e39 = hasGlass;
+    if (_e39) {
+        bool _e44 = isThin(code_11);
+        float _e45 = indexRatio(s_15.eta.x, wo_1.z, _e44);
+        bool _e46 = isDielectric(code_11);
+        o_4.ratio = pick(_e46, _e45, 1.0);
     }
-    const bool _e53 = hasConductors;
-    const bool _e55 = hasMetallicRoughness;
-    const bool _e58 = hasGlass;
-    if (pick(pick(_e53, true, _e55), true, _e58)) {
-        float _e62 = reflectionBound(wo_1, s_15.alpha);
-        bool _e63 = isDielectric(code_11);
-        o_4.bound = pick(_e63, 1.0, _e62);
-        float _e68 = stretched(wo_1, s_15.alpha);
-        o_4.stretched = _e68;
+    const bool _e50 = hasConductors;
+    const bool _e52 = hasMetallicRoughness;
+    const bool _e55 = hasGlass;
+    if (pick(pick(_e50, true, _e52), true, _e55)) {
+        float _e59 = reflectionBound(wo_1, s_15.alpha);
+        bool _e60 = isDielectric(code_11);
+        o_4.bound = pick(_e60, 1.0, _e59);
+        float _e65 = stretched(wo_1, s_15.alpha);
+        o_4.stretched = _e65;
     }
-    Outgoing _e69 = o_4;
-    return _e69;
+    Outgoing _e66 = o_4;
+    return _e66;
 }
 
 float mirrorShare(float reflectivity) {
@@ -3322,16 +3322,16 @@ Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
 
 float throughCover(Stack o_7, float zi, bool crossing) {
     float sheen_1 = 0.0;
-    Layers l_7 = o_7.layers;
-    bool isSolid_1 = (l_7.solid > 0.0);
+    Layers l_4 = o_7.layers;
+    bool isSolid_1 = (l_4.solid > 0.0);
     bool entersHere = pick(o_7.inside, crossing, false);
-    float _e11 = coatReflectance(l_7.coat, zi);
+    float _e11 = coatReflectance(l_4.coat, zi);
     float coat_2 = pick(entersHere, _e11, o_7.coat);
     sheen_1 = o_7.sheen;
     if ((o_7.sheenColor > 0.0)) {
         bool isOutside = pick(!(isSolid_1), true, (o_7.inside == crossing));
         float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_7.sheenRoughness);
+        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
         sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
     }
     float _e31 = sheen_1;
@@ -3439,25 +3439,26 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
     if (_e116) {
         bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
         if (_e121) {
-            LayeredSample _e125 = sampleLayered(s_19, o_9.stack, vec3(u_28.xy, choice_2));
-            drawn_1 = BsdfSample(_e125.direction, (base_2 * _e125.pdf), _e125.weight, _e125.delta);
+            Stack _e123 = stackHere;
+            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_28.xy, choice_2));
+            drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), _e126.weight, _e126.delta);
         }
     }
-    const bool _e133 = hasMirrorLayers;
-    if (_e133) {
+    const bool _e134 = hasMirrorLayers;
+    if (_e134) {
         bool reflected_2 = (u_28.z < _e5);
-        vec3 _e138 = drawn_1.direction;
-        vec3 _e139 = mirrored(wo_10);
-        drawn_1.direction = pick(reflected_2, _e139, _e138);
-        float _e143 = drawn_1.pdf;
-        drawn_1.pdf = pick(reflected_2, _e5, _e143);
-        vec3 _e147 = drawn_1.weight;
-        drawn_1.weight = pick(reflected_2, vec3(1.0), _e147);
-        bool _e153 = drawn_1.delta;
-        drawn_1.delta = pick(_e153, true, reflected_2);
+        vec3 _e139 = drawn_1.direction;
+        vec3 _e140 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_2, _e140, _e139);
+        float _e144 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_2, _e5, _e144);
+        vec3 _e148 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_2, vec3(1.0), _e148);
+        bool _e154 = drawn_1.delta;
+        drawn_1.delta = pick(_e154, true, reflected_2);
     }
-    BsdfSample _e155 = drawn_1;
-    return _e155;
+    BsdfSample _e156 = drawn_1;
+    return _e156;
 }
 
 float facetDensity(vec3 h_3, float alpha_9) {
@@ -3594,7 +3595,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
     bool isCoat = false;
     vec3 lobe = vec3(0.0);
     float chosen_1 = 0.0;
-    Layers l_8 = o_13.layers;
+    Layers l_5 = o_13.layers;
     vec3 wo_12 = o_13.wo;
     vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_13.side));
     bool crossing_4 = (wi_4.z < 0.0);
@@ -3604,7 +3605,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
     isCoat = pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0));
     while(true) {
         bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_8.solid > 0.0), false);
+        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
         bool _e42 = isCoat;
         vec2 alpha_16 = pick(_e42, vec2(o_13.coatAlpha), o_13.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
@@ -3623,7 +3624,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
         float _e98 = ellipticBound(wo_12, wide_2);
         bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_8.solid > 0.0), !(_e102), false), 1.0, _e98);
+        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
         float density_3 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
         bool _e115 = isCoat;
         vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
@@ -3647,17 +3648,17 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         isCoat = false;
     }
     if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_8.sheenRoughness);
+        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
         float most_2 = max(max(o_13.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_8.sheenRoughness);
+        float _e180 = sheenAlpha(l_5.sheenRoughness);
         float _e181 = whiteSheen(wo_12, wi_4, _e180);
         float fibres_1 = (((1.0 - o_13.coat) * _e181) / most_2);
         vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_8.sheenColor), (o_13.ofSheen * 0.15915494)));
+        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
     }
-    vec3 body_1 = pick(crossing_4, (l_8.beyond * l_8.beyondColor), ((1.0 - l_8.beyond) * s_23.baseColor));
+    vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_23.baseColor));
     float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_8.transmission)) * body_1);
+    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
     vec4 _e208 = sum_1;
     float _e210 = ofBeyond(o_13);
     return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
@@ -3677,25 +3678,26 @@ Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
             isLight = (_e17 > 0u);
             while(true) {
                 float _e22 = mirrorShare(s_24.reflectivity);
-                bool _e26 = isLight;
-                vec4 _e28 = evaluateLayered(s_24, o_14.stack, pick(_e26, toLight_2, toSample));
-                vec4 value_2 = ((1.0 - _e22) * _e28);
-                bool _e30 = isLight;
-                if (_e30) {
+                Stack _e26 = stackHere;
+                bool _e27 = isLight;
+                vec4 _e29 = evaluateLayered(s_24, _e26, pick(_e27, toLight_2, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e29);
+                bool _e31 = isLight;
+                if (_e31) {
                     pair.toLight = value_2;
                 } else {
                     pair.toSample = value_2;
                 }
-                bool _e33 = isLight;
-                if (!(_e33)) {
+                bool _e34 = isLight;
+                if (!(_e34)) {
                     break;
                 }
                 isLight = false;
             }
         }
     }
-    Pair _e36 = pair;
-    return _e36;
+    Pair _e37 = pair;
+    return _e37;
 }
 
 bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
@@ -3740,109 +3742,113 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     basis = _e34;
     const bool _e37 = hasLayers;
     if (_e37) {
-        if (any(notEqual(_e10.grain, vec3(0.0)))) {
-            Basis _e44 = basisAlong(normal_15, _e10.grain);
-            basis = _e44;
+        vec3 _e39 = grainHere;
+        if (any(notEqual(_e39, vec3(0.0)))) {
+            vec3 _e45 = grainHere;
+            Basis _e46 = basisAlong(normal_15, _e45);
+            basis = _e46;
         }
     }
-    Basis _e45 = basis;
-    vec3 _e48 = toLocal(_e45, -(rays_2.direction));
-    const bool _e50 = hasGlass;
-    const bool _e52 = hasLayers;
-    if (pick(_e50, true, _e52)) {
-        float _e55 = surface_1.code;
-        bool _e57 = isThin(uint(_e55));
-        bool inside_7 = pick(pick(pick(_e19, !(_e57), false), (_e48.z < 0.0), false), !(escaped_1), false);
-        vec3 _e67 = p_12.throughput;
-        vec3 _e69 = surface_1.absorption;
-        p_12.throughput = (_e67 * exp((-(_e69) * pick(inside_7, hit_2.t, 0.0))));
+    Basis _e47 = basis;
+    vec3 _e50 = toLocal(_e47, -(rays_2.direction));
+    const bool _e52 = hasGlass;
+    const bool _e54 = hasLayers;
+    if (pick(_e52, true, _e54)) {
+        float _e57 = surface_1.code;
+        bool _e59 = isThin(uint(_e57));
+        bool inside_7 = pick(pick(pick(_e19, !(_e59), false), (_e50.z < 0.0), false), !(escaped_1), false);
+        vec3 _e69 = p_12.throughput;
+        vec3 _e71 = surface_1.absorption;
+        p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
     }
-    const bool _e78 = hasLayers;
-    if (_e78) {
-        vec3 _e80 = surface_1.emission;
-        float _e85 = coatReflectance(_e10.layers.coat, abs(_e48.z));
-        surface_1.emission = (_e80 * (1.0 - _e85));
+    const bool _e80 = hasLayers;
+    if (_e80) {
+        vec3 _e82 = surface_1.emission;
+        float _e85 = layersHere.coat;
+        float _e88 = coatReflectance(_e85, abs(_e50.z));
+        surface_1.emission = (_e82 * (1.0 - _e88));
     }
-    Emitter _e90 = fetchEmitter(0u);
-    vec3 _e92 = p_12.radiance;
-    vec3 _e94 = p_12.throughput;
-    Path _e95 = p_12;
-    Surface _e96 = surface_1;
-    vec3 _e98 = foundLight(_e95, hit_2, _e96, _e10.geometric, _e90);
-    p_12.radiance = (_e92 + (_e94 * _e98));
-    const bool _e102 = hasMeshes;
-    if (_e102) {
+    Emitter _e93 = fetchEmitter(0u);
+    vec3 _e95 = p_12.radiance;
+    vec3 _e97 = p_12.throughput;
+    Path _e98 = p_12;
+    Surface _e99 = surface_1;
+    vec3 _e101 = foundLight(_e98, hit_2, _e99, _e10.geometric, _e93);
+    p_12.radiance = (_e95 + (_e97 * _e101));
+    const bool _e105 = hasMeshes;
+    if (_e105) {
         if (escaped_1) {
             p_12.alive = false;
             return;
         }
     }
     vec3 litSide = pick(_e19, vec3(0.0), normal_15);
-    vec3 _e109 = next3d(p_12.sampler_);
-    vec3 _e111 = next3d(p_12.sampler_);
-    EmitterChoice _e113 = chooseEmitter(point_19, litSide, _e109.z);
-    Emitter _e115 = emitterAt(_e113.index, _e90);
-    LightSample _e117 = sampleEmitter(_e115, point_19, _e109.xy);
-    float lightPdf = (_e117.pdf * _e113.probability);
-    const bool _e125 = hasLayers;
-    if (_e125) {
-        if (pick(_e19, (_e10.layers.dispersion > 0.0), false)) {
-            vec3 _e132 = p_12.throughput;
-            float _e134 = nextHash(p_12.sampler_);
-            vec3 _e135 = heroColor(_e132, _e134);
-            hero_3 = _e135;
+    vec3 _e112 = next3d(p_12.sampler_);
+    vec3 _e114 = next3d(p_12.sampler_);
+    EmitterChoice _e116 = chooseEmitter(point_19, litSide, _e112.z);
+    Emitter _e118 = emitterAt(_e116.index, _e93);
+    LightSample _e120 = sampleEmitter(_e118, point_19, _e112.xy);
+    float lightPdf = (_e120.pdf * _e116.probability);
+    const bool _e128 = hasLayers;
+    if (_e128) {
+        float _e131 = layersHere.dispersion;
+        if (pick(_e19, (_e131 > 0.0), false)) {
+            vec3 _e136 = p_12.throughput;
+            float _e138 = nextHash(p_12.sampler_);
+            vec3 _e139 = heroColor(_e136, _e138);
+            hero_3 = _e139;
         }
     }
-    Surface _e136 = surface_1;
-    vec3 _e138 = hero_3;
-    Outgoing _e139 = outgoing(_e136, _e10.layers, _e48, _e138);
     Surface _e140 = surface_1;
-    BsdfSample _e141 = sampleLobe(_e140, _e139, _e111);
-    Surface _e142 = surface_1;
-    Basis _e143 = basis;
-    vec3 _e145 = toLocal(_e143, _e117.direction);
-    Pair _e147 = evaluatePair(_e142, _e139, _e145, _e141.direction);
-    const bool _e149 = hasMeshes;
-    bool opaque = pick(_e149, !(_e19), false);
-    bool _e156 = crosses(_e10.geometric, _e117.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e156, false);
-    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e147.toLight);
-    bool alone_1 = pick(_e117.delta, true, pick((_e115.shape < 0.0), (_e117.distance_ < 1e30), false));
-    float _e172 = misWeight(lightPdf, toLight_8.w);
-    float lightWeight = (pick(alone_1, 1.0, _e172) / lightPdf);
-    BsdfSample _e177 = completed(_e141, _e147.toSample);
-    Basis _e178 = basis;
-    vec3 _e180 = toWorld(_e178, _e177.direction);
-    bool _e184 = crosses(_e10.geometric, _e180, -(rays_2.direction));
-    bool leaks = pick(opaque, _e184, false);
-    uint _e188 = p_12.depth;
-    uint _e191 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e188 != _e191), false);
-    vec3 _e195 = p_12.throughput;
-    vec3 contribution = (((_e195 * toLight_8.xyz) * _e117.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e117.radiance), vec3(0.0))), false);
+    vec3 _e141 = hero_3;
+    Outgoing _e142 = outgoing(_e140, _e50, _e141);
+    Surface _e143 = surface_1;
+    BsdfSample _e144 = sampleLobe(_e143, _e142, _e114);
+    Surface _e145 = surface_1;
+    Basis _e146 = basis;
+    vec3 _e148 = toLocal(_e146, _e120.direction);
+    Pair _e150 = evaluatePair(_e145, _e142, _e148, _e144.direction);
+    const bool _e152 = hasMeshes;
+    bool opaque = pick(_e152, !(_e19), false);
+    bool _e159 = crosses(_e10.geometric, _e120.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e159, false);
+    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e150.toLight);
+    bool alone_1 = pick(_e120.delta, true, pick((_e118.shape < 0.0), (_e120.distance_ < 1e30), false));
+    float _e175 = misWeight(lightPdf, toLight_8.w);
+    float lightWeight = (pick(alone_1, 1.0, _e175) / lightPdf);
+    BsdfSample _e180 = completed(_e144, _e150.toSample);
+    Basis _e181 = basis;
+    vec3 _e183 = toWorld(_e181, _e180.direction);
+    bool _e187 = crosses(_e10.geometric, _e183, -(rays_2.direction));
+    bool leaks = pick(opaque, _e187, false);
+    uint _e191 = p_12.depth;
+    uint _e194 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e191 != _e194), false);
+    vec3 _e198 = p_12.throughput;
+    vec3 contribution = (((_e198 * toLight_8.xyz) * _e120.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e120.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e217 = p_12.throughput;
-    vec3 throughput_1 = (_e217 * _e177.weight);
-    float _e220 = max3_(throughput_1);
-    uint _e226 = p_12.depth;
-    float survival = pick((_e226 < rouletteDepth), 1.0, min((_e220 / 0.33333334), 0.95));
-    float _e238 = max3_(throughput_1);
-    float _e243 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e177.pdf > 0.0), false), !(leaks), false), (_e238 > 0.0), false), (_e243 < survival), false);
+    vec3 _e220 = p_12.throughput;
+    vec3 throughput_1 = (_e220 * _e180.weight);
+    float _e223 = max3_(throughput_1);
+    uint _e229 = p_12.depth;
+    float survival = pick((_e229 < rouletteDepth), 1.0, min((_e223 / 0.33333334), 0.95));
+    float _e241 = max3_(throughput_1);
+    float _e246 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e180.pdf > 0.0), false), !(leaks), false), (_e241 > 0.0), false), (_e246 < survival), false);
     p_12.throughput = (throughput_1 / vec3(survival));
-    uint _e251 = p_12.depth;
-    p_12.depth = (_e251 + 1u);
-    p_12.pdf = pick(_e177.delta, 0.0, _e177.pdf);
+    uint _e254 = p_12.depth;
+    p_12.depth = (_e254 + 1u);
+    p_12.pdf = pick(_e180.delta, 0.0, _e180.pdf);
     p_12.litSide = litSide;
-    p_12.odds = _e113.odds;
-    bool _e261 = isFlat(shape_1);
-    bool solid = !(_e261);
-    uint lightShape = pick((_e115.shape >= 0.0), uint(max(_e115.shape, 0.0)), noShape);
-    bool _e278 = p_12.alive;
-    Sampler _e293 = p_12.sampler_;
-    uint _e294 = numberOfNext(_e293);
-    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e278, _e180, pick(solid, (dot(_e180, outward_1) < 0.0), false), _e117.direction, pick(solid, (dot(_e117.direction, outward_1) < 0.0), false), pick(lit_2, _e117.distance_, -1.0), lightShape, _e294);
+    p_12.odds = _e116.odds;
+    bool _e264 = isFlat(shape_1);
+    bool solid = !(_e264);
+    uint lightShape = pick((_e118.shape >= 0.0), uint(max(_e118.shape, 0.0)), noShape);
+    bool _e281 = p_12.alive;
+    Sampler _e296 = p_12.sampler_;
+    uint _e297 = numberOfNext(_e296);
+    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e281, _e183, pick(solid, (dot(_e183, outward_1) < 0.0), false), _e120.direction, pick(solid, (dot(_e120.direction, outward_1) < 0.0), false), pick(lit_2, _e120.distance_, -1.0), lightShape, _e297);
     return;
 }
 

@@ -267,8 +267,8 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let normal = select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isClear);
   var basis = basisAbout(normal);
   if (hasLayers) {
-    if (any(met.grain != vec3f(0.0))) {
-      basis = basisAlong(normal, met.grain);
+    if (any(grainHere != vec3f(0.0))) {
+      basis = basisAlong(normal, grainHere);
     }
   }
   let wo = toLocal(basis, -rays.direction);
@@ -277,7 +277,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
   if (hasLayers) {
-    surface.emission *= 1.0 - coatReflectance(met.layers.coat, abs(wo.z));
+    surface.emission *= 1.0 - coatReflectance(layersHere.coat, abs(wo.z));
   }
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
@@ -300,11 +300,11 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let lightPdf = light.pdf * choice.probability;
   var hero = vec3f(1.0);
   if (hasLayers) {
-    if (isClear & (met.layers.dispersion > 0.0)) {
+    if (isClear & (layersHere.dispersion > 0.0)) {
       hero = heroColor((*p).throughput, nextHash(&(*p).sampler));
     }
   }
-  let o = outgoing(surface, met.layers, wo, hero);
+  let o = outgoing(surface, wo, hero);
   let drawn = sampleLobe(surface, o, uBsdf);
   let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn.direction);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
@@ -338,10 +338,13 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
-  var layers = layersOf(u32(surface.code), surface.eta.x);
+  if (hasLayers) {
+    layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
   var bitangent = vec3f(0.0);
@@ -350,7 +353,7 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
       normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&surface, &layers, m.uv, m.color.rgb);
+        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
         if (any(bump != vec3f(0.0, 0.0, 1.0))) {
@@ -362,13 +365,13 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
   }
-  var grain = vec3f(0.0);
   if (hasLayers) {
-    if (layers.anisotropy > 0.0) {
-      grain = grainAt(normals.shading, tangent, bitangent, layers.grain);
+    grainHere = vec3f(0.0);
+    if (layersHere.anisotropy > 0.0) {
+      grainHere = grainAt(normals.shading, tangent, bitangent, layersHere.grain);
     }
   }
-  return SurfacePoint(surface, layers, normals.geometric, normals.shading, grain);
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
 // Whether light may go through the surface.
@@ -553,18 +556,13 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   return s;
 }
 
-// `hero`: layers/transmission.wesl; white where colours do not part.
-fn outgoing(s: Surface, l: Layers, wo: vec3f, hero: vec3f) -> Outgoing {
+// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
+fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   let code = u32(s.code);
-  var o: Outgoing;
-  o.wo = wo;
-  o.share = select(0.0, 1.0, isConductor(code) | isDielectric(code));
-  o.ratio = 1.0;
-  o.bound = 1.0;
-  o.stretched = 1.0;
+  var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
   if (hasLayers) {
     if (isLayered(u32(s.code), s.eta.x)) {
-      o.stack = stackOf(s, l, wo, hero);
+      stackHere = stackOf(s, layersHere, wo, hero);
     }
   }
   if (hasMetallicRoughness) {
@@ -616,7 +614,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   }
   if (hasLayers) {
     if (isLayered(u32(s.code), s.eta.x)) {
-      let layered = sampleLayered(s, o.stack, vec3f(u.xy, choice));
+      let layered = sampleLayered(s, stackHere, vec3f(u.xy, choice));
       drawn = BsdfSample(layered.direction, base * layered.pdf, layered.weight, layered.delta);
     }
   }
@@ -638,7 +636,7 @@ fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pai
     if (isLayered(u32(s.code), s.eta.x)) {
       var isLight = frame.emitterCount > 0u;
       loop {
-        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, o.stack, select(toSample, toLight, isLight));
+        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
         if (isLight) {
           pair.toLight = value;
         } else {
@@ -712,6 +710,9 @@ struct PairHit {
 }
 
 
+// Along the surface, where facets have a grain; else zero.
+var<private> grainHere: vec3f;
+
 // With x along a direction that lies about at right angles to the normal.
 fn basisAlong(n: vec3f, x: vec3f) -> Basis {
   let tangent = normalize(x - dot(x, n) * n);
@@ -735,6 +736,8 @@ fn coatReflectance(coat: f32, cosine: f32) -> f32 {
   return coat * schlick(vec3f(coatF0), cosine).x;
 }
 
+var<private> layersHere: Layers;
+
 // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
 fn schlick(f0: vec3f, cosine: f32) -> vec3f {
   let m = max(1.0 - cosine, 0.0);
@@ -743,6 +746,52 @@ fn schlick(f0: vec3f, cosine: f32) -> vec3f {
 }
 
 const coatF0 = 0.04;
+
+struct Layers {
+  // factor on what facets of the dielectric reflect at normal incidence
+  specularColor: vec3f,
+  // share of what they reflect
+  specularWeight: f32,
+  // of the fibres on top; black: there are none
+  sheenColor: vec3f,
+  // alpha is its square
+  sheenRoughness: f32,
+  // factor on light that leaves diffusely on the other side
+  beyondColor: vec3f,
+  // share of the diffuse light that does
+  beyond: f32,
+  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
+  grain: vec2f,
+  // how much they are; 0: not
+  anisotropy: f32,
+  // share of the diffuse body that is a refracting boundary instead
+  transmission: f32,
+  // share of the surface that has a clear coat
+  coat: f32,
+  // alpha is its square
+  coatRoughness: f32,
+  // index of the body
+  ior: f32,
+  // 1: the body is solid; 0: a thin wall
+  solid: f32,
+  // share of the surface that has a thin film
+  film: f32,
+  // its index
+  filmIor: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
+  // 20 / Abbe number
+  dispersion: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
+}
+
 
 // One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
 // so the mean is right, and a path of one colour keeps it.
@@ -803,6 +852,20 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+struct SurfacePoint {
+  surface: Surface,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
 // All zero where there are none.
 fn layersOf(code: u32, eta: f32) -> Layers {
   var l: Layers;
@@ -814,23 +877,36 @@ fn layersOf(code: u32, eta: f32) -> Layers {
   return l;
 }
 
-struct Normals {
-  geometric: vec3f,
-  shading: vec3f,
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
 }
 
-
-struct SurfacePoint {
-  surface: Surface,
-  // All zero where it has none.
-  layers: Layers,
-  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
-  geometric: vec3f,
-  shading: vec3f,
-  // Along the surface, where facets have a grain; else zero.
-  grain: vec3f,
+fn fetchLayers(i: u32) -> Layers {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
 }
 
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
 
 const noInstance = 0xffffffffu;
 
@@ -884,7 +960,7 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
 override hasTextures = false;
 
 // `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, l: ptr<function, Layers>, uv: vec4f, color: vec3f) -> vec3f {
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
   let row = u32((*s).textures);
   let material = fetchMaterialTextures(row);
   let unlit = (material.flags & isUnlit) != 0u;
@@ -905,7 +981,7 @@ fn takeUpTextures(s: ptr<function, Surface>, l: ptr<function, Layers>, uv: vec4f
       (*s).metallic *= share.y;
       bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
       if (hasLayers) {
-        takeUpLayer(l, t.slot, texel);
+        takeUpLayer(t.slot, texel);
       }
       i++;
       if (i >= material.count) {
@@ -981,52 +1057,6 @@ struct Surface {
 }
 
 
-struct Layers {
-  // factor on what facets of the dielectric reflect at normal incidence
-  specularColor: vec3f,
-  // share of what they reflect
-  specularWeight: f32,
-  // of the fibres on top; black: there are none
-  sheenColor: vec3f,
-  // alpha is its square
-  sheenRoughness: f32,
-  // factor on light that leaves diffusely on the other side
-  beyondColor: vec3f,
-  // share of the diffuse light that does
-  beyond: f32,
-  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
-  grain: vec2f,
-  // how much they are; 0: not
-  anisotropy: f32,
-  // share of the diffuse body that is a refracting boundary instead
-  transmission: f32,
-  // share of the surface that has a clear coat
-  coat: f32,
-  // alpha is its square
-  coatRoughness: f32,
-  // index of the body
-  ior: f32,
-  // 1: the body is solid; 0: a thin wall
-  solid: f32,
-  // share of the surface that has a thin film
-  film: f32,
-  // its index
-  filmIor: f32,
-  // nanometres; where a texture says how thick: where it is 1
-  filmThickness: f32,
-  // its thickness where that texture is 0
-  filmLeast: f32,
-  // 20 / Abbe number
-  dispersion: f32,
-  // unused
-  spare0: f32,
-  // unused
-  spare1: f32,
-  // unused
-  spare2: f32,
-}
-
-
 fn fetchTextureUse(row: u32) -> TextureUse {
   let r0 = texelRow(row + 0u);
   let r1 = texelRow(row + 1u);
@@ -1073,26 +1103,26 @@ fn isSmooth(code: u32) -> bool {
 
 const normalSlot = 3u;
 
-fn takeUpLayer(l: ptr<function, Layers>, slot: u32, texel: vec4f) {
-  (*l).specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
-  (*l).specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
-  (*l).transmission *= select(1.0, texel.r, slot == transmissionSlot);
-  (*l).beyond *= select(1.0, texel.a, slot == beyondSlot);
-  (*l).beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
-  (*l).coat *= select(1.0, texel.r, slot == coatSlot);
-  (*l).coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
-  (*l).sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
-  (*l).sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
-  (*l).film *= select(1.0, texel.r, slot == filmSlot);
-  (*l).filmThickness = select((*l).filmThickness, mix((*l).filmLeast, (*l).filmThickness, texel.g), slot == filmThicknessSlot);
+fn takeUpLayer(slot: u32, texel: vec4f) {
+  layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
+  layersHere.specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
+  layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
+  layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
+  layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
+  layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
+  layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
+  layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
+  layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
+  layersHere.film *= select(1.0, texel.r, slot == filmSlot);
+  layersHere.filmThickness = select(layersHere.filmThickness, mix(layersHere.filmLeast, layersHere.filmThickness, texel.g), slot == filmThicknessSlot);
   let isGrain = slot == anisotropySlot;
-  (*l).anisotropy *= select(1.0, texel.b, isGrain);
+  layersHere.anisotropy *= select(1.0, texel.b, isGrain);
   // A direction in the frame of tangents, which the material's angle turns.
   let given = 2.0 * texel.rg - 1.0;
   let size = dot(given, given);
   let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
-  let own = (*l).grain;
-  (*l).grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+  let own = layersHere.grain;
+  layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
 }
 
 const specularWeightSlot = 4u;
@@ -1391,8 +1421,6 @@ fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
@@ -1475,35 +1503,6 @@ struct Bounds {
   radius: f32,
 }
 
-
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
-}
-
-fn fetchLayers(i: u32) -> Layers {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
-}
-
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
-}
-
-override hasMetallicRoughness = false;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
-}
-
-const metallicRoughness = 1u;
 
 fn isDielectric(code: u32) -> bool {
   return hasGlass & (kindOf(code) == dielectric);
@@ -2466,12 +2465,6 @@ struct Parts {
 }
 
 
-fn isConductor(code: u32) -> bool {
-  return hasConductors & (kindOf(code) == conductor);
-}
-
-override hasConductors = false;
-
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {
   wo: vec3f,
@@ -2482,41 +2475,16 @@ struct Outgoing {
   // ggx.wesl, of wo.
   bound: f32,
   stretched: f32,
-  // All of a surface with layers.
-  stack: Stack,
 }
 
 
-// What follows from the direction that light leaves in, whichever it comes from.
-struct Stack {
-  layers: Layers,
-  // Above the surface.
-  wo: vec3f,
-  // -1: wo was below.
-  side: f32,
-  // Colour that refracted light goes on with, times its weight: transmission.wesl.
-  hero: vec3f,
-  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
-  ratio: f32,
-  // wo is inside a solid.
-  inside: bool,
-  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
-  more: vec3f,
-  // Facets of the base; below leastAlpha they are a mirror.
-  alpha: vec2f,
-  coatAlpha: f32,
-  // Share of the light towards wo that is the coat's.
-  coat: f32,
-  // Share of white light that fibres send to wo, and of the strongest colour of these.
-  sheen: f32,
-  sheenColor: f32,
-  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
-  ofCoat: f32,
-  ofFacets: f32,
-  ofSheen: f32,
-  ofDiffuse: f32,
+fn isConductor(code: u32) -> bool {
+  return hasConductors & (kindOf(code) == conductor);
 }
 
+override hasConductors = false;
+
+var<private> stackHere: Stack;
 
 fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   let side = select(1.0, -1.0, given.z < 0.0);
@@ -2560,6 +2528,37 @@ fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   o.ofDiffuse = diffuse / all;
   return o;
 }
+
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Stack {
+  layers: Layers,
+  // Above the surface.
+  wo: vec3f,
+  // -1: wo was below.
+  side: f32,
+  // Colour that refracted light goes on with, times its weight: transmission.wesl.
+  hero: vec3f,
+  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
+  ratio: f32,
+  // wo is inside a solid.
+  inside: bool,
+  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
+  more: vec3f,
+  // Facets of the base; below leastAlpha they are a mirror.
+  alpha: vec2f,
+  coatAlpha: f32,
+  // Share of the light towards wo that is the coat's.
+  coat: f32,
+  // Share of white light that fibres send to wo, and of the strongest colour of these.
+  sheen: f32,
+  sheenColor: f32,
+  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
+  ofCoat: f32,
+  ofFacets: f32,
+  ofSheen: f32,
+  ofDiffuse: f32,
+}
+
 
 // KHR_materials_transmission and KHR_materials_volume: light that goes through facets.
 // KHR_materials_dispersion: the index that red, green or blue light meets; `hero` is the colour that the path goes on with, or white.
