@@ -17,6 +17,7 @@ import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts'
 import { headlessFilms } from './headless.ts';
 import { layerFurnaces, layersFromBothEnds, layersOverSphere } from './layers/sphere.ts';
 import { probeLayerEdges, probeLayers } from './layers/values.ts';
+import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
@@ -53,6 +54,8 @@ export const harness = {
   parity,
   pathFilm,
   pictureOf,
+  playedFilms,
+  playFrames,
   probeSampler,
   probeChoices,
   probeTree,
@@ -67,6 +70,7 @@ export const harness = {
   probeWildLamps,
   lightCases,
   shadeMean,
+  switchMovingScenes,
   texturedSights,
   tiltedLight,
   treesFromWorker,

@@ -4,6 +4,7 @@ import { pathFeatures } from '../integrator/path/path-features.ts';
 import { isClear, isLayered, isSolid } from '../scene/layered.ts';
 import { stillMoment } from '../scene/motion.ts';
 import type { Material, Shape } from '../scene/scene.ts';
+import { loadGeometryPacker } from './geometry-packer.ts';
 import { layerValues } from './layer-values.ts';
 import { fieldOffset, TABLE_WIDTH, tableColumn } from './layout.ts';
 import { emittersOf } from './pack-emitters.ts';
@@ -51,7 +52,8 @@ test('light goes through, and bodies are solid, only where something lets it in'
   expect(surfaceValues(plastic({ ior: 2 }), null, 0, 7).eta).toEqual([7, 0, 0]);
 });
 
-test('layers lie in rows of their own, one for each material that is used', () => {
+test('layers lie in rows of their own, one for each material that is used', async () => {
+  await loadGeometryPacker();
   const materials = {
     wall,
     coated: plastic({ clearcoat: { weight: 0.25, roughness: 0.5 } }),
