@@ -15,6 +15,8 @@ import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
+import { layerFurnaces, layersFromBothEnds, layersOverSphere } from './layers/sphere.ts';
+import { probeLayerEdges, probeLayers } from './layers/values.ts';
 import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
@@ -22,6 +24,7 @@ import { pathFilm } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
+import { layerTextures } from './textures/layers.ts';
 import { lightCases, tiltedLight } from './textures/light.ts';
 import { probeLookups } from './textures/lookups.ts';
 import { texturedSights } from './textures/sights.ts';
@@ -41,6 +44,10 @@ export const harness = {
   hardNames,
   hardPicture,
   headlessFilms,
+  layerFurnaces,
+  layersFromBothEnds,
+  layersOverSphere,
+  layerTextures,
   leaks,
   movedPicture,
   orderAndParts,
@@ -55,6 +62,8 @@ export const harness = {
   probeEnvironments,
   probeFarLights,
   probeLamps,
+  probeLayerEdges,
+  probeLayers,
   probeMeshLamps,
   probeLookups,
   probeShapes,

@@ -14,7 +14,7 @@ import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
 import type { TextureRows } from './pack-textures.ts';
 import { hasMeshes } from './refuse-meshes.ts';
-import { createBlock } from './write-struct.ts';
+import { createBlock, type StructValues } from './write-struct.ts';
 
 type Packer = typeof PackGeometry;
 
@@ -69,6 +69,9 @@ export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: Pa
 export function texturesOf(scene: Scene, materials: readonly Material[]): TextureRows {
   return materials.length === 0 ? NO_TEXTURES : loaded().packTextures(scene, materials);
 }
+
+/** `layerValues`. Throws when the packer has not been loaded. */
+export const layerValuesOf = (material: Material): StructValues<'Layers'> => loaded().layerValues(material);
 
 /** `treeOfEmitters`. Throws when the packer has not been loaded. */
 export const lightTreeOf = (emitters: readonly EmitterValues[], far: number): LightTree =>

@@ -5,6 +5,7 @@
 import { AFFINE_LENGTH } from '../scene/affine.ts';
 import { meshBounds } from '../scene/bounds.ts';
 import { emissionOf } from '../scene/lamps.ts';
+import { hasCoat } from '../scene/layered.ts';
 import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import type { Color, MeshShape, Scene } from '../scene/scene.ts';
 import { length, subtract } from '../scene/vec3.ts';
@@ -72,14 +73,14 @@ function areaOf({ positions: p, indices }: Mesh): number {
 }
 
 /**
- * How a mesh is cut whose light is sampled; null for others. What shines by a texture or through holes, and unlit surfaces, whose light is
+ * How a mesh is cut whose light is sampled; null for others. What shines by a texture, through a coat or through holes, and unlit surfaces, whose light is
  * meant for the eye, are found by rays that happen to meet them.
  */
 export function clustersOf({ materials, meshes = {} }: Scene, shape: MeshShape): LampClusters | null {
   const mesh = meshes[shape.mesh]?.data;
   const material = materials[shape.material]!;
   if (!mesh || Math.max(...emissionOf(material)) <= 0) return null;
-  if (material.unlit || material.emissionTexture || mayBeMissing(material, mesh)) return null;
+  if (material.unlit || material.emissionTexture || hasCoat(material) || mayBeMissing(material, mesh)) return null;
   const instances = shape.instances ? shape.instances.length / AFFINE_LENGTH : 1;
   return cutLamp(triangleCount(mesh), instances, isSparse(mesh));
 }

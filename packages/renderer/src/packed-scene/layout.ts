@@ -4,7 +4,8 @@
  * by hand anywhere.
  *
  * The scene lies in a table of RGBA float texels, a texture that both GPU interfaces read alike: row i holds shape i, its
- * material, light i and emitter i. (Uniform blocks were tried: Windows' shader compiler takes twice as long over large ones.)
+ * material, light i and emitter i; below lie the tree over lights and the layers of the materials that have some. (Uniform blocks were
+ * tried: Windows' shader compiler takes twice as long over large ones.)
  * What belongs to the frame lies in small uniform blocks. Triangles and the trees over them lie in rows of four words, the geometry:
  * a storage buffer or a texture, whichever the device has.
  *
@@ -62,12 +63,41 @@ export const STRUCTS = {
     ),
     emission: field('vec3f', 'radiance sent out'),
     reflectivity: field('f32', 'share of the perfect mirror layer over the base'),
-    eta: field('vec3f', 'conductor: index of refraction per channel; dielectric: the index in all three'),
+    eta: field(
+      'vec3f',
+      'conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none',
+    ),
     alpha: field('f32', 'GGX width, roughness^2; 0: smooth'),
     k: field('vec3f', 'conductor: extinction coefficient per channel'),
     metallic: field('f32', 'metallicRoughness: share of metal'),
     absorption: field('vec3f', 'dielectric: Beer-Lambert coefficient, 1 / metre'),
     textures: field('f32', 'row of its MaterialTextures among the texels'),
+  },
+  Layers: {
+    specularColor: field('vec3f', 'factor on what facets of the dielectric reflect at normal incidence'),
+    specularWeight: field('f32', 'share of what they reflect'),
+    sheenColor: field('vec3f', 'of the fibres on top; black: there are none'),
+    sheenRoughness: field('f32', 'alpha is its square'),
+    beyondColor: field('vec3f', 'factor on light that leaves diffusely on the other side'),
+    beyond: field('f32', 'share of the diffuse light that does'),
+    grain: field(
+      'vec2f',
+      'cosine and sine of the angle from the tangent to the direction that highlights are drawn out in',
+    ),
+    anisotropy: field('f32', 'how much they are; 0: not'),
+    transmission: field('f32', 'share of the diffuse body that is a refracting boundary instead'),
+    coat: field('f32', 'share of the surface that has a clear coat'),
+    coatRoughness: field('f32', 'alpha is its square'),
+    ior: field('f32', 'index of the body'),
+    solid: field('f32', '1: the body is solid; 0: a thin wall'),
+    film: field('f32', 'share of the surface that has a thin film'),
+    filmIor: field('f32', 'its index'),
+    filmThickness: field('f32', 'nanometres; where a texture says how thick: where it is 1'),
+    filmLeast: field('f32', 'its thickness where that texture is 0'),
+    dispersion: field('f32', '20 / Abbe number'),
+    spare0: field('f32', 'unused'),
+    spare1: field('f32', 'unused'),
+    spare2: field('f32', 'unused'),
   },
   Emitter: {
     position: field(
@@ -309,7 +339,24 @@ export type DataStruct = (typeof GEOMETRY_STRUCTS)[number] | (typeof TEXEL_STRUC
 /** Texels of an image, 8 bits for each of red, green, blue and alpha from the lowest on, in a row of the data that holds them. */
 export const TEXELS_OF_ROW = 4;
 /** What a use of a texture changes, and by which channels: scene/material-layers.ts. */
-export const TEXTURE_SLOTS = { baseColorSlot: 0, emissionSlot: 1, metallicRoughnessSlot: 2, normalSlot: 3 } as const;
+export const TEXTURE_SLOTS = {
+  baseColorSlot: 0,
+  emissionSlot: 1,
+  metallicRoughnessSlot: 2,
+  normalSlot: 3,
+  specularWeightSlot: 4,
+  specularColorSlot: 5,
+  transmissionSlot: 6,
+  beyondSlot: 7,
+  beyondColorSlot: 8,
+  coatSlot: 9,
+  coatRoughnessSlot: 10,
+  sheenColorSlot: 11,
+  sheenRoughnessSlot: 12,
+  anisotropySlot: 13,
+  filmSlot: 14,
+  filmThicknessSlot: 15,
+} as const;
 /** Bits of `TextureUse.flags`. Without one of the wrap bits the image repeats. */
 export const LOOKUP_FLAGS = {
   usesSecondSet: 1,
@@ -329,13 +376,13 @@ export const MATERIAL_FLAGS = { isUnlit: 1, hasOpacityTexture: 2 } as const;
 /** Which structs share a row of the scene table, in this order from the left. */
 const TABLE_STRUCTS = ['Bounds', 'Extent', 'Material', 'Light', 'Surface', 'Emitter'] as const;
 /** Structs that have rows of the scene table for themselves, after those. */
-const WHOLE_ROWS = ['LightNode'] as const;
+const WHOLE_ROWS = ['LightNode', 'Layers'] as const;
 export type TableStruct = (typeof TABLE_STRUCTS)[number] | (typeof WHOLE_ROWS)[number];
 
 /** Texels (of 16 bytes) left of the struct in its row. */
 export function tableColumn(name: TableStruct): number {
   let column = 0;
-  if (name === 'LightNode') return column;
+  if ((WHOLE_ROWS as readonly string[]).includes(name)) return column;
   for (const s of TABLE_STRUCTS) {
     if (s === name) break;
     column += structSize(s) / 16;

@@ -3,6 +3,7 @@
  * (more of them than the scene table should hold) still shines, and is found by rays that happen to meet it.
  */
 import { emissionOf, lampsAsShapes, radianceOf, type SceneWithLamps, timesColor } from '../scene/lamps.ts';
+import { hasCoat } from '../scene/layered.ts';
 import type {
   Color,
   DirectionalLight,
@@ -167,7 +168,10 @@ function lightsOf({ scene, lightOfShape }: SceneWithLamps): Found[] {
 function emissiveShapes({ scene, lightOfShape }: SceneWithLamps): Found[] {
   const found: Found[] = [];
   for (const [name, shape] of Object.entries(scene.shapes)) {
-    const emission = emissionOf(scene.materials[shape.material]!);
+    const material = scene.materials[shape.material]!;
+    const emission = emissionOf(material);
+    // What shines through a coat is not as bright to all sides: rays find it by themselves.
+    if (hasCoat(material)) continue;
     // A plane has no area to sample; scene files with such a lamp are refused.
     if (shape.type === 'plane' || shape.type === 'mesh' || lightOfShape.has(name) || isBlack(emission)) continue;
     found.push({ values: shapeEmitter(shape, emission), shape: name });

@@ -25,6 +25,7 @@ import { type Block, createBlock } from './write-struct.ts';
 
 // Comes with the rest of what meshes need.
 export { sketchInSteps } from '../sketch/sketch.ts';
+export { layerValues } from './layer-values.ts';
 export { packMeshes } from './pack-in-worker.ts';
 export { treeOfEmitters } from './pack-light-tree.ts';
 export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';

@@ -2,10 +2,11 @@
 
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
+import { isLayered } from '../scene/layered.ts';
 import type { Moment } from '../scene/motion.ts';
 import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import type { EmitterValues } from './emitter-values.ts';
-import { geometryOf, lightTreeOf, texturesOf } from './geometry-packer.ts';
+import { geometryOf, layerValuesOf, lightTreeOf, texturesOf } from './geometry-packer.ts';
 import type { MeshGlow } from './lamp-clusters.ts';
 import { COVER } from './layout.ts';
 import { treeNodes } from './light-tree-size.ts';
@@ -29,8 +30,15 @@ function skyOf({ horizon, zenith, image, map, scale = 1, rotation = 0 }: Sky) {
   return { horizon: factor, zenith: factor, environment: packEnvironment(map), environmentTurn };
 }
 
-/** Whether to pack it needs the part that packs meshes and trees over many lights. */
-export const needsPacker = (scene: Scene): boolean => hasMeshes(scene) || planEmitters(scene).near > LISTED_EMITTERS;
+/** Materials in use that have layers, each once. */
+function layeredMaterials({ shapes, materials }: Scene): Material[] {
+  const used = new Set(Object.values(shapes).map(({ material }) => materials[material]!));
+  return [...used].filter(isLayered);
+}
+
+/** Whether to pack it needs the part that packs meshes, layers and trees over many lights. */
+export const needsPacker = (scene: Scene): boolean =>
+  hasMeshes(scene) || planEmitters(scene).near > LISTED_EMITTERS || layeredMaterials(scene).length > 0;
 
 /** `moment`: the scene with its meshes, at the time that is to be seen. */
 export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = {}): PackedScene {
@@ -51,14 +59,18 @@ function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
   if (!before) refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
   const { far, near, glows } = planEmitters(scene);
+  const layered = layeredMaterials(lamps.scene);
   const packed = packScene(lamps.scene, eye, {
     ...options,
     keepMeshes: before !== null,
     leastRows: Math.max(far + near, 1),
-    moreRows: near > LISTED_EMITTERS ? treeNodes(near) : 0,
+    // The tree over lights, and behind it the layers.
+    moreRows: (near > LISTED_EMITTERS ? treeNodes(near) : 0) + layered.length,
     meshes: true,
   });
   const { table, shapeNames, shapeEnds } = packed;
+  const layerRows = new Map(layered.map((material, index) => [material, packed.rows - layered.length + index]));
+  for (const [material, row] of layerRows) writeRow(table, 'Layers', row, layerValuesOf(material));
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
   const lights = emittersOf(lamps, eye, (name) => rows.get(name)!);
   const firstOfMesh = placesOf(glows, lights.emitters.length);
@@ -68,9 +80,10 @@ function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
     return firstOfMesh.has(name) ? { emitter: firstOfMesh.get(name)!, oneSided: glows.get(name)!.oneSided } : null;
   };
   shapeNames.slice(0, shapeEnds[3]).forEach((name, row) => {
-    writeRow(table, 'Surface', row, surfaceValues(materialOf(lamps.scene, name), lampOf(name)));
+    const material = materialOf(lamps.scene, name);
+    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name), 0, layerRows.get(material)));
   });
-  const { bodies, textures } = before ?? packMeshSurfaces(lamps.scene, packed, lampOf, glows);
+  const { bodies, textures } = before ?? packMeshSurfaces(lamps.scene, packed, { lampOf, glows, layerRows });
   return {
     ...packed,
     ...skyOf(scene.sky),
@@ -117,12 +130,18 @@ function withEmitters(packed: PackedScene, glowing: readonly EmitterValues[], ey
 
 const materialOf = ({ shapes, materials }: Scene, name: string): Material => materials[shapes[name]!.material]!;
 
+/** What surfaces of meshes and of formulas have in common. */
+interface Shared {
+  readonly lampOf: (name: string) => Lamp | null;
+  readonly glows: ReadonlyMap<string, MeshGlow>;
+  readonly layerRows: ReadonlyMap<Material, number>;
+}
+
 /** What meshes are made of, and the textures that it names. */
 function packMeshSurfaces(
   scene: Scene,
   { table, shapeNames, shapeEnds }: PackedScene,
-  lampOf: (name: string) => Lamp | null,
-  glows: ReadonlyMap<string, MeshGlow>,
+  { lampOf, glows, layerRows }: Shared,
 ) {
   const first = shapeEnds[3];
   const names = shapeNames.slice(first);
@@ -137,7 +156,12 @@ function packMeshSurfaces(
   };
   names.forEach((name, i) => {
     const material = materialOf(scene, name);
-    writeRow(table, 'Surface', first + i, surfaceValues(material, lampOf(name), rowOf.get(material)));
+    writeRow(
+      table,
+      'Surface',
+      first + i,
+      surfaceValues(material, lampOf(name), rowOf.get(material), layerRows.get(material)),
+    );
   });
   return {
     bodies: { first, covers: names.map(coverOf), glows: names.map((name) => glows.get(name) ?? null) },

@@ -89,6 +89,7 @@ export interface PackOptions {
   readonly keepMeshes?: boolean;
   /** Rows that are needed beside shapes and lights, and those after them all. */
   readonly leastRows?: number;
+  /** Rows of their own after all of these: of the tree over lights, and of layers. */
   readonly moreRows?: number;
 }
 

@@ -1,9 +1,12 @@
 /**
- * What a scene model may say and no kernel draws yet: some layers of glTF's materials, and textures on other shapes than meshes. A picture
+ * What a scene model may say and no kernel draws yet: a normal map of a clear coat's own, and textures on other shapes than meshes. A picture
  * without them would be a wrong one, so that such a scene is refused; docs/gltf.md has the list.
  */
+
+import { isClear, isLayered } from '../scene/layered.ts';
 import type { MaterialLayers } from '../scene/material-layers.ts';
 import type { Material, Scene, Shape } from '../scene/scene.ts';
+import type { NormalTextureUse } from '../scene/textures.ts';
 import { UntraceableSceneError } from './refuse-meshes.ts';
 import { mayBeMissing } from './texture-slots.ts';
 
@@ -14,16 +17,27 @@ type Counts<Key extends Layer = Layer> = { readonly [K in Key]?: (material: Laye
 
 /** On any shape. */
 const UNDRAWN: Counts = {
-  dispersion: ({ dispersion = 0 }) => dispersion > 0,
-  specularLobe: () => true,
-  transmission: ({ transmission }) => transmission!.weight > 0,
-  // Volumes count with transmission only.
-  diffuseTransmission: ({ diffuseTransmission }) => diffuseTransmission!.weight > 0,
-  clearcoat: ({ clearcoat }) => clearcoat!.weight > 0,
-  sheen: ({ sheen }) => sheen!.color.some((x) => x > 0),
-  anisotropy: ({ anisotropy }) => anisotropy!.strength > 0,
-  iridescence: ({ iridescence }) => iridescence!.weight > 0,
+  // The coat would need a frame of its own.
+  clearcoat: ({ clearcoat, normalTexture }) =>
+    clearcoat!.weight > 0 && !isSameMap(normalTexture, clearcoat!.normalTexture),
 };
+
+/** Whether coat and base are bent alike, or neither is. */
+function isSameMap(base: NormalTextureUse | undefined, coat: NormalTextureUse | undefined): boolean {
+  return JSON.stringify(base) === JSON.stringify(coat);
+}
+
+/** The groups that may have textures in them that count. */
+const LAYER_GROUPS = [
+  'specularLobe',
+  'transmission',
+  'diffuseTransmission',
+  'clearcoat',
+  'sheen',
+  'anisotropy',
+  'iridescence',
+] as const satisfies readonly Layer[];
+const isTextured = (group: object): boolean => Object.keys(group).some((key) => key.toLowerCase().endsWith('texture'));
 
 /** On shapes that a formula describes, which have no texture coordinates and are there on both sides of all places. */
 const UNDRAWN_BUT_ON_MESHES: Counts = {
@@ -32,6 +46,9 @@ const UNDRAWN_BUT_ON_MESHES: Counts = {
   metallicRoughnessTexture: ({ unlit = false }) => !unlit,
   normalTexture: ({ unlit = false }) => !unlit,
   emissionTexture: ({ emission, unlit = false }) => !unlit && emission.some((x) => x > 0),
+  ...Object.fromEntries(
+    LAYER_GROUPS.map((group) => [group, (material: Layered) => isLayered(material) && isTextured(material[group]!)]),
+  ),
 };
 
 const found = (undrawn: Counts, material: Layered): string[] =>
@@ -49,7 +66,11 @@ export function refuseUndrawn(scene: Scene): void {
     const undrawn = undrawnOf(material);
     if (undrawn.length > 0)
       throw new UntraceableSceneError(
-        `The material "${shape.material}" has ${undrawn.join(', ')}, which this version reads and does not draw yet.`,
+        `The material "${shape.material}" has ${undrawn.join(', ')} with another normal map than its base, which this version reads and does not draw yet.`,
+      );
+    if (shape.type === 'plane' && isClear(material))
+      throw new UntraceableSceneError(
+        `The plane "${name}" is made of "${shape.material}", which light goes through, but a plane lets nothing through; please use a box or a quad.`,
       );
     if (shape.type === 'mesh') refuseFramelessMap(scene, shape, material);
     else refuseOnFormula(name, shape, material);
@@ -64,11 +85,12 @@ function refuseOnFormula(name: string, { type, material: materialName }: Shape, 
     );
 }
 
-/** A normal map's directions are those of a frame of tangents. Meshes of glTF files have one, or get one when they are read. */
+/** Directions in normal maps and in those of a grain count from a frame of tangents. Meshes of glTF files have one, or get one when they are read. */
 function refuseFramelessMap({ meshes = {} }: Scene, shape: Shape & { type: 'mesh' }, material: Layered): void {
   const { data } = meshes[shape.mesh]!;
-  if (material.normalTexture && !material.unlit && data && !data.tangents)
+  const map = material.normalTexture ? 'normalTexture' : material.anisotropy?.texture ? 'anisotropy.texture' : null;
+  if (map && !material.unlit && data && !data.tangents)
     throw new UntraceableSceneError(
-      `The material "${shape.material}" has normalTexture, and the mesh "${shape.mesh}" has no tangents, which its directions count from.`,
+      `The material "${shape.material}" has ${map}, and the mesh "${shape.mesh}" has no tangents, which its directions count from.`,
     );
 }

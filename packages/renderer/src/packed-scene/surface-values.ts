@@ -1,5 +1,6 @@
 /** Material → the Surface struct: what the path integrator's BSDFs read. */
 import { emissionOf } from '../scene/lamps.ts';
+import { isClear, isSolid } from '../scene/layered.ts';
 import type { Color, Material, MaterialType } from '../scene/scene.ts';
 import type { StructValues } from './write-struct.ts';
 
@@ -21,8 +22,11 @@ export interface Lamp {
   readonly oneSided: boolean;
 }
 
-/** `lamp`: null for a shape that does not shine. `textures`: row among the texels that says which it uses; 0: none. */
-export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0): StructValues<'Surface'> {
+/**
+ * `lamp`: null for a shape that light sampling does not know as one. `textures`: row among the texels that says which it uses; 0: none.
+ * `layers`: row of the table with the material's layers; 0: it has none.
+ */
+export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0, layers = 0): StructValues<'Surface'> {
   const flags =
     (m.thin ? THIN : 0) +
     (m.energyCompensation ? COMPENSATED : 0) +
@@ -34,7 +38,7 @@ export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0): Str
     code: KINDS.indexOf(m.unlit ? 'diffuse' : m.type) + flags + emitter,
     emission: emissionOf(m),
     reflectivity: m.unlit ? 0 : m.reflectivity,
-    eta: m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta,
+    eta: etaOf(m, layers),
     alpha: m.roughness ** 2,
     k: m.conductor.k,
     metallic: m.metallic,
@@ -43,14 +47,20 @@ export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0): Str
   };
 }
 
+function etaOf(m: Material, layers: number): Color {
+  if (m.type === 'metallicRoughness') return [isClear(m) ? -layers : layers, 0, 0];
+  return m.type === 'dielectric' ? [m.ior, m.ior, m.ior] : m.conductor.eta;
+}
+
 /** Whether its facets reflect and refract like a mirror. A thin pane's do: its two faces undo each other's bend. */
 function isSmooth({ type, roughness, thin, ior }: Material): boolean {
   return roughness ** 2 < LEAST_ALPHA || (type === 'dielectric' && (thin || Math.abs(ior - 1) < LEAST_CONTRAST));
 }
 
 /** Beer–Lambert's coefficient, 1 / metre: `attenuationColor` is what is left after `attenuationDistance`. */
-function absorption({ attenuationColor, attenuationDistance }: Material): Color {
-  if (attenuationDistance === 0) return [0, 0, 0];
+function absorption(m: Material): Color {
+  const { attenuationColor, attenuationDistance } = m;
+  if (attenuationDistance === 0 || (m.type === 'metallicRoughness' && !isSolid(m))) return [0, 0, 0];
   const one = (share: number) =>
     Math.min(-Math.log(Math.max(share, LEAST_SHARE)) / attenuationDistance, MOST_ABSORPTION);
   return [one(attenuationColor[0]), one(attenuationColor[1]), one(attenuationColor[2])];

@@ -1,4 +1,6 @@
 /** What materials use textures for: which of their properties, and how the image is meant. */
+
+import { isLayered } from '../scene/layered.ts';
 import type { MaterialLayers } from '../scene/material-layers.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Material } from '../scene/scene.ts';
@@ -24,6 +26,26 @@ export function slotsOf(material: Material & MaterialLayers): readonly Slot[] {
     ...slot(glows ? emissionTexture : undefined, emissionSlot, true),
     ...slot(metallicRoughnessTexture, metallicRoughnessSlot, false),
     ...slot(normalTexture, normalSlot, false),
+    ...(isLayered(material) ? layerSlots(material) : []),
+  ];
+}
+
+/** How thick a volume is, rays find out. */
+function layerSlots(material: Material & MaterialLayers): Slot[] {
+  const { specularLobe, transmission, diffuseTransmission, clearcoat, sheen, anisotropy, iridescence } = material;
+  return [
+    ...slot(specularLobe?.weightTexture, TEXTURE_SLOTS.specularWeightSlot, false),
+    ...slot(specularLobe?.colorTexture, TEXTURE_SLOTS.specularColorSlot, true),
+    ...slot(transmission?.weightTexture, TEXTURE_SLOTS.transmissionSlot, false),
+    ...slot(diffuseTransmission?.weightTexture, TEXTURE_SLOTS.beyondSlot, false),
+    ...slot(diffuseTransmission?.colorTexture, TEXTURE_SLOTS.beyondColorSlot, true),
+    ...slot(clearcoat?.weightTexture, TEXTURE_SLOTS.coatSlot, false),
+    ...slot(clearcoat?.roughnessTexture, TEXTURE_SLOTS.coatRoughnessSlot, false),
+    ...slot(sheen?.colorTexture, TEXTURE_SLOTS.sheenColorSlot, true),
+    ...slot(sheen?.roughnessTexture, TEXTURE_SLOTS.sheenRoughnessSlot, false),
+    ...slot(anisotropy?.texture, TEXTURE_SLOTS.anisotropySlot, false),
+    ...slot(iridescence?.weightTexture, TEXTURE_SLOTS.filmSlot, false),
+    ...slot(iridescence?.thicknessTexture, TEXTURE_SLOTS.filmThicknessSlot, false),
   ];
 }
 

@@ -1,4 +1,5 @@
 import { isSolid } from '../scene/affine.ts';
+import { isClear } from '../scene/layered.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { Camera, Light, Material, Matrix4, Scene, Shape, Vec3 } from '../scene/scene.ts';
 import { SHAPE_TYPES } from '../scene/shape-types.ts';
@@ -108,14 +109,18 @@ function checkSides(path: Path, what: string, { u, v }: { u: Vec3; v: Vec3 }, pr
 }
 
 /** Planes have no end, so light from one cannot be sampled, and let nothing through: docs/classic.md, "Where a ray starts". */
-function checkPlaneMaterial(plane: string, name: string, { type, emission }: Material, problems: ProblemList): void {
+function checkPlaneMaterial(plane: string, name: string, material: Material, problems: ProblemList): void {
+  const { type, emission } = material;
   const path = ['shapes', plane, 'material'];
-  if (type === 'dielectric') {
+  const isGlass = type === 'dielectric';
+  if (isGlass || isClear(material)) {
     const message = `The plane ${quote(plane)} is made of ${quote(name)}, which light goes through, but a plane lets nothing through; please use a box or a quad.`;
     problems.add(
       path,
-      `the dielectric material ${quote(name)}`,
-      'a material of another type than "dielectric"',
+      `the ${isGlass ? 'dielectric' : 'transparent'} material ${quote(name)}`,
+      isGlass
+        ? 'a material of another type than "dielectric"'
+        : 'a material without "transmission" and "diffuseTransmission"',
       message,
     );
   }

@@ -103,7 +103,7 @@ export interface Clearcoat {
 
 /**
  * KHR_materials_sheen: cloth. D = (2 + 1/α) sin^(1/α) θ / 2π with α = roughness² (Estevez and Kulla 2017), Charlie's Λ; the base under it
- * is scaled by 1 − max(color) · E(o).
+ * is scaled by 1 − max(color) · max(E(o), E(i)).
  */
 export interface Sheen {
   /** Texture: RGB, sRGB. */

@@ -24,6 +24,8 @@ export const FEATURES = [
   'hasConductors',
   'hasGlass',
   'hasCompensation',
+  'hasLayers',
+  'hasIridescence',
   'hasLens',
   'hasOtherProjections',
   'hasFilter',
@@ -39,6 +41,8 @@ export const MODEL_FEATURES: readonly Feature[] = [
   'hasTextures',
   'hasOneSided',
   'hasCutouts',
+  'hasLayers',
+  'hasIridescence',
   'hasMeshLamps',
   'hasLightTree',
 ];

@@ -3,7 +3,7 @@ import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/d
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { structSize, TABLE_WIDTH, tableColumn } from '../../../../packages/renderer/src/packed-scene/layout.ts';
-import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { type Block, createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { isSmooth } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import { type BsdfSurface, grey, mapColor } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
@@ -23,6 +23,8 @@ export interface Question {
   /** wi, or random numbers. */
   readonly second: Vec3;
   readonly asked: (typeof ASKED)[keyof typeof ASKED];
+  /** Colour that the path goes on with: 0 white, 1 red, 2 green, 3 blue. */
+  readonly hero?: number;
 }
 export type Answer = readonly [number, number, number, number];
 
@@ -64,7 +66,8 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
       baseColor: s.baseColor,
       code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0) + (isSmooth(s) ? 32 : 0),
       reflectivity: s.reflectivity,
-      eta: s.type === 'dielectric' ? grey(s.ior) : s.eta,
+      // Of metallicRoughness it says where its layers are: there are none.
+      eta: s.type === 'dielectric' ? grey(s.ior) : s.type === 'conductor' ? s.eta : grey(0),
       alpha: s.alpha,
       k: s.k,
       metallic: s.metallic,
@@ -73,19 +76,24 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
   return block;
 }
 
-export async function ask(
-  device: Device,
-  surfaces: readonly BsdfSurface[],
-  questions: readonly Question[],
-): Promise<Answer[]> {
+export const ask = (device: Device, surfaces: readonly BsdfSurface[], questions: readonly Question[]) =>
+  askTable(device, surfaceTable(surfaces), questions);
+
+/** `table`: rows of the scene table, each with a Surface; a question's `surface` is the number of its row. */
+export async function askTable(device: Device, scene: Block, questions: readonly Question[]): Promise<Answer[]> {
+  const rows = scene.f32.length / (4 * TABLE_WIDTH);
   const height = Math.ceil(questions.length / WIDTH);
   const texels = new Float32Array(WIDTH * height * 8);
-  questions.forEach(({ surface, wo, second, asked }, k) => {
-    texels.set([...wo, surface, ...second, asked], k * 8);
+  questions.forEach(({ surface, wo, second, asked, hero = 0 }, k) => {
+    texels.set([...wo, surface, ...second, asked + 3 * hero], k * 8);
   });
   const frame = device.createUniforms(structSize('Frame'));
-  const table = device.createTable(TABLE_WIDTH, surfaces.length);
-  table.write(surfaceTable(surfaces).f32, surfaces.length);
+  // As where there are lights: the direction of a question is the one to a light.
+  const values = createBlock(structSize('Frame'));
+  writeStruct(values, 'Frame', 0, { emitterCount: 1 });
+  frame.write(values.bytes);
+  const table = device.createTable(TABLE_WIDTH, rows);
+  table.write(scene.f32, rows);
   const asked = device.createTable(2 * WIDTH, height);
   asked.write(texels, height);
   const film = device.createFilm(WIDTH, height);

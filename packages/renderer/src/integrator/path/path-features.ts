@@ -7,6 +7,7 @@ import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-sc
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
+import { isLayered } from '../../scene/layered.ts';
 import { meshShapes } from '../../scene/placed.ts';
 import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
@@ -61,11 +62,16 @@ function shapeFeatures(shapes: readonly Shape[]) {
 function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [string, MeshShape][]) {
   const all = shapes.map(([, { material, mesh }]) => [materials[material]!, meshes[mesh]?.data] as const);
   return {
-    hasTextures: all.some(([material, mesh]) => slotsOf(material).length > 0 || mesh?.colors !== undefined),
+    // Frames of tangents come with them.
+    hasTextures: all.some(
+      ([material, mesh]) => slotsOf(material).length > 0 || mesh?.colors !== undefined || hasGrain(material),
+    ),
     hasOneSided: all.some(([material]) => isOneSided(material)),
     hasCutouts: all.some(([material, mesh]) => mayBeMissing(material, mesh)),
   };
 }
+
+const hasGrain = (material: Material): boolean => isLayered(material) && (material.anisotropy?.strength ?? 0) > 0;
 
 function lightFeatures({ kinds, far, near }: EmitterPlan) {
   const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));
@@ -90,5 +96,7 @@ function materialFeatures(materials: readonly Material[]) {
     hasConductors: has('conductor'),
     hasGlass: has('dielectric'),
     hasCompensation: materials.some(({ energyCompensation }) => energyCompensation),
+    hasLayers: materials.some(isLayered),
+    hasIridescence: materials.some((material) => isLayered(material) && (material.iridescence?.weight ?? 0) > 0),
   };
 }

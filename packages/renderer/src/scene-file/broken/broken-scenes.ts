@@ -125,6 +125,11 @@ export const brokenShapes: readonly BrokenScene[] = [
   ['a plane that shines', (s) => (s.materials.clay.emission = [0, 0, 2]), ['/shapes/floor/material']],
   ['a plane of glass', (s) => (s.materials.clay.type = 'dielectric'), ['/shapes/floor/material']],
   [
+    'a plane that lets light through',
+    (s) => Object.assign(s.materials.clay, { type: 'metallicRoughness', transmission: { weight: 1 } }),
+    ['/shapes/floor/material'],
+  ],
+  [
     'a plane of a material that is faulty itself',
     (s) => Object.assign(s.materials.clay, { type: 'dielectric', emission: [0, -1, 2] }),
     ['/materials/clay/emission/1'],

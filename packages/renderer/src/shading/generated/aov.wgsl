@@ -654,11 +654,17 @@ const instances = 0x80000000u;
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
 
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  var p = SurfacePoint(fetchSurface(shape), outward, outward);
+  var surface = fetchSurface(shape);
   
-  return p;
+  var normals = Normals(outward, outward);
+  var tangent = vec3f(0.0);
+  var bitangent = vec3f(0.0);
+  
+  
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
 // One-sided lamps have a dark back.
@@ -699,14 +705,6 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
   return normalize(normal);
 }
 
-struct SurfacePoint {
-  surface: Surface,
-  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
-  geometric: vec3f,
-  shading: vec3f,
-}
-
-
 fn fetchSurface(i: u32) -> Surface {
   let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
   let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
@@ -714,6 +712,24 @@ fn fetchSurface(i: u32) -> Surface {
   let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
   let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
+}
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+struct SurfacePoint {
+  surface: Surface,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
 }
 
 struct Surface {
@@ -725,7 +741,7 @@ struct Surface {
   emission: vec3f,
   // share of the perfect mirror layer over the base
   reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
+  // conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none
   eta: vec3f,
   // GGX width, roughness^2; 0: smooth
   alpha: f32,
@@ -737,11 +753,6 @@ struct Surface {
   absorption: vec3f,
   // row of its MaterialTextures among the texels
   textures: f32,
-}
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
 }
 
 const dielectric = 3u;

@@ -130,6 +130,10 @@ struct SurfacePoint {
     vec3 geometric;
     vec3 shading;
 };
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct Material {
     vec3 baseColor;
     float reflectivity;
@@ -342,10 +346,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_8 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_8.x) > abs(p_8.y));
-    float radius_1 = pick(wide, p_8.x, p_8.y);
-    float ratio = (pick(wide, p_8.y, p_8.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_7 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_7.x) > abs(p_7.y));
+    float radius_1 = pick(wide, p_7.x, p_7.y);
+    float ratio = (pick(wide, p_7.y, p_7.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio), (1.5707964 - (0.7853982 * ratio)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -505,8 +509,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_2);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_6 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_9 = ((t_6 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_9, reciprocalU)), abs(dot(p_9, reciprocalV))) <= 0.500001);
+    vec3 p_8 = ((t_6 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_8, reciprocalU)), abs(dot(p_8, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
 }
 
@@ -713,12 +717,18 @@ Surface fetchSurface(uint i_12) {
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
-    SurfacePoint p_7 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), vec3(0.0));
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
+    vec3 tangent = vec3(0.0);
+    vec3 bitangent = vec3(0.0);
     vec3 _e4 = normalAt(rays, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
-    p_7 = SurfacePoint(_e5, _e4, _e4);
-    SurfacePoint _e8 = p_7;
-    return _e8;
+    surface = _e5;
+    normals = Normals(_e4, _e4);
+    Surface _e13 = surface;
+    vec3 _e15 = normals.geometric;
+    vec3 _e17 = normals.shading;
+    return SurfacePoint(_e13, _e15, _e17);
 }
 
 uint kindOf(uint code) {

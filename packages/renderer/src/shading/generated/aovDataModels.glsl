@@ -215,6 +215,33 @@ struct SurfacePoint {
     vec3 geometric;
     vec3 shading;
 };
+struct Layers0_ {
+    vec3 specularColor;
+    float specularWeight;
+    vec3 sheenColor;
+    float sheenRoughness;
+    vec3 beyondColor;
+    float beyond;
+    vec2 grain;
+    float anisotropy;
+    float transmission;
+    float coat;
+    float coatRoughness;
+    float ior;
+    float solid;
+    float film;
+    float filmIor;
+    float filmThickness;
+    float filmLeast;
+    float dispersion;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct MeshPoint {
     vec3 geometric;
     vec3 shading;
@@ -260,6 +287,7 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
+const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
 const uint isUnlit = 1u;
@@ -268,6 +296,18 @@ const uint baseColorSlot = 0u;
 const uint emissionSlot = 1u;
 const uint metallicRoughnessSlot = 2u;
 const uint normalSlot = 3u;
+const uint specularWeightSlot = 4u;
+const uint specularColorSlot = 5u;
+const uint transmissionSlot = 6u;
+const uint beyondSlot = 7u;
+const uint beyondColorSlot = 8u;
+const uint coatSlot = 9u;
+const uint coatRoughnessSlot = 10u;
+const uint sheenColorSlot = 11u;
+const uint sheenRoughnessSlot = 12u;
+const uint filmSlot = 14u;
+const uint filmThicknessSlot = 15u;
+const uint anisotropySlot = 13u;
 const uint dielectric = 3u;
 const uint conductor = 2u;
 
@@ -307,9 +347,17 @@ const bool hasCutouts = false;
 
 uniform highp usampler2D texels;
 
+const bool hasLayers = false;
+
+Layers0_ layersHere = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
+const bool hasMetallicRoughness = false;
+
 const bool hasTextures = false;
 
 const bool hasGlass = false;
+
+vec3 grainHere = vec3(0.0);
 
 layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
@@ -484,10 +532,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_10 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_10.x) > abs(p_10.y));
-    float radius_1 = pick(wide, p_10.x, p_10.y);
-    float ratio = (pick(wide, p_10.y, p_10.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_9 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_9.x) > abs(p_9.y));
+    float radius_1 = pick(wide, p_9.x, p_9.y);
+    float ratio = (pick(wide, p_9.y, p_9.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio), (1.5707964 - (0.7853982 * ratio)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -643,12 +691,12 @@ PairHit meetBox(PairHit found_2, RayPair p_2, uint i_4) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_2 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_2);
+    vec3 normal_4 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_4);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_8 = (dot(toCenter_1, normal_2) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_11 = ((t_8 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_11, reciprocalU)), abs(dot(p_11, reciprocalV))) <= 0.500001);
+    float t_8 = (dot(toCenter_1, normal_4) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_10 = ((t_8 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
@@ -706,9 +754,9 @@ vec3 turnedTo(uint axis, vec3 v_2) {
 }
 
 float edge(vec2 a, vec2 b) {
-    float p_12 = (a.x * b.y);
+    float p_11 = (a.x * b.y);
     float q_3 = (a.y * b.x);
-    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_12)));
+    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
 }
 
 Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
@@ -1056,8 +1104,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         uint _e338 = instance_1;
                         Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
                         vec3 _e343 = o;
-                        vec4 p_13 = vec4(_e343, 1.0);
-                        o = vec3(dot(_e342.toMeshX, p_13), dot(_e342.toMeshY, p_13), dot(_e342.toMeshZ, p_13));
+                        vec4 p_12 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_12), dot(_e342.toMeshY, p_12), dot(_e342.toMeshZ, p_12));
                         vec3 _e355 = d_1;
                         vec3 _e359 = d_1;
                         vec3 _e363 = d_1;
@@ -1329,11 +1377,52 @@ Surface fetchSurface(uint i_15) {
     return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-vec3 fromOctahedral(uint code) {
-    vec2 p_14 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z = ((1.0 - abs(p_14.x)) - abs(p_14.y));
-    vec2 folded = ((vec2(1.0) - abs(p_14.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_14, vec2(0.0))));
-    return normalize(vec3(pick((z < 0.0), folded, p_14), z));
+uint kindOf(uint code) {
+    return (code & 3u);
+}
+
+bool isMetallicRoughness(uint code_1) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_1);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_2, float eta) {
+    const bool _e3 = hasLayers;
+    bool _e4 = isMetallicRoughness(code_2);
+    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+}
+
+Layers0_ fetchLayers(uint i_16) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
+    return Layers0_(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+}
+
+Layers0_ layersOf(uint code_3, float eta_1) {
+    Layers0_ l = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bool _e4 = hasLayers;
+    if (_e4) {
+        bool _e5 = isLayered(code_3, eta_1);
+        if (_e5) {
+            Layers0_ _e8 = fetchLayers(uint(abs(eta_1)));
+            l = _e8;
+        }
+    }
+    Layers0_ _e9 = l;
+    return _e9;
+}
+
+vec3 fromOctahedral(uint code_4) {
+    vec2 p_13 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z = ((1.0 - abs(p_13.x)) - abs(p_13.y));
+    vec2 folded = ((vec2(1.0) - abs(p_13.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_13, vec2(0.0))));
+    return normalize(vec3(pick((z < 0.0), folded, p_13), z));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
@@ -1353,8 +1442,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_3 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
-        vec3 smoothed = (turn * normal_3);
+        vec3 normal_5 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 smoothed = (turn * normal_5);
         float size_2 = dot(smoothed, smoothed);
         float side_2 = pick((dot(smoothed, geometric_1) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
@@ -1382,11 +1471,11 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e193 = fromOctahedral(_e54.tangent);
                 vec3 _e197 = fromOctahedral(_e56.tangent);
                 vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
+                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_8.normal = (smoothed * side_2);
-                p_8.tangent = ((turn * tangent) * side_2);
-                p_8.bitangent = ((turn * cross(normal_3, tangent)) * (hand * side_2));
+                p_8.tangent = ((turn * tangent_2) * side_2);
+                p_8.bitangent = ((turn * cross(normal_5, tangent_2)) * (hand * side_2));
             }
         }
     }
@@ -1394,13 +1483,49 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     return _e223;
 }
 
-bool isSmooth(uint code_1) {
-    return ((code_1 & 32u) != 0u);
+bool isSmooth(uint code_5) {
+    return ((code_5 & 32u) != 0u);
+}
+
+void takeUpLayer(uint slot, vec4 texel_1) {
+    float _e4 = layersHere.specularWeight;
+    layersHere.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
+    vec3 _e13 = layersHere.specularColor;
+    layersHere.specularColor = (_e13 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e23 = layersHere.transmission;
+    layersHere.transmission = (_e23 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+    float _e32 = layersHere.beyond;
+    layersHere.beyond = (_e32 * pick((slot == beyondSlot), texel_1.w, 1.0));
+    vec3 _e41 = layersHere.beyondColor;
+    layersHere.beyondColor = (_e41 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e51 = layersHere.coat;
+    layersHere.coat = (_e51 * pick((slot == coatSlot), texel_1.x, 1.0));
+    float _e60 = layersHere.coatRoughness;
+    layersHere.coatRoughness = (_e60 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    vec3 _e69 = layersHere.sheenColor;
+    layersHere.sheenColor = (_e69 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e79 = layersHere.sheenRoughness;
+    layersHere.sheenRoughness = (_e79 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    float _e88 = layersHere.film;
+    layersHere.film = (_e88 * pick((slot == filmSlot), texel_1.x, 1.0));
+    float _e99 = layersHere.filmThickness;
+    float _e102 = layersHere.filmLeast;
+    float _e105 = layersHere.filmThickness;
+    layersHere.filmThickness = pick((slot == filmThicknessSlot), mix(_e102, _e105, texel_1.y), _e99);
+    bool isGrain = (slot == anisotropySlot);
+    float _e115 = layersHere.anisotropy;
+    layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
+    vec2 given = ((2.0 * texel_1.xy) - vec2(1.0));
+    float size_3 = dot(given, given);
+    vec2 d_3 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+    vec2 own_5 = layersHere.grain;
+    layersHere.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
+    return;
 }
 
 vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     vec3 bump = vec3(0.0, 0.0, 1.0);
-    uint i_16 = 0u;
+    uint i_17 = 0u;
     float _e4 = s_4.textures;
     uint row_8 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_8);
@@ -1411,7 +1536,7 @@ vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     s_4.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
-            uint _e33 = i_16;
+            uint _e33 = i_17;
             TextureUse _e37 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e33 * textureUseRows)));
             vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
             vec3 _e48 = s_4.baseColor;
@@ -1429,16 +1554,20 @@ vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
             s_4.metallic = (_e91 * share_2.y);
             vec3 _e94 = bump;
             bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
-            uint _e111 = i_16;
-            i_16 = (_e111 + 1u);
-            uint _e113 = i_16;
-            if ((_e113 >= _e6.count)) {
+            const bool _e111 = hasLayers;
+            if (_e111) {
+                takeUpLayer(_e37.slot, _e46);
+            }
+            uint _e114 = i_17;
+            i_17 = (_e114 + 1u);
+            uint _e116 = i_17;
+            if ((_e116 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e116 = bump;
-    return _e116;
+    vec3 _e119 = bump;
+    return _e119;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1458,78 +1587,125 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 }
 
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
-    float size_3 = dot(mapped, mapped);
-    vec3 n_1 = pick((size_3 > 0.0), (mapped * inversesqrt(max(size_3, 1e-37))), otherwise);
+    float size_4 = dot(mapped, mapped);
+    vec3 n_1 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
     float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
     vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_1));
     return (side_3 * _e21);
 }
 
-uint kindOf(uint code_2) {
-    return (code_2 & 3u);
-}
-
-bool isDielectric(uint code_3) {
+bool isDielectric(uint code_6) {
     const bool _e2 = hasGlass;
-    uint _e3 = kindOf(code_3);
+    uint _e3 = kindOf(code_6);
     return pick(_e2, (_e3 == dielectric), false);
 }
 
-SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
-    SurfacePoint p_9 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), vec3(0.0));
-    vec3 _e4 = normalAt(rays_1, hit.t, shape);
-    Surface _e5 = fetchSurface(shape);
-    p_9 = SurfacePoint(_e5, _e4, _e4);
-    const bool _e9 = hasMeshes;
-    if (_e9) {
-        if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e19 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            p_9.geometric = _e19.geometric;
-            p_9.shading = _e19.shading;
-            const bool _e25 = hasTextures;
-            if (_e25) {
-                vec3 _e30 = takeUpTextures(p_9.surface, _e19.uv, _e19.color.xyz);
-                if (any(notEqual(_e30, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e52 = validNormal(_e19.geometric, rays_1.direction, (((_e30.x * _e19.tangent) + (_e30.y * _e19.bitangent)) + (_e30.z * _e19.normal)), _e19.shading);
-                    p_9.shading = _e52;
-                }
-            }
-            vec3 _e54 = p_9.geometric;
-            vec3 _e60 = p_9.shading;
-            bool agree = ((dot(_e54, rays_1.direction) > 0.0) == (dot(_e60, rays_1.direction) > 0.0));
-            vec3 _e68 = p_9.shading;
-            vec3 _e70 = p_9.geometric;
-            float _e73 = p_9.surface.code;
-            bool _e75 = isDielectric(uint(_e73));
-            p_9.shading = pick(pick(_e75, !(agree), false), _e70, _e68);
-        }
-    }
-    SurfacePoint _e79 = p_9;
-    return _e79;
+bool letsThrough(uint code_7, float eta_2) {
+    bool _e2 = isDielectric(code_7);
+    bool _e3 = isLayered(code_7, eta_2);
+    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
 }
 
-vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
+vec3 tangentAbout(vec3 normal_2) {
+    vec3 east = vec3(normal_2.z, 0.0, -(normal_2.x));
+    float length2_ = dot(east, east);
+    return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
+}
+
+vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_1 = (tangent - (dot(tangent, normal_3) * normal_3));
+    float size_5 = dot(along_1, along_1);
+    bool own_6 = (size_5 > (1e-12 * dot(tangent, tangent)));
+    vec3 _e12 = tangentAbout(normal_3);
+    vec3 t_11 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_11);
+    float hand_1 = pick(pick(own_6, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
+    return ((grain.x * t_11) + ((grain.y * hand_1) * across_4));
+}
+
+SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
+    vec3 tangent_1 = vec3(0.0);
+    vec3 bitangent_1 = vec3(0.0);
+    vec3 _e4 = normalAt(rays_1, hit.t, shape);
+    Surface _e5 = fetchSurface(shape);
+    surface = _e5;
+    const bool _e8 = hasLayers;
+    if (_e8) {
+        float _e11 = surface.code;
+        float _e15 = surface.eta.x;
+        Layers0_ _e16 = layersOf(uint(_e11), _e15);
+        layersHere = _e16;
+    }
+    normals = Normals(_e4, _e4);
+    const bool _e26 = hasMeshes;
+    if (_e26) {
+        if ((hit.triangle.instance != noInstance)) {
+            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e36.geometric, _e36.shading);
+            const bool _e41 = hasTextures;
+            if (_e41) {
+                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
+                tangent_1 = _e36.tangent;
+                bitangent_1 = _e36.bitangent;
+                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
+                    normals.shading = _e69;
+                }
+            }
+            vec3 _e71 = normals.geometric;
+            vec3 _e77 = normals.shading;
+            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
+            vec3 _e85 = normals.shading;
+            vec3 _e87 = normals.geometric;
+            float _e89 = surface.code;
+            float _e93 = surface.eta.x;
+            bool _e94 = letsThrough(uint(_e89), _e93);
+            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
+        }
+    }
+    const bool _e99 = hasLayers;
+    if (_e99) {
+        grainHere = vec3(0.0);
+        float _e105 = layersHere.anisotropy;
+        if ((_e105 > 0.0)) {
+            vec3 _e110 = normals.shading;
+            vec3 _e111 = tangent_1;
+            vec3 _e112 = bitangent_1;
+            vec2 _e115 = layersHere.grain;
+            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
+            grainHere = _e116;
+        }
+    }
+    Surface _e117 = surface;
+    vec3 _e119 = normals.geometric;
+    vec3 _e121 = normals.shading;
+    return SurfacePoint(_e117, _e119, _e121);
+}
+
+vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
     float cosine2_ = (cosine * cosine);
     float sine2_ = (1.0 - cosine2_);
-    vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
+    vec3 difference = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k) * k)));
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta * k) / larger);
+    vec3 smaller = ((eta_3 * k) / larger);
     vec3 a_3 = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
     vec3 b_4 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_4 * b_4) + vec3(1e-20));
     vec3 acrossFar = (a_3 + vec3(cosine));
     vec3 acrossNear = (a_3 - vec3(cosine));
-    vec3 across_4 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
     vec3 alongFar = ((a_3 * cosine) + vec3(sine2_));
     vec3 alongNear = ((a_3 * cosine) - vec3(sine2_));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
-    return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+    return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor, vec3 eta_1, vec3 k_1, float cosine_1) {
-    float constants = dot((eta_1 + k_1), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_1, eta_1, k_1);
+vec3 conductorReflectance(vec3 baseColor, vec3 eta_4, vec3 k_1, float cosine_1) {
+    float constants = dot((eta_4 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_1, eta_4, k_1);
     return pick((constants > 0.0), _e8, baseColor);
 }
 
@@ -1553,10 +1729,10 @@ vec3 albedoOf(Surface s_5, bool fromBack) {
     return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));
 }
 
-Material fetchMaterial(uint i_17) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(3u, i_17)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_17)), 0);
-    return Material(t0_4.xyz, t0_4.w, t1_3.x, t1_3.y, t1_3.z, t1_3.w);
+Material fetchMaterial(uint i_18) {
+    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(3u, i_18)), 0);
+    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(4u, i_18)), 0);
+    return Material(t0_5.xyz, t0_5.w, t1_4.x, t1_4.y, t1_4.z, t1_4.w);
 }
 
 void main() {

@@ -1240,26 +1240,40 @@ struct MaterialTextures {
 }
 
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  var p = SurfacePoint(fetchSurface(shape), outward, outward);
+  var surface = fetchSurface(shape);
+  if (hasLayers) {
+    layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
+  var normals = Normals(outward, outward);
+  var tangent = vec3f(0.0);
+  var bitangent = vec3f(0.0);
   if (hasMeshes) {
     if (hit.triangle.instance != noInstance) {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-      p.geometric = m.geometric;
-      p.shading = m.shading;
+      normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&p.surface, m.uv, m.color.rgb);
+        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
+        tangent = m.tangent;
+        bitangent = m.bitangent;
         if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-          p.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
         }
       }
-      // Where the two normals of a glass body do not agree on which side a ray comes from, the geometric one is right.
-      let agree = (dot(p.geometric, rays.direction) > 0.0) == (dot(p.shading, rays.direction) > 0.0);
-      p.shading = select(p.shading, p.geometric, isDielectric(u32(p.surface.code)) & !agree);
+      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
+      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
   }
-  return p;
+  if (hasLayers) {
+    grainHere = vec3f(0.0);
+    if (layersHere.anisotropy > 0.0) {
+      grainHere = grainAt(normals.shading, tangent, bitangent, layersHere.grain);
+    }
+  }
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
 // One-sided lamps have a dark back.
@@ -1300,14 +1314,6 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
   return normalize(normal);
 }
 
-struct SurfacePoint {
-  surface: Surface,
-  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
-  geometric: vec3f,
-  shading: vec3f,
-}
-
-
 fn fetchSurface(i: u32) -> Surface {
   let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
   let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
@@ -1316,6 +1322,111 @@ fn fetchSurface(i: u32) -> Surface {
   let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
+
+// What glTF's extensions add to metallicRoughness, and the one of them that is long.
+override hasLayers = false;
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+struct SurfacePoint {
+  surface: Surface,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+var<private> layersHere: Layers0;
+
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers0 {
+  var l: Layers0;
+  if (hasLayers) {
+    if (isLayered(code, eta)) {
+      l = fetchLayers(u32(abs(eta)));
+    }
+  }
+  return l;
+}
+
+struct Layers0 {
+  // factor on what facets of the dielectric reflect at normal incidence
+  specularColor: vec3f,
+  // share of what they reflect
+  specularWeight: f32,
+  // of the fibres on top; black: there are none
+  sheenColor: vec3f,
+  // alpha is its square
+  sheenRoughness: f32,
+  // factor on light that leaves diffusely on the other side
+  beyondColor: vec3f,
+  // share of the diffuse light that does
+  beyond: f32,
+  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
+  grain: vec2f,
+  // how much they are; 0: not
+  anisotropy: f32,
+  // share of the diffuse body that is a refracting boundary instead
+  transmission: f32,
+  // share of the surface that has a clear coat
+  coat: f32,
+  // alpha is its square
+  coatRoughness: f32,
+  // index of the body
+  ior: f32,
+  // 1: the body is solid; 0: a thin wall
+  solid: f32,
+  // share of the surface that has a thin film
+  film: f32,
+  // its index
+  filmIor: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
+  // 20 / Abbe number
+  dispersion: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
+}
+
+
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+}
+
+fn fetchLayers(i: u32) -> Layers0 {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  return Layers0(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
+}
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
 
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
@@ -1366,8 +1477,9 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
 // Textures, and colours at the vertices of meshes.
 override hasTextures = false;
 
-fn isDielectric(code: u32) -> bool {
-  return hasGlass & (kindOf(code) == dielectric);
+// Whether light may go through the surface.
+fn letsThrough(code: u32, eta: f32) -> bool {
+  return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
 }
 
 // `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
@@ -1391,6 +1503,9 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
       (*s).metallic *= share.y;
       bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      if (hasLayers) {
+        takeUpLayer(t.slot, texel);
+      }
       i++;
       if (i >= material.count) {
         break;
@@ -1445,7 +1560,7 @@ struct Surface {
   emission: vec3f,
   // share of the perfect mirror layer over the base
   reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
+  // conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none
   eta: vec3f,
   // GGX width, roughness^2; 0: smooth
   alpha: f32,
@@ -1481,6 +1596,52 @@ fn isSmooth(code: u32) -> bool {
 
 const normalSlot = 3u;
 
+fn takeUpLayer(slot: u32, texel: vec4f) {
+  layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
+  layersHere.specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
+  layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
+  layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
+  layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
+  layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
+  layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
+  layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
+  layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
+  layersHere.film *= select(1.0, texel.r, slot == filmSlot);
+  layersHere.filmThickness = select(layersHere.filmThickness, mix(layersHere.filmLeast, layersHere.filmThickness, texel.g), slot == filmThicknessSlot);
+  let isGrain = slot == anisotropySlot;
+  layersHere.anisotropy *= select(1.0, texel.b, isGrain);
+  // A direction in the frame of tangents, which the material's angle turns.
+  let given = 2.0 * texel.rg - 1.0;
+  let size = dot(given, given);
+  let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
+  let own = layersHere.grain;
+  layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+}
+
+const specularWeightSlot = 4u;
+
+const specularColorSlot = 5u;
+
+const transmissionSlot = 6u;
+
+const beyondSlot = 7u;
+
+const beyondColorSlot = 8u;
+
+const coatSlot = 9u;
+
+const coatRoughnessSlot = 10u;
+
+const sheenColorSlot = 11u;
+
+const sheenRoughnessSlot = 12u;
+
+const filmSlot = 14u;
+
+const filmThicknessSlot = 15u;
+
+const anisotropySlot = 13u;
+
 struct MeshPoint {
   // Unit vectors in the world, both to the side from which the triangle's vertices go counter-clockwise.
   geometric: vec3f,
@@ -1509,14 +1670,37 @@ const hasNormals = 1u;
 
 const hasTangents = 2u;
 
-override hasGlass = false;
-
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
 }
 
+override hasGlass = false;
+
 const dielectric = 3u;
+
+// Along the surface, where facets have a grain; else zero.
+var<private> grainHere: vec3f;
+
+// In the world; `tangent` and `bitangent` of the mesh, of any length, or zero where it has none. `grain`: cosine and sine of the angle from
+// the one towards the other. Never along the normal.
+fn grainAt(normal: vec3f, tangent: vec3f, bitangent: vec3f, grain: vec2f) -> vec3f {
+  let along = tangent - dot(tangent, normal) * normal;
+  let size = dot(along, along);
+  let own = size > 1e-12 * dot(tangent, tangent);
+  let t = select(tangentAbout(normal), along * inverseSqrt(max(size, 1e-37)), own);
+  let across = cross(normal, t);
+  let hand = select(1.0, -1.0, own & (dot(across, bitangent) < 0.0));
+  return grain.x * t + grain.y * hand * across;
+}
+
+// The direction along which anisotropic facets are rougher.
+// Where a shape has no frame of tangents: that of growing longitude about the Y axis, as the tangent of a globe's texture coordinates; +X at
+// its poles. `normal`: outwards.
+fn tangentAbout(normal: vec3f) -> vec3f {
+  let east = vec3f(normal.z, 0.0, -normal.x);
+  let length2 = dot(east, east);
+  return select(vec3f(1.0, 0.0, 0.0), east * inverseSqrt(max(length2, 1e-20)), length2 > 1e-12);
+}
 
 fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);

@@ -141,6 +141,10 @@ struct SurfacePoint {
     vec3 geometric;
     vec3 shading;
 };
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct Basis {
     vec3 tangent;
     vec3 bitangent;
@@ -241,26 +245,31 @@ struct Outgoing {
     float bound;
     float stretched;
 };
-struct FacetLobe {
-    vec3 value;
-    float pdf;
-    float cosine;
-};
 struct BsdfSample {
     vec3 direction;
     float pdf;
     vec3 weight;
     bool delta;
 };
+struct Pair {
+    vec4 toLight;
+    vec4 toSample;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
+};
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
 const uint dielectric = 3u;
+const bool hasLayers = false;
+const uint metallicRoughness = 1u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
-const uint metallicRoughness = 1u;
-const bool hasMeshes = false;
 const uint diffuse0_ = 0u;
+const bool hasMeshes = false;
 const uint rouletteDepth = 5u;
 const uint instances = 2147483648u;
 
@@ -286,6 +295,8 @@ const bool hasPlanes = true;
 
 const bool hasGlass = false;
 
+const bool hasMetallicRoughness = false;
+
 const bool hasManyLights = true;
 
 const bool hasSuns = false;
@@ -306,11 +317,9 @@ const bool hasPointLights = false;
 
 const bool hasConductors = false;
 
-const bool hasMetallicRoughness = false;
+const bool hasMirrorLayers = true;
 
 const bool hasCompensation = false;
-
-const bool hasMirrorLayers = true;
 
 uniform highp sampler2D previousFilm;
 
@@ -320,8 +329,8 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_18 = ((x * 747796405u) + 2891336453u);
-    uint w_2 = (((s_18 >> ((s_18 >> 28u) + 4u)) ^ s_18) * 277803737u);
+    uint s_19 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_19 >> ((s_19 >> 28u) + 4u)) ^ s_19) * 277803737u);
     return ((w_2 >> 22u) ^ w_2);
 }
 
@@ -489,10 +498,10 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_13 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_13.x) > abs(p_13.y));
-    float radius_1 = pick(wide, p_13.x, p_13.y);
-    float ratio_4 = (pick(wide, p_13.y, p_13.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_12 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_12.x) > abs(p_12.y));
+    float radius_1 = pick(wide, p_12.x, p_12.y);
+    float ratio_4 = (pick(wide, p_12.y, p_12.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -688,8 +697,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_7);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_6 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_14 = ((t_6 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_14, reciprocalU)), abs(dot(p_14, reciprocalV))) <= 0.500001);
+    vec3 p_13 = ((t_6 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_13, reciprocalU)), abs(dot(p_13, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
 }
 
@@ -876,12 +885,18 @@ Surface fetchSurface(uint i_12) {
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
-    SurfacePoint p_8 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), vec3(0.0));
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
+    vec3 tangent = vec3(0.0);
+    vec3 bitangent = vec3(0.0);
     vec3 _e4 = normalAt(rays, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
-    p_8 = SurfacePoint(_e5, _e4, _e4);
-    SurfacePoint _e8 = p_8;
-    return _e8;
+    surface = _e5;
+    normals = Normals(_e4, _e4);
+    Surface _e13 = surface;
+    vec3 _e15 = normals.geometric;
+    vec3 _e17 = normals.shading;
+    return SurfacePoint(_e13, _e15, _e17);
 }
 
 uint kindOf(uint code) {
@@ -892,6 +907,23 @@ bool isDielectric(uint code_1) {
     const bool _e2 = hasGlass;
     uint _e3 = kindOf(code_1);
     return pick(_e2, (_e3 == dielectric), false);
+}
+
+bool isMetallicRoughness(uint code_2) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_2);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_3, float eta) {
+    bool _e3 = isMetallicRoughness(code_3);
+    return pick(pick(hasLayers, _e3, false), (eta != 0.0), false);
+}
+
+bool letsThrough(uint code_4, float eta_1) {
+    bool _e2 = isDielectric(code_4);
+    bool _e3 = isLayered(code_4, eta_1);
+    return pick(_e2, true, pick(_e3, (eta_1 < 0.0), false));
 }
 
 Basis basisAbout(vec3 n) {
@@ -905,9 +937,9 @@ vec3 toLocal(Basis b, vec3 v_3) {
     return vec3(dot(v_3, b.tangent), dot(v_3, b.bitangent), dot(v_3, b.normal));
 }
 
-bool isThin(uint code_2) {
+bool isThin(uint code_5) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_2 & 7u) == 7u), false);
+    return pick(_e2, ((code_5 & 7u) == 7u), false);
 }
 
 Emitter fetchEmitter(uint i_13) {
@@ -920,8 +952,8 @@ Emitter fetchEmitter(uint i_13) {
     return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
 }
 
-int emitterOf(float code_3) {
-    return ((int(code_3) >> 6u) - 1);
+int emitterOf(float code_6) {
+    return ((int(code_6) >> 6u) - 1);
 }
 
 Emitter emitterAt(uint i_14, Emitter only) {
@@ -1167,17 +1199,17 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_11.kind == 5.0), false);
     vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
-    vec3 toLight_1 = pick(isFar, -(e_11.u), (middle_3 - point_7));
-    float distance2_ = dot(toLight_1, toLight_1);
+    vec3 toLight_2 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    float distance2_ = dot(toLight_2, toLight_2);
     float distance_5 = sqrt(distance2_);
     float grown = max((distance_5 + e_11.reach), 1e-15);
-    float above_1 = clamp(((dot(normal_4, toLight_1) + e_11.reach) / grown), 0.0, 1.0);
+    float above_1 = clamp(((dot(normal_4, toLight_2) + e_11.reach) / grown), 0.0, 1.0);
     float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
     float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
     estimate = ((e_11.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_1)) / max(e_11.area, 1e-30));
+        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_2)) / max(e_11.area, 1e-30));
         float side_2 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
         float lampCosine = pick((side_2 > 0.0), ((side_2 + e_11.reach) / grown), 0.0);
         float _e89 = estimate;
@@ -1186,7 +1218,7 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     const bool _e94 = hasPointLights;
     if (_e94) {
         float _e95 = estimate;
-        float _e100 = spotFalloff(e_11, (toLight_1 / vec3(max(distance_5, 1e-15))));
+        float _e100 = spotFalloff(e_11, (toLight_2 / vec3(max(distance_5, 1e-15))));
         estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
     }
     const bool _e108 = hasSky;
@@ -1219,11 +1251,11 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_9, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
+vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
     vec3 found_6 = vec3(0.0);
     uint i_15 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_16 = p_9.rays.direction;
+    vec3 direction_16 = p_8.rays.direction;
     bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_16) > 0.0), false);
     int _e21 = emitterOf(s_6.code);
     found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_6.emission);
@@ -1237,14 +1269,14 @@ vec3 foundLight(Path p_9, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
             uint _e46 = i_15;
             Emitter _e47 = emitterAt(_e46, only_1);
             FarLight _e48 = farLight(_e47, direction_16);
-            float _e54 = shapePdf(_e47, p_9.rays.point, direction_16, hit_1.t, outward, hit_1.triangle.triangle);
+            float _e54 = shapePdf(_e47, p_8.rays.point, direction_16, hit_1.t, outward, hit_1.triangle.triangle);
             float density = pick(escaped, _e48.pdf, _e54);
-            float _e61 = probabilityOf(_e47, p_9.rays.point, p_9.litSide, p_9.odds);
+            float _e61 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.odds);
             float pdf_3 = (density * _e61);
             vec3 radiance = pick(escaped, _e48.radiance, emission);
             vec3 _e65 = found_6;
-            float _e67 = misWeight(p_9.pdf, pdf_3);
-            found_6 = (_e65 + (radiance * pick((p_9.pdf <= 0.0), 1.0, _e67)));
+            float _e67 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e65 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e67)));
             uint _e76 = i_15;
             i_15 = (_e76 + 1u);
             const bool _e79 = hasManyLights;
@@ -1352,11 +1384,11 @@ EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
 }
 
 vec3 turnTo(vec3 axis, vec3 v_4) {
-    float s_19 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_4 = (-1.0 / (s_19 + axis.z));
+    float s_20 = pick((axis.z >= 0.0), 1.0, -1.0);
+    float a_4 = (-1.0 / (s_20 + axis.z));
     float b_7 = ((axis.x * axis.y) * a_4);
-    vec3 x_16 = vec3((1.0 + (((s_19 * axis.x) * axis.x) * a_4)), (s_19 * b_7), (-(s_19) * axis.x));
-    vec3 y_11 = vec3(b_7, (s_19 + ((axis.y * axis.y) * a_4)), -(axis.y));
+    vec3 x_16 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
+    vec3 y_11 = vec3(b_7, (s_20 + ((axis.y * axis.y) * a_4)), -(axis.y));
     return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
@@ -1394,9 +1426,9 @@ vec2 cosineAndSine(float x_13) {
 vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     float h_5 = q_4.height;
     vec2 y_12 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_20 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
+    vec2 s_21 = (y_12 / sqrt(((y_12 * y_12) + vec2((h_5 * h_5)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
-    vec2 across_3 = (vec2((s_20.y - s_20.x), (s_20.y + s_20.x)) * _e21);
+    vec2 across_3 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
     float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_17 * x_17) + (h_5 * h_5));
@@ -1410,10 +1442,10 @@ LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
     QuadView _e3 = viewQuad(e_14, point_11);
     vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
     vec3 _e13 = sphericalRectangle(_e3, u_8);
-    vec3 toLight_2 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_7 = max(length(toLight_2), _e3.height);
+    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_7 = max(length(toLight_3), _e3.height);
     float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_2 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    return LightSample((toLight_3 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
 }
 
 vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
@@ -1424,9 +1456,9 @@ vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
     float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
     float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_15 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_3 = ((pick(onX_1, p_15.xyz, pick(onY_1, p_15.zxy, p_15.yzx)) * e_15.u) - b_1.point);
-    return vec4(toLight_3, abs(dot(axis_3, toLight_3)));
+    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
+    return vec4(toLight_4, abs(dot(axis_3, toLight_4)));
 }
 
 vec3 rotateBack(vec4 q_5, vec3 v_5) {
@@ -1450,10 +1482,10 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
 }
 
 LightSample samplePoint(Emitter e_17, vec3 point_13) {
-    vec3 toLight_4 = (e_17.position - point_13);
-    float distance_9 = length(toLight_4);
+    vec3 toLight_5 = (e_17.position - point_13);
+    float distance_9 = length(toLight_5);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_4 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_5 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_18, vec3 point_14) {
@@ -1608,9 +1640,9 @@ LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     return _e67;
 }
 
-bool isConductor(uint code_4) {
+bool isConductor(uint code_7) {
     const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_4);
+    uint _e3 = kindOf(code_7);
     return pick(_e2, (_e3 == conductor), false);
 }
 
@@ -1638,19 +1670,13 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
     return (specular / max((specular + diffuse), 1e-20));
 }
 
-bool isMetallicRoughness(uint code_5) {
-    const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_5);
-    return pick(_e2, (_e3 == metallicRoughness), false);
-}
-
-float indexRatio(float eta, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta), eta);
+float indexRatio(float eta_2, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
 }
 
 float reflectionBound(vec3 wo, float alpha) {
-    float s_21 = (1.0 + length(wo.xy));
-    float s2_ = (s_21 * s_21);
+    float s_22 = (1.0 + length(wo.xy));
+    float s2_ = (s_22 * s_22);
     float a2_ = (alpha * alpha);
     return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
 }
@@ -1659,56 +1685,78 @@ float stretched(vec3 w_1, float alpha_1) {
     return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
 }
 
-Outgoing outgoing(Surface s_11, vec3 wo_1) {
+Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_7 = uint(s_11.code);
-    bool _e4 = isConductor(code_7);
-    bool _e5 = isDielectric(code_7);
-    o = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
-    const bool _e16 = hasMetallicRoughness;
-    if (_e16) {
-        float _e19 = o.share;
-        float _e23 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
-        bool _e24 = isMetallicRoughness(code_7);
-        o.share = pick(_e24, _e23, _e19);
+    uint code_9 = uint(s_11.code);
+    bool _e5 = isConductor(code_9);
+    bool _e6 = isDielectric(code_9);
+    o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e17 = hasMetallicRoughness;
+    if (_e17) {
+        float _e20 = o.share;
+        float _e24 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
+        bool _e25 = isMetallicRoughness(code_9);
+        o.share = pick(_e25, _e24, _e20);
     }
-    const bool _e27 = hasGlass;
-    if (_e27) {
-        bool _e32 = isThin(code_7);
-        float _e33 = indexRatio(s_11.eta.x, wo_1.z, _e32);
-        bool _e34 = isDielectric(code_7);
-        o.ratio = pick(_e34, _e33, 1.0);
+    const bool _e28 = hasGlass;
+    if (_e28) {
+        bool _e33 = isThin(code_9);
+        float _e34 = indexRatio(s_11.eta.x, wo_1.z, _e33);
+        bool _e35 = isDielectric(code_9);
+        o.ratio = pick(_e35, _e34, 1.0);
     }
-    const bool _e38 = hasConductors;
-    const bool _e40 = hasMetallicRoughness;
-    const bool _e43 = hasGlass;
-    if (pick(pick(_e38, true, _e40), true, _e43)) {
-        float _e47 = reflectionBound(wo_1, s_11.alpha);
-        bool _e48 = isDielectric(code_7);
-        o.bound = pick(_e48, 1.0, _e47);
-        float _e53 = stretched(wo_1, s_11.alpha);
-        o.stretched = _e53;
+    const bool _e39 = hasConductors;
+    const bool _e41 = hasMetallicRoughness;
+    const bool _e44 = hasGlass;
+    if (pick(pick(_e39, true, _e41), true, _e44)) {
+        float _e48 = reflectionBound(wo_1, s_11.alpha);
+        bool _e49 = isDielectric(code_9);
+        o.bound = pick(_e49, 1.0, _e48);
+        float _e54 = stretched(wo_1, s_11.alpha);
+        o.stretched = _e54;
     }
-    Outgoing _e54 = o;
-    return _e54;
+    Outgoing _e55 = o;
+    return _e55;
 }
 
-bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
-    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
+float mirrorShare(float reflectivity) {
+    const bool _e2 = hasMirrorLayers;
+    return pick(_e2, reflectivity, 0.0);
 }
 
-float facetDensity(vec3 h_1, float alpha_2) {
-    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_2 * alpha_2)) + (h_1.z * h_1.z)), 1.0);
-    return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
+vec3 sampleCosine(vec2 u_18) {
+    float radius_2 = sqrt(u_18.x);
+    float phi_2 = ((6.2831855 * u_18.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_18.x))));
 }
 
-vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k_1) {
+bool isSmooth(uint code_8) {
+    return ((code_8 & 32u) != 0u);
+}
+
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_2, float bound, vec2 u_19) {
+    float _e8 = stretched(wo_2, alpha_2);
+    vec3 w_4 = (vec3((alpha_2 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_19.x) - 3.1415927);
+    float drop = (u_19.y * (1.0 + (bound * w_4.z)));
+    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_6 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_2 * h_6.xy), max(h_6.z, 1e-7)));
+}
+
+vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_20) {
+    float side_3 = pick((o_1.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_1.wo * side_3), max(alpha_3, 0.001), o_1.bound, u_20);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
+}
+
+vec3 conductorFresnel(float cosine_3, vec3 eta_3, vec3 k_1) {
     float cosine2_ = (cosine_3 * cosine_3);
     float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta_1 * eta_1) - (k_1 * k_1)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
+    vec3 difference = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_1 * k_1) / larger_1);
+    vec3 smaller = ((eta_3 * k_1) / larger_1);
     vec3 a_5 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
     vec3 b_8 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_8 * b_8) + vec3(1e-20));
@@ -1721,9 +1769,9 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_1, vec3 k_1) {
     return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_2, float cosine_4) {
-    float constants = dot((eta_2 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_4, eta_2, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_4 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_4, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
@@ -1742,7 +1790,7 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
 
 vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_8 = uint(s_12.code);
+    uint code_10 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
@@ -1753,154 +1801,38 @@ vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
-        bool _e21 = isConductor(code_8);
+        bool _e21 = isConductor(code_10);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_8);
+        bool _e26 = isThin(code_10);
         float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_8);
+        bool _e29 = isDielectric(code_10);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
     return _e31;
 }
 
-float singleScatteringAlbedo(float cosine_8, float alpha_3) {
-    float x_19 = (cosine_8 / (cosine_8 + alpha_3));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
-    float a2_1 = (alpha_3 * alpha_3);
-    return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
-}
-
-vec3 compensation(Surface s_13, float cosine_9) {
-    uint code_9 = uint(s_13.code);
-    bool _e8 = isDielectric(code_9);
-    bool asked = pick(((code_9 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_9, s_13.alpha);
-    vec3 _e17 = facetReflectance(s_13, 1.0, 1.0);
-    return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
-}
-
-FacetLobe evaluateFacets(Surface s_14, Outgoing o_1, vec3 wi) {
-    vec3 passes = vec3(0.0);
-    vec3 wo_5 = o_1.wo;
-    bool _e6 = isDielectric(uint(s_14.code));
-    const bool _e8 = hasGlass;
-    bool crossing = pick(_e8, ((wo_5.z < 0.0) != (wi.z < 0.0)), false);
-    vec3 m_1 = (wo_5 + (wi * pick(crossing, o_1.ratio, 1.0)));
-    float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_6 = (m_1 * inversesqrt(m2_1));
-    float oh = dot(wo_5, h_6);
-    float ih = dot(wi, h_6);
-    float zo = abs(wo_5.z);
-    float zi = abs(wi.z);
-    bool faces_1 = pick((((oh * h_6.z) * wo_5.z) >= 0.0), (((ih * h_6.z) * wi.z) >= 0.0), false);
-    float _e52 = facetDensity(h_6, s_14.alpha);
-    float spread = (pick(crossing, (abs((oh * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_14, abs(oh), o_1.ratio);
-    passes = pick(crossing, (vec3(1.0) - _e60), _e60);
-    float _e69 = stretched(wi, s_14.alpha);
-    float masked = (zi / max(((zi * o_1.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_1.ratio * o_1.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_14, zo);
-        passes = (_e87 * _e88);
-    }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_1.bound * zo) + o_1.stretched)), abs(oh));
-}
-
-bool isSmooth(uint code_6) {
-    return ((code_6 & 32u) != 0u);
-}
-
-float mirrorShare(float reflectivity) {
-    const bool _e2 = hasMirrorLayers;
-    return pick(_e2, reflectivity, 0.0);
-}
-
-vec4 evaluateBsdf(Surface s_15, Outgoing o_2, vec3 wi_1) {
-    vec4 value = vec4(0.0);
-    bool dark = false;
-    vec3 base = vec3(0.0);
-    float lambert = (0.31830987 * max(wi_1.z, 0.0));
-    value = (vec4(s_15.baseColor, 1.0) * lambert);
-    dark = pick((o_2.wo.z < 0.0), true, (wi_1.z <= 0.0));
-    const bool _e23 = hasConductors;
-    const bool _e25 = hasMetallicRoughness;
-    const bool _e28 = hasGlass;
-    if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_10 = uint(s_15.code);
-        FacetLobe _e32 = evaluateFacets(s_15, o_2, wi_1);
-        const bool _e37 = hasMetallicRoughness;
-        if (_e37) {
-            vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_15.baseColor, s_15.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_10);
-            base = pick(_e43, _e42, _e38);
-        }
-        bool _e52 = isSmooth(code_10);
-        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_2.share * _e32.pdf)));
-        vec3 _e54 = base;
-        vec4 _e61 = value;
-        uint _e62 = kindOf(code_10);
-        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_2.share)) * lambert)));
-        bool _e66 = dark;
-        bool _e67 = isSmooth(code_10);
-        bool _e68 = isDielectric(code_10);
-        dark = pick(_e68, _e67, _e66);
-    }
-    float _e71 = mirrorShare(s_15.reflectivity);
-    vec4 _e74 = value;
-    bool _e78 = dark;
-    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
-}
-
-vec3 sampleCosine(vec2 u_18) {
-    float radius_2 = sqrt(u_18.x);
-    float phi_2 = ((6.2831855 * u_18.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_18.x))));
-}
-
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_19) {
-    float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_4 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_19.x) - 3.1415927);
-    float drop = (u_19.y * (1.0 + (bound * w_4.z)));
-    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_7 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
-}
-
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_20) {
-    float side_3 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_3), max(alpha_5, 0.001), o_3.bound, u_20);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
-}
-
-vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_3) {
-    float cosine_13 = dot(wo_3, h_2);
+vec3 refracted(vec3 wo_3, vec3 h_1, float ratio_3) {
+    float cosine_13 = dot(wo_3, h_1);
     float inside_3 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_13 * cosine_13)), 0.0));
-    return ((((cosine_13 - inside_3) * h_2) - wo_3) / vec3(ratio_3));
+    return ((((cosine_13 - inside_3) * h_1) - wo_3) / vec3(ratio_3));
 }
 
 vec3 mirrored(vec3 wo_4) {
     return vec3(-(wo_4.xy), wo_4.z);
 }
 
-BsdfSample sampleLobe(Surface s_16, Outgoing o_4, vec3 u_21) {
+BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
-    vec3 wi_2 = vec3(0.0);
+    vec3 wi = vec3(0.0);
     float probability_1 = 0.0;
     vec3 weight = vec3(0.0);
-    vec3 wo_6 = o_4.wo;
-    float _e5 = mirrorShare(s_16.reflectivity);
+    vec3 wo_5 = o_2.wo;
+    float _e5 = mirrorShare(s_13.reflectivity);
     float base_2 = (1.0 - _e5);
     float choice_1 = ((u_21.z - _e5) / base_2);
     vec3 _e12 = sampleCosine(u_21.xy);
@@ -1909,32 +1841,32 @@ BsdfSample sampleLobe(Surface s_16, Outgoing o_4, vec3 u_21) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_16.code);
+        uint code_11 = uint(s_13.code);
         bool _e29 = isDielectric(code_11);
         bool _e30 = isSmooth(code_11);
-        vec3 _e33 = sampleFacet(s_16.alpha, _e30, o_4, u_21.xy);
-        float oh_1 = max(dot(wo_6, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_16, oh_1, o_4.ratio);
-        bool crossing_1 = pick(_e29, (choice_1 >= _e38.x), false);
-        wi_2 = (((2.0 * oh_1) * _e33) - wo_6);
-        probability_1 = (base_2 * o_4.share);
-        weight = (_e38 / vec3(o_4.share));
+        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_21.xy);
+        float oh = max(dot(wo_5, _e33), 0.0);
+        vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
+        bool crossing = pick(_e29, (choice_1 >= _e38.x), false);
+        wi = (((2.0 * oh) * _e33) - wo_5);
+        probability_1 = (base_2 * o_2.share);
+        weight = (_e38 / vec3(o_2.share));
         const bool _e55 = hasGlass;
         if (_e55) {
             bool _e56 = isThin(code_11);
-            vec3 _e57 = wi_2;
-            vec3 _e59 = refracted(wo_6, _e33, o_4.ratio);
-            wi_2 = pick(crossing_1, pick(_e56, -(wo_6), _e59), _e57);
+            vec3 _e57 = wi;
+            vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
+            wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
             float _e63 = probability_1;
-            probability_1 = pick(_e29, (base_2 * pick(crossing_1, (1.0 - _e38.x), _e38.x)), _e63);
+            probability_1 = pick(_e29, (base_2 * pick(crossing, (1.0 - _e38.x), _e38.x)), _e63);
             vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing_1, !(_e56), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e71);
+            weight = pick(_e29, vec3(pick(pick(crossing, !(_e56), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e71);
         }
-        float _e88 = wi_2.z;
-        bool lost = pick(!(_e30), (crossing_1 != ((wo_6.z < 0.0) != (_e88 < 0.0))), false);
-        bool specular_1 = (choice_1 < o_4.share);
+        float _e88 = wi.z;
+        bool lost = pick(!(_e30), (crossing != ((wo_5.z < 0.0) != (_e88 < 0.0))), false);
+        bool specular_1 = (choice_1 < o_2.share);
         vec3 _e98 = drawn.direction;
-        vec3 _e99 = wi_2;
+        vec3 _e99 = wi;
         drawn.direction = pick(specular_1, _e99, _e98);
         float _e103 = drawn.pdf;
         float _e104 = probability_1;
@@ -1948,7 +1880,7 @@ BsdfSample sampleLobe(Surface s_16, Outgoing o_4, vec3 u_21) {
     if (_e116) {
         bool reflected = (u_21.z < _e5);
         vec3 _e121 = drawn.direction;
-        vec3 _e122 = mirrored(wo_6);
+        vec3 _e122 = mirrored(wo_5);
         drawn.direction = pick(reflected, _e122, _e121);
         float _e126 = drawn.pdf;
         drawn.pdf = pick(reflected, _e5, _e126);
@@ -1959,6 +1891,109 @@ BsdfSample sampleLobe(Surface s_16, Outgoing o_4, vec3 u_21) {
     }
     BsdfSample _e138 = drawn;
     return _e138;
+}
+
+float facetDensity(vec3 h_2, float alpha_4) {
+    float slope = max(((dot(h_2.xy, h_2.xy) / (alpha_4 * alpha_4)) + (h_2.z * h_2.z)), 1.0);
+    return (0.31830987 / (((alpha_4 * alpha_4) * slope) * slope));
+}
+
+float singleScatteringAlbedo(float cosine_8, float alpha_5) {
+    float x_19 = (cosine_8 / (cosine_8 + alpha_5));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_1 = (alpha_5 * alpha_5);
+    return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
+}
+
+vec3 compensation(Surface s_14, float cosine_9) {
+    uint code_12 = uint(s_14.code);
+    bool _e8 = isDielectric(code_12);
+    bool asked = pick(((code_12 & 8u) != 0u), !(_e8), false);
+    float _e12 = singleScatteringAlbedo(cosine_9, s_14.alpha);
+    vec3 _e17 = facetReflectance(s_14, 1.0, 1.0);
+    return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+}
+
+FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
+    vec3 passes = vec3(0.0);
+    vec3 wo_6 = o_3.wo;
+    bool _e6 = isDielectric(uint(s_15.code));
+    const bool _e8 = hasGlass;
+    bool crossing_1 = pick(_e8, ((wo_6.z < 0.0) != (wi_1.z < 0.0)), false);
+    vec3 m_1 = (wo_6 + (wi_1 * pick(crossing_1, o_3.ratio, 1.0)));
+    float m2_1 = max(dot(m_1, m_1), 1e-20);
+    vec3 h_7 = (m_1 * inversesqrt(m2_1));
+    float oh_1 = dot(wo_6, h_7);
+    float ih = dot(wi_1, h_7);
+    float zo = abs(wo_6.z);
+    float zi = abs(wi_1.z);
+    bool faces_1 = pick((((oh_1 * h_7.z) * wo_6.z) >= 0.0), (((ih * h_7.z) * wi_1.z) >= 0.0), false);
+    float _e52 = facetDensity(h_7, s_15.alpha);
+    float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
+    vec3 _e60 = facetReflectance(s_15, abs(oh_1), o_3.ratio);
+    passes = pick(crossing_1, (vec3(1.0) - _e60), _e60);
+    float _e69 = stretched(wi_1, s_15.alpha);
+    float masked = (zi / max(((zi * o_3.stretched) + (zo * _e69)), 1e-20));
+    float _e76 = passes.x;
+    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
+    const bool _e86 = hasCompensation;
+    if (_e86) {
+        vec3 _e87 = passes;
+        vec3 _e88 = compensation(s_15, zo);
+        passes = (_e87 * _e88);
+    }
+    vec3 _e90 = passes;
+    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
+}
+
+vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
+    vec4 value = vec4(0.0);
+    bool dark = false;
+    vec3 base = vec3(0.0);
+    float lambert = (0.31830987 * max(wi_2.z, 0.0));
+    value = (vec4(s_16.baseColor, 1.0) * lambert);
+    dark = pick((o_4.wo.z < 0.0), true, (wi_2.z <= 0.0));
+    const bool _e23 = hasConductors;
+    const bool _e25 = hasMetallicRoughness;
+    const bool _e28 = hasGlass;
+    if (pick(pick(_e23, true, _e25), true, _e28)) {
+        uint code_13 = uint(s_16.code);
+        FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
+        const bool _e37 = hasMetallicRoughness;
+        if (_e37) {
+            vec3 _e38 = base;
+            vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
+            bool _e43 = isMetallicRoughness(code_13);
+            base = pick(_e43, _e42, _e38);
+        }
+        bool _e52 = isSmooth(code_13);
+        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
+        vec3 _e54 = base;
+        vec4 _e61 = value;
+        uint _e62 = kindOf(code_13);
+        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
+        bool _e66 = dark;
+        bool _e67 = isSmooth(code_13);
+        bool _e68 = isDielectric(code_13);
+        dark = pick(_e68, _e67, _e66);
+    }
+    float _e71 = mirrorShare(s_16.reflectivity);
+    vec4 _e74 = value;
+    bool _e78 = dark;
+    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
+}
+
+Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
+    Pair pair = Pair(vec4(0.0), vec4(0.0));
+    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
+    vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
+    pair = Pair(_e4, _e5);
+    Pair _e8 = pair;
+    return _e8;
+}
+
+bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
+    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
 }
 
 BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
@@ -1979,14 +2014,14 @@ float unitFloat(uint h_3) {
     return (float((h_3 >> 8u)) * 5.9604645e-8);
 }
 
-float nextHash(inout Sampler s_17) {
-    uint _e3 = s_17.key;
-    s_17.key = (_e3 + 1u);
-    uint _e7 = s_17.key;
-    uint _e9 = s_17.salt;
+float nextHash(inout Sampler s_18) {
+    uint _e3 = s_18.key;
+    s_18.key = (_e3 + 1u);
+    uint _e7 = s_18.key;
+    uint _e9 = s_18.salt;
     uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_17.sample_;
-    uint _e17 = s_17.place;
+    uint _e13 = s_18.sample_;
+    uint _e17 = s_18.place;
     uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
@@ -1997,102 +2032,118 @@ bool isFlat(uint i_17) {
     return (i_17 >= _e4);
 }
 
-void meetSurface(inout Path p_10, PairHit hit_2) {
-    RayPair rays_1 = p_10.rays;
+void meetSurface(inout Path p_9, PairHit hit_2) {
+    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 hero_1 = vec3(1.0);
+    RayPair rays_1 = p_9.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_1, hit_2, shape_1);
-    Surface surface = _e10.surface;
-    bool _e14 = isDielectric(uint(surface.code));
+    surface_1 = _e10.surface;
+    float _e14 = surface_1.code;
+    float _e18 = surface_1.eta.x;
+    bool _e19 = letsThrough(uint(_e14), _e18);
     vec3 point_16 = (rays_1.point + (hit_2.t * rays_1.direction));
     vec3 outward_1 = _e10.shading;
-    Basis _e29 = basisAbout(pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e14), false), -(outward_1), outward_1));
-    vec3 _e32 = toLocal(_e29, -(rays_1.direction));
-    const bool _e34 = hasGlass;
-    if (_e34) {
-        bool _e37 = isThin(uint(surface.code));
-        bool inside_4 = pick(pick(pick(_e14, !(_e37), false), (_e32.z < 0.0), false), !(escaped_1), false);
-        vec3 _e47 = p_10.throughput;
-        p_10.throughput = (_e47 * exp((-(surface.absorption) * pick(inside_4, hit_2.t, 0.0))));
+    vec3 normal_9 = pick(pick((dot(outward_1, rays_1.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e34 = basisAbout(normal_9);
+    basis = _e34;
+    Basis _e36 = basis;
+    vec3 _e39 = toLocal(_e36, -(rays_1.direction));
+    const bool _e41 = hasGlass;
+    if (pick(_e41, true, hasLayers)) {
+        float _e45 = surface_1.code;
+        bool _e47 = isThin(uint(_e45));
+        bool inside_4 = pick(pick(pick(_e19, !(_e47), false), (_e39.z < 0.0), false), !(escaped_1), false);
+        vec3 _e57 = p_9.throughput;
+        vec3 _e59 = surface_1.absorption;
+        p_9.throughput = (_e57 * exp((-(_e59) * pick(inside_4, hit_2.t, 0.0))));
     }
-    Emitter _e57 = fetchEmitter(0u);
-    vec3 _e59 = p_10.radiance;
-    vec3 _e61 = p_10.throughput;
-    Path _e62 = p_10;
-    vec3 _e64 = foundLight(_e62, hit_2, surface, _e10.geometric, _e57);
-    p_10.radiance = (_e59 + (_e61 * _e64));
-    vec3 litSide = pick(_e14, vec3(0.0), _e29.normal);
-    vec3 _e72 = next3d(p_10.sampler_);
-    vec3 _e74 = next3d(p_10.sampler_);
-    EmitterChoice _e76 = chooseEmitter(point_16, litSide, _e72.z);
-    Emitter _e78 = emitterAt(_e76.index, _e57);
-    LightSample _e80 = sampleEmitter(_e78, point_16, _e72.xy);
-    float lightPdf = (_e80.pdf * _e76.probability);
-    Outgoing _e84 = outgoing(surface, _e32);
-    bool opaque = pick(hasMeshes, !(_e14), false);
-    bool _e92 = crosses(_e10.geometric, _e80.direction, -(rays_1.direction));
-    bool lightLeaks = pick(opaque, _e92, false);
-    vec3 _e95 = toLocal(_e29, _e80.direction);
-    vec4 _e96 = evaluateBsdf(surface, _e84, _e95);
-    vec4 toLight_5 = pick(lightLeaks, vec4(0.0), _e96);
-    bool alone = pick(_e80.delta, true, pick((_e78.shape < 0.0), (_e80.distance_ < 1e30), false));
-    float _e110 = misWeight(lightPdf, toLight_5.w);
-    float lightWeight = (pick(alone, 1.0, _e110) / lightPdf);
-    BsdfSample _e114 = sampleLobe(surface, _e84, _e74);
-    vec4 _e116 = evaluateBsdf(surface, _e84, _e114.direction);
-    BsdfSample _e117 = completed(_e114, _e116);
-    vec3 _e119 = toWorld(_e29, _e117.direction);
-    bool _e123 = crosses(_e10.geometric, _e119, -(rays_1.direction));
-    bool leaks = pick(opaque, _e123, false);
-    uint _e127 = p_10.depth;
-    uint _e130 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e127 != _e130), false);
-    vec3 _e134 = p_10.throughput;
-    vec3 contribution = (((_e134 * toLight_5.xyz) * _e80.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_5.xyz * _e80.radiance), vec3(0.0))), false);
-    p_10.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e156 = p_10.throughput;
-    vec3 throughput = (_e156 * _e117.weight);
-    float _e159 = max3_(throughput);
-    uint _e165 = p_10.depth;
-    float survival = pick((_e165 < rouletteDepth), 1.0, min((_e159 / 0.33333334), 0.95));
-    float _e177 = max3_(throughput);
-    float _e182 = nextHash(p_10.sampler_);
-    p_10.alive = pick(pick(pick(pick(goesOn, (_e117.pdf > 0.0), false), !(leaks), false), (_e177 > 0.0), false), (_e182 < survival), false);
-    p_10.throughput = (throughput / vec3(survival));
-    uint _e190 = p_10.depth;
-    p_10.depth = (_e190 + 1u);
-    p_10.pdf = pick(_e117.delta, 0.0, _e117.pdf);
-    p_10.litSide = litSide;
-    p_10.odds = _e76.odds;
-    bool _e200 = isFlat(shape_1);
-    bool solid = !(_e200);
-    uint lightShape = pick((_e78.shape >= 0.0), uint(max(_e78.shape, 0.0)), noShape);
-    bool _e217 = p_10.alive;
-    Sampler _e232 = p_10.sampler_;
-    uint _e233 = numberOfNext(_e232);
-    p_10.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e217, _e119, pick(solid, (dot(_e119, outward_1) < 0.0), false), _e80.direction, pick(solid, (dot(_e80.direction, outward_1) < 0.0), false), pick(lit_1, _e80.distance_, -1.0), lightShape, _e233);
+    Emitter _e68 = fetchEmitter(0u);
+    vec3 _e70 = p_9.radiance;
+    vec3 _e72 = p_9.throughput;
+    Path _e73 = p_9;
+    Surface _e74 = surface_1;
+    vec3 _e76 = foundLight(_e73, hit_2, _e74, _e10.geometric, _e68);
+    p_9.radiance = (_e70 + (_e72 * _e76));
+    vec3 litSide = pick(_e19, vec3(0.0), normal_9);
+    vec3 _e83 = next3d(p_9.sampler_);
+    vec3 _e85 = next3d(p_9.sampler_);
+    EmitterChoice _e87 = chooseEmitter(point_16, litSide, _e83.z);
+    Emitter _e89 = emitterAt(_e87.index, _e68);
+    LightSample _e91 = sampleEmitter(_e89, point_16, _e83.xy);
+    float lightPdf = (_e91.pdf * _e87.probability);
+    Surface _e98 = surface_1;
+    vec3 _e99 = hero_1;
+    Outgoing _e100 = outgoing(_e98, _e39, _e99);
+    Surface _e101 = surface_1;
+    BsdfSample _e102 = sampleLobe(_e101, _e100, _e85);
+    Surface _e103 = surface_1;
+    Basis _e104 = basis;
+    vec3 _e106 = toLocal(_e104, _e91.direction);
+    Pair _e108 = evaluatePair(_e103, _e100, _e106, _e102.direction);
+    bool opaque = pick(hasMeshes, !(_e19), false);
+    bool _e116 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
+    bool lightLeaks = pick(opaque, _e116, false);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e108.toLight);
+    bool alone = pick(_e91.delta, true, pick((_e89.shape < 0.0), (_e91.distance_ < 1e30), false));
+    float _e132 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone, 1.0, _e132) / lightPdf);
+    BsdfSample _e137 = completed(_e102, _e108.toSample);
+    Basis _e138 = basis;
+    vec3 _e140 = toWorld(_e138, _e137.direction);
+    bool _e144 = crosses(_e10.geometric, _e140, -(rays_1.direction));
+    bool leaks = pick(opaque, _e144, false);
+    uint _e148 = p_9.depth;
+    uint _e151 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e148 != _e151), false);
+    vec3 _e155 = p_9.throughput;
+    vec3 contribution = (((_e155 * toLight_6.xyz) * _e91.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
+    p_9.light = pick(lit_1, contribution, vec3(0.0));
+    vec3 _e177 = p_9.throughput;
+    vec3 throughput = (_e177 * _e137.weight);
+    float _e180 = max3_(throughput);
+    uint _e186 = p_9.depth;
+    float survival = pick((_e186 < rouletteDepth), 1.0, min((_e180 / 0.33333334), 0.95));
+    float _e198 = max3_(throughput);
+    float _e203 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(pick(goesOn, (_e137.pdf > 0.0), false), !(leaks), false), (_e198 > 0.0), false), (_e203 < survival), false);
+    p_9.throughput = (throughput / vec3(survival));
+    uint _e211 = p_9.depth;
+    p_9.depth = (_e211 + 1u);
+    p_9.pdf = pick(_e137.delta, 0.0, _e137.pdf);
+    p_9.litSide = litSide;
+    p_9.odds = _e87.odds;
+    bool _e221 = isFlat(shape_1);
+    bool solid = !(_e221);
+    uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
+    bool _e238 = p_9.alive;
+    Sampler _e253 = p_9.sampler_;
+    uint _e254 = numberOfNext(_e253);
+    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e238, _e140, pick(solid, (dot(_e140, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e254);
     return;
 }
 
-void extendPath(inout Path p_11) {
-    RayPair _e2 = p_11.rays;
+void extendPath(inout Path p_10) {
+    RayPair _e2 = p_10.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_11.radiance;
-    vec3 _e7 = p_11.light;
-    p_11.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_11.rays.lightDistance = -1.0;
-    bool _e17 = p_11.alive;
+    vec3 _e5 = p_10.radiance;
+    vec3 _e7 = p_10.light;
+    p_10.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_10.rays.lightDistance = -1.0;
+    bool _e17 = p_10.alive;
     if (_e17) {
-        meetSurface(p_11, _e3);
+        meetSurface(p_10, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_12) {
-    return pick(!(p_12.alive), (p_12.rays.lightDistance < 0.0), false);
+bool isOver(Path p_11) {
+    return pick(!(p_11.alive), (p_11.rays.lightDistance < 0.0), false);
 }
 
 void main() {

@@ -226,6 +226,33 @@ struct SurfacePoint {
     vec3 geometric;
     vec3 shading;
 };
+struct Layers {
+    vec3 specularColor;
+    float specularWeight;
+    vec3 sheenColor;
+    float sheenRoughness;
+    vec3 beyondColor;
+    float beyond;
+    vec2 grain;
+    float anisotropy;
+    float transmission;
+    float coat;
+    float coatRoughness;
+    float ior;
+    float solid;
+    float film;
+    float filmIor;
+    float filmThickness;
+    float filmLeast;
+    float dispersion;
+    float spare0_;
+    float spare1_;
+    float spare2_;
+};
+struct Normals {
+    vec3 geometric;
+    vec3 shading;
+};
 struct MeshPoint {
     vec3 geometric;
     vec3 shading;
@@ -366,16 +393,49 @@ struct Outgoing {
     float bound;
     float stretched;
 };
-struct FacetLobe {
-    vec3 value;
-    float pdf;
-    float cosine;
+struct Stack {
+    Layers layers;
+    vec3 wo;
+    float side;
+    vec3 hero;
+    float ratio;
+    bool inside;
+    vec3 more;
+    vec2 alpha;
+    float coatAlpha;
+    float coat;
+    float sheen;
+    float sheenColor;
+    float ofCoat;
+    float ofFacets;
+    float ofSheen;
+    float ofDiffuse;
 };
 struct BsdfSample {
     vec3 direction;
     float pdf;
     vec3 weight;
     bool delta;
+};
+struct LayeredSample {
+    vec3 direction;
+    float pdf;
+    vec3 weight;
+    bool delta;
+};
+struct Parting {
+    vec3 toward;
+    vec3 beyond;
+    float share;
+};
+struct Pair {
+    vec4 toLight;
+    vec4 toSample;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
@@ -405,6 +465,7 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
+const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
 const uint isUnlit = 1u;
@@ -413,10 +474,21 @@ const uint baseColorSlot = 0u;
 const uint emissionSlot = 1u;
 const uint metallicRoughnessSlot = 2u;
 const uint normalSlot = 3u;
-const uint dielectric = 3u;
+const uint specularWeightSlot = 4u;
+const uint specularColorSlot = 5u;
+const uint transmissionSlot = 6u;
+const uint beyondSlot = 7u;
+const uint beyondColorSlot = 8u;
+const uint coatSlot = 9u;
+const uint coatRoughnessSlot = 10u;
+const uint sheenColorSlot = 11u;
+const uint sheenRoughnessSlot = 12u;
+const uint filmSlot = 14u;
+const uint filmThicknessSlot = 15u;
+const uint anisotropySlot = 13u;
+const uint dielectric_1 = 3u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint conductor = 2u;
-const uint metallicRoughness = 1u;
 const uint diffuse0_ = 0u;
 const uint rouletteDepth = 5u;
 
@@ -452,9 +524,17 @@ const bool hasCutouts = false;
 
 uniform highp usampler2D texels;
 
+const bool hasLayers = false;
+
+Layers layersHere = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
+const bool hasMetallicRoughness = false;
+
 const bool hasTextures = false;
 
 const bool hasGlass = false;
+
+vec3 grainHere = vec3(0.0);
 
 const bool hasMeshLamps = false;
 
@@ -480,9 +560,11 @@ const bool hasLightTree = false;
 
 const bool hasConductors = false;
 
-const bool hasMetallicRoughness = false;
+Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasCompensation = false;
+
+const bool hasIridescence = false;
 
 const bool hasMirrorLayers = true;
 
@@ -494,9 +576,9 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_19 = ((x * 747796405u) + 2891336453u);
-    uint w_2 = (((s_19 >> ((s_19 >> 28u) + 4u)) ^ s_19) * 277803737u);
-    return ((w_2 >> 22u) ^ w_2);
+    uint s_25 = ((x * 747796405u) + 2891336453u);
+    uint w_3 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    return ((w_3 >> 22u) ^ w_3);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -552,9 +634,9 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_15), 15.0);
-    float t_5 = (x_15 - piece);
+    float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_17), 15.0);
+    float t_5 = (x_17 - piece);
     vec4 c_1 = frame.filterPieces[uint(piece)];
     float offset_3 = (c_1.x + (t_5 * (c_1.y + (t_5 * (c_1.z + (t_5 * c_1.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
@@ -663,23 +745,23 @@ vec2 next2d(inout Sampler s_1) {
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_16 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_16.x) > abs(p_16.y));
-    float radius_1 = pick(wide, p_16.x, p_16.y);
-    float ratio_4 = (pick(wide, p_16.y, p_16.x) / pick((radius_1 == 0.0), 1.0, radius_1));
-    float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
+    vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_15.x) > abs(p_15.y));
+    float radius_1 = pick(wide, p_15.x, p_15.y);
+    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
 
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_16 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_18 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_16 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_18 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -696,7 +778,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_16);
+            float longitude = (3.1415927 * x_18);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -858,12 +940,12 @@ PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_10 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_10);
+    vec3 normal_12 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_12);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_9 = (dot(toCenter_1, normal_10) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_17 = ((t_9 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_17, reciprocalU)), abs(dot(p_17, reciprocalV))) <= 0.500001);
+    float t_9 = (dot(toCenter_1, normal_12) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_16 = ((t_9 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_9 > tMin_2), (t_9 < 1e30), false), within, false), t_9, 1e30);
 }
 
@@ -921,9 +1003,9 @@ vec3 turnedTo(uint axis, vec3 v_2) {
 }
 
 float edge(vec2 a, vec2 b) {
-    float p_18 = (a.x * b.y);
+    float p_17 = (a.x * b.y);
     float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_18)));
+    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
 }
 
 Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
@@ -936,11 +1018,11 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     float _e35 = edge(pc, pb);
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
-    float sum = ((_e35 + _e36) + _e37);
-    float side = pick((sum < 0.0), -1.0, 1.0);
+    float sum_2 = ((_e35 + _e36) + _e37);
+    float side = pick((sum_2 < 0.0), -1.0, 1.0);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
     float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
+    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side), depth, (vec2(_e36, _e37) * side), ((sum_2 * ray_1.shear.z) > 0.0));
 }
 
 Triangle fetchTriangle(uint row_1) {
@@ -1027,8 +1109,8 @@ vec4 decoded(uint texel, bool colored) {
 
 uint texelAt(uint i_9) {
     uvec4 _e3 = texelRow((i_9 >> 2u));
-    uvec2 pair = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
-    return pick(((i_9 & 1u) != 0u), pair.y, pair.x);
+    uvec2 pair_1 = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_9 & 1u) != 0u), pair_1.y, pair_1.x);
 }
 
 vec4 lookUp(TextureUse t_2, vec2 uv) {
@@ -1271,8 +1353,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         uint _e338 = instance_1;
                         Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
                         vec3 _e343 = o;
-                        vec4 p_19 = vec4(_e343, 1.0);
-                        o = vec3(dot(_e342.toMeshX, p_19), dot(_e342.toMeshY, p_19), dot(_e342.toMeshZ, p_19));
+                        vec4 p_18 = vec4(_e343, 1.0);
+                        o = vec3(dot(_e342.toMeshX, p_18), dot(_e342.toMeshY, p_18), dot(_e342.toMeshZ, p_18));
                         vec3 _e355 = d_1;
                         vec3 _e359 = d_1;
                         vec3 _e363 = d_1;
@@ -1524,11 +1606,52 @@ Surface fetchSurface(uint i_15) {
     return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
 }
 
-vec3 fromOctahedral(uint code) {
-    vec2 p_20 = ((vec2(float((code & 65535u)), float((code >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_20.x)) - abs(p_20.y));
-    vec2 folded = ((vec2(1.0) - abs(p_20.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_20, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_20), z_1));
+uint kindOf(uint code) {
+    return (code & 3u);
+}
+
+bool isMetallicRoughness(uint code_1) {
+    const bool _e2 = hasMetallicRoughness;
+    uint _e3 = kindOf(code_1);
+    return pick(_e2, (_e3 == metallicRoughness), false);
+}
+
+bool isLayered(uint code_2, float eta) {
+    const bool _e3 = hasLayers;
+    bool _e4 = isMetallicRoughness(code_2);
+    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+}
+
+Layers fetchLayers(uint i_16) {
+    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
+    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
+    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
+    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
+    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
+    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
+    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
+    return Layers(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+}
+
+Layers layersOf(uint code_3, float eta_1) {
+    Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const bool _e4 = hasLayers;
+    if (_e4) {
+        bool _e5 = isLayered(code_3, eta_1);
+        if (_e5) {
+            Layers _e8 = fetchLayers(uint(abs(eta_1)));
+            l = _e8;
+        }
+    }
+    Layers _e9 = l;
+    return _e9;
+}
+
+vec3 fromOctahedral(uint code_4) {
+    vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_1 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
+    vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
+    return normalize(vec3(pick((z_1 < 0.0), folded, p_19), z_1));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
@@ -1548,8 +1671,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_11 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
-        vec3 smoothed = (turn * normal_11);
+        vec3 normal_13 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 smoothed = (turn * normal_13);
         float size_2 = dot(smoothed, smoothed);
         float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
@@ -1577,11 +1700,11 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e193 = fromOctahedral(_e54.tangent);
                 vec3 _e197 = fromOctahedral(_e56.tangent);
                 vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
+                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_9.normal = (smoothed * side_2);
-                p_9.tangent = ((turn * tangent) * side_2);
-                p_9.bitangent = ((turn * cross(normal_11, tangent)) * (hand * side_2));
+                p_9.tangent = ((turn * tangent_2) * side_2);
+                p_9.bitangent = ((turn * cross(normal_13, tangent_2)) * (hand * side_2));
             }
         }
     }
@@ -1589,13 +1712,49 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     return _e223;
 }
 
-bool isSmooth(uint code_1) {
-    return ((code_1 & 32u) != 0u);
+bool isSmooth(uint code_5) {
+    return ((code_5 & 32u) != 0u);
+}
+
+void takeUpLayer(uint slot, vec4 texel_1) {
+    float _e4 = layersHere.specularWeight;
+    layersHere.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
+    vec3 _e13 = layersHere.specularColor;
+    layersHere.specularColor = (_e13 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e23 = layersHere.transmission;
+    layersHere.transmission = (_e23 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+    float _e32 = layersHere.beyond;
+    layersHere.beyond = (_e32 * pick((slot == beyondSlot), texel_1.w, 1.0));
+    vec3 _e41 = layersHere.beyondColor;
+    layersHere.beyondColor = (_e41 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e51 = layersHere.coat;
+    layersHere.coat = (_e51 * pick((slot == coatSlot), texel_1.x, 1.0));
+    float _e60 = layersHere.coatRoughness;
+    layersHere.coatRoughness = (_e60 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    vec3 _e69 = layersHere.sheenColor;
+    layersHere.sheenColor = (_e69 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+    float _e79 = layersHere.sheenRoughness;
+    layersHere.sheenRoughness = (_e79 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    float _e88 = layersHere.film;
+    layersHere.film = (_e88 * pick((slot == filmSlot), texel_1.x, 1.0));
+    float _e99 = layersHere.filmThickness;
+    float _e102 = layersHere.filmLeast;
+    float _e105 = layersHere.filmThickness;
+    layersHere.filmThickness = pick((slot == filmThicknessSlot), mix(_e102, _e105, texel_1.y), _e99);
+    bool isGrain = (slot == anisotropySlot);
+    float _e115 = layersHere.anisotropy;
+    layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
+    vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
+    float size_3 = dot(given_2, given_2);
+    vec2 d_3 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+    vec2 own_6 = layersHere.grain;
+    layersHere.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
+    return;
 }
 
 vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     vec3 bump = vec3(0.0, 0.0, 1.0);
-    uint i_16 = 0u;
+    uint i_17 = 0u;
     float _e4 = s_6.textures;
     uint row_9 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_9);
@@ -1606,7 +1765,7 @@ vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     s_6.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
-            uint _e33 = i_16;
+            uint _e33 = i_17;
             TextureUse _e37 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e33 * textureUseRows)));
             vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
             vec3 _e48 = s_6.baseColor;
@@ -1624,83 +1783,134 @@ vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
             s_6.metallic = (_e91 * share_2.y);
             vec3 _e94 = bump;
             bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
-            uint _e111 = i_16;
-            i_16 = (_e111 + 1u);
-            uint _e113 = i_16;
-            if ((_e113 >= _e6.count)) {
+            const bool _e111 = hasLayers;
+            if (_e111) {
+                takeUpLayer(_e37.slot, _e46);
+            }
+            uint _e114 = i_17;
+            i_17 = (_e114 + 1u);
+            uint _e116 = i_17;
+            if ((_e116 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e116 = bump;
-    return _e116;
+    vec3 _e119 = bump;
+    return _e119;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float oz = max(dot(o_1, g_1), 0.0);
     float least = min((0.9 * oz), 0.01);
     vec3 across_3 = (n - (dot(n, g_1) * g_1));
-    vec3 x_17 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
-    float ox = dot(o_1, x_17);
+    vec3 x_19 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_19);
     float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_8 = (2.0 * (a_4 + (oz * least)));
     float c_4 = ((least + oz) * (least + oz));
     float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_4)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
-    vec3 raised = ((sqrt((1.0 - z2_)) * x_17) + (sqrt(z2_) * g_1));
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
     return pick((dot(g_1, reflected) >= least), n, raised);
 }
 
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
-    float size_3 = dot(mapped, mapped);
-    vec3 n_4 = pick((size_3 > 0.0), (mapped * inversesqrt(max(size_3, 1e-37))), otherwise);
+    float size_4 = dot(mapped, mapped);
+    vec3 n_5 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
     float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_4));
+    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_5));
     return (side_3 * _e21);
 }
 
-uint kindOf(uint code_2) {
-    return (code_2 & 3u);
+bool isDielectric(uint code_6) {
+    const bool _e2 = hasGlass;
+    uint _e3 = kindOf(code_6);
+    return pick(_e2, (_e3 == dielectric_1), false);
 }
 
-bool isDielectric(uint code_3) {
-    const bool _e2 = hasGlass;
-    uint _e3 = kindOf(code_3);
-    return pick(_e2, (_e3 == dielectric), false);
+bool letsThrough(uint code_7, float eta_2) {
+    bool _e2 = isDielectric(code_7);
+    bool _e3 = isLayered(code_7, eta_2);
+    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+}
+
+vec3 tangentAbout(vec3 normal_2) {
+    vec3 east = vec3(normal_2.z, 0.0, -(normal_2.x));
+    float length2_ = dot(east, east);
+    return pick((length2_ > 1e-12), (east * inversesqrt(max(length2_, 1e-20))), vec3(1.0, 0.0, 0.0));
+}
+
+vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
+    vec3 along_1 = (tangent - (dot(tangent, normal_3) * normal_3));
+    float size_5 = dot(along_1, along_1);
+    bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
+    vec3 _e12 = tangentAbout(normal_3);
+    vec3 t_12 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_12);
+    float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
+    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
-    SurfacePoint p_10 = SurfacePoint(Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), vec3(0.0));
+    Surface surface = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Normals normals = Normals(vec3(0.0), vec3(0.0));
+    vec3 tangent_1 = vec3(0.0);
+    vec3 bitangent_1 = vec3(0.0);
     vec3 _e4 = normalAt(rays_1, hit.t, shape);
     Surface _e5 = fetchSurface(shape);
-    p_10 = SurfacePoint(_e5, _e4, _e4);
-    const bool _e9 = hasMeshes;
-    if (_e9) {
+    surface = _e5;
+    const bool _e8 = hasLayers;
+    if (_e8) {
+        float _e11 = surface.code;
+        float _e15 = surface.eta.x;
+        Layers _e16 = layersOf(uint(_e11), _e15);
+        layersHere = _e16;
+    }
+    normals = Normals(_e4, _e4);
+    const bool _e26 = hasMeshes;
+    if (_e26) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e19 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            p_10.geometric = _e19.geometric;
-            p_10.shading = _e19.shading;
-            const bool _e25 = hasTextures;
-            if (_e25) {
-                vec3 _e30 = takeUpTextures(p_10.surface, _e19.uv, _e19.color.xyz);
-                if (any(notEqual(_e30, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e52 = validNormal(_e19.geometric, rays_1.direction, (((_e30.x * _e19.tangent) + (_e30.y * _e19.bitangent)) + (_e30.z * _e19.normal)), _e19.shading);
-                    p_10.shading = _e52;
+            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e36.geometric, _e36.shading);
+            const bool _e41 = hasTextures;
+            if (_e41) {
+                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
+                tangent_1 = _e36.tangent;
+                bitangent_1 = _e36.bitangent;
+                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
+                    normals.shading = _e69;
                 }
             }
-            vec3 _e54 = p_10.geometric;
-            vec3 _e60 = p_10.shading;
-            bool agree = ((dot(_e54, rays_1.direction) > 0.0) == (dot(_e60, rays_1.direction) > 0.0));
-            vec3 _e68 = p_10.shading;
-            vec3 _e70 = p_10.geometric;
-            float _e73 = p_10.surface.code;
-            bool _e75 = isDielectric(uint(_e73));
-            p_10.shading = pick(pick(_e75, !(agree), false), _e70, _e68);
+            vec3 _e71 = normals.geometric;
+            vec3 _e77 = normals.shading;
+            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
+            vec3 _e85 = normals.shading;
+            vec3 _e87 = normals.geometric;
+            float _e89 = surface.code;
+            float _e93 = surface.eta.x;
+            bool _e94 = letsThrough(uint(_e89), _e93);
+            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
         }
     }
-    SurfacePoint _e79 = p_10;
-    return _e79;
+    const bool _e99 = hasLayers;
+    if (_e99) {
+        grainHere = vec3(0.0);
+        float _e105 = layersHere.anisotropy;
+        if ((_e105 > 0.0)) {
+            vec3 _e110 = normals.shading;
+            vec3 _e111 = tangent_1;
+            vec3 _e112 = bitangent_1;
+            vec2 _e115 = layersHere.grain;
+            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
+            grainHere = _e116;
+        }
+    }
+    Surface _e117 = surface;
+    vec3 _e119 = normals.geometric;
+    vec3 _e121 = normals.shading;
+    return SurfacePoint(_e117, _e119, _e121);
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -1710,39 +1920,55 @@ Basis basisAbout(vec3 n_1) {
     return Basis(vec3((1.0 + (((side_4 * n_1.x) * n_1.x) * a_5)), (side_4 * b_9), (-(side_4) * n_1.x)), vec3(b_9, (side_4 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
 }
 
+Basis basisAlong(vec3 n_2, vec3 x_10) {
+    vec3 tangent_3 = normalize((x_10 - (dot(x_10, n_2) * n_2)));
+    return Basis(tangent_3, cross(n_2, tangent_3), n_2);
+}
+
 vec3 toLocal(Basis b_1, vec3 v_4) {
     return vec3(dot(v_4, b_1.tangent), dot(v_4, b_1.bitangent), dot(v_4, b_1.normal));
 }
 
-bool isThin(uint code_4) {
+bool isThin(uint code_8) {
     const bool _e2 = hasGlass;
-    return pick(_e2, ((code_4 & 7u) == 7u), false);
+    return pick(_e2, ((code_8 & 7u) == 7u), false);
 }
 
-Emitter fetchEmitter(uint i_17) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(14u, i_17)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(15u, i_17)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_17)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_17)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_17)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i_17)), 0);
-    return Emitter(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
+vec3 schlick(vec3 f0_, float cosine) {
+    float m = max((1.0 - cosine), 0.0);
+    float m2_ = (m * m);
+    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
 }
 
-int emitterOf(float code_5) {
-    return ((int(code_5) >> 6u) - 1);
+float coatReflectance(float coat, float cosine_1) {
+    vec3 _e4 = schlick(vec3(0.04), cosine_1);
+    return (coat * _e4.x);
+}
+
+Emitter fetchEmitter(uint i_18) {
+    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(14u, i_18)), 0);
+    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(15u, i_18)), 0);
+    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(16u, i_18)), 0);
+    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(17u, i_18)), 0);
+    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(18u, i_18)), 0);
+    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(19u, i_18)), 0);
+    return Emitter(t0_5.xyz, t0_5.w, t1_4.xyz, t1_4.w, t2_2.xyz, t2_2.w, t3_2.xyz, t3_2.w, t4_2.x, t4_2.y, t4_2.z, t4_2.w, t5_1.x, t5_1.y, t5_1.z, t5_1.w);
+}
+
+int emitterOf(float code_9) {
+    return ((int(code_9) >> 6u) - 1);
 }
 
 uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
     return (((t_4.instance - uint(e.instance)) * uint(e.cosInner)) + (t_4.triangle >> uint(e.radius)));
 }
 
-Emitter emitterAt(uint i_18, Emitter only) {
+Emitter emitterAt(uint i_19, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
     const bool _e4 = hasManyLights;
     if (_e4) {
-        Emitter _e5 = fetchEmitter(i_18);
+        Emitter _e5 = fetchEmitter(i_19);
         emitter = _e5;
     }
     Emitter _e6 = emitter;
@@ -1759,15 +1985,15 @@ float directionalPdf(Emitter e_2, vec3 direction_11) {
     return pick(_e7, (1.0 / max(e_2.area, 1e-31)), 0.0);
 }
 
-vec2 quadrantAngles(vec2 x_10, vec2 y_5) {
-    vec2 low_1 = min(x_10, y_5);
-    vec2 high = max(x_10, y_5);
+vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
+    vec2 low_1 = min(x_11, y_5);
+    vec2 high = max(x_11, y_5);
     bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high));
     vec2 r_1 = (mix(low_1, (low_1 - high), middle_1) / max(mix(high, (low_1 + high), middle_1), vec2(1e-30)));
     vec2 z_2 = (r_1 * r_1);
     vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_10));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_11));
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -1777,13 +2003,13 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_4 = uvec2(_e3);
-    uint left_1 = (pick((cell.x == 0u), size_4.x, cell.x) - 1u);
-    uint right = pick((cell.x == size_4.x), 0u, cell.x);
+    uvec2 size_6 = uvec2(_e3);
+    uint left_1 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_6.x), 0u, cell.x);
     uint upper_1 = (max(cell.y, 1u) - 1u);
-    uint lower_1 = min(cell.y, (size_4.y - 1u));
+    uint lower_1 = min(cell.y, (size_6.y - 1u));
     vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_4.y), -1.0, 1.0));
+    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_6.y), -1.0, 1.0));
     vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
     vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
@@ -1792,16 +2018,16 @@ Corners environmentCorners(uvec2 cell) {
 }
 
 EnvironmentLight lookUpEnvironment(vec3 direction_12) {
-    vec2 size_5 = frame.environmentSize;
+    vec2 size_7 = frame.environmentSize;
     float sine_1 = max(length(direction_12.xz), 1e-9);
     vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
     float turn_1 = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_5.x) + 0.5);
-    float fromPole = ((_e15.y * (size_5.y / 3.1415927)) + 0.5);
+    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
+    float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
     float row_10 = floor(fromPole);
     bool isLower = (direction_12.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_5.y - row_10), row_10));
+    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_7.y - row_10), row_10));
     float within_2 = (fromPole - row_10);
     vec2 at_2 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
@@ -1850,12 +2076,12 @@ FarLight farLight(Emitter e_3, vec3 direction_15) {
 
 SphereView viewSphere(Emitter e_4, vec3 point) {
     vec3 toCenter_2 = (e_4.position - point);
-    float d_3 = length(toCenter_2);
-    float power = abs(((d_3 - e_4.radius) * (d_3 + e_4.radius)));
-    bool inside_2 = (d_3 <= e_4.radius);
-    float sine_2 = min((e_4.radius / max(d_3, 1e-30)), 1.0);
-    float cosine_11 = (sqrt(power) / max(d_3, 1e-30));
-    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_11))));
+    float d_4 = length(toCenter_2);
+    float power = abs(((d_4 - e_4.radius) * (d_4 + e_4.radius)));
+    bool inside_2 = (d_4 <= e_4.radius);
+    float sine_2 = min((e_4.radius / max(d_4, 1e-30)), 1.0);
+    float cosine_18 = (sqrt(power) / max(d_4, 1e-30));
+    return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
 }
 
 float conePdf(float width) {
@@ -1880,21 +2106,21 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     return pick(q_3.lit, pdf_2, 0.0);
 }
 
-float arctangent(float x_11) {
-    float a_6 = abs(x_11);
+float arctangent(float x_12) {
+    float a_6 = abs(x_12);
     bool steep = (a_6 > 2.4142137);
     bool middle_2 = pick((a_6 > 0.41421357), !(steep), false);
     float r_2 = pick(steep, (-1.0 / max(a_6, 1.0)), pick(middle_2, ((a_6 - 1.0) / (a_6 + 1.0)), a_6));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
     float z_3 = (r_2 * r_2);
     float series_1 = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
-    return (sign(x_11) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
+    return (sign(x_12) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
 }
 
-float stretch(float x_12, vec2 y_6, float h_1) {
-    vec2 r_3 = sqrt(((vec2((x_12 * x_12)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_12 * y_6.y) / (h_1 * r_3.y)));
-    float _e22 = arctangent(((x_12 * y_6.x) / (h_1 * r_3.x)));
+float stretch(float x_13, vec2 y_6, float h_1) {
+    vec2 r_3 = sqrt(((vec2((x_13 * x_13)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
+    float _e16 = arctangent(((x_13 * y_6.y) / (h_1 * r_3.y)));
+    float _e22 = arctangent(((x_13 * y_6.x) / (h_1 * r_3.x)));
     return (_e16 - _e22);
 }
 
@@ -1903,8 +2129,8 @@ QuadView viewQuad(Emitter e_6, vec3 point_2) {
     vec2 lengths = vec2(length(e_6.u), length(e_6.v));
     vec3 axisX = (e_6.u / vec3(lengths.x));
     vec3 axisY = (e_6.v / vec3(lengths.y));
-    vec3 normal_12 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_12);
+    vec3 normal_14 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_14);
     float least_1 = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least_1);
     bool lit = pick((abs(signedHeight) > least_1), pick((e_6.oneSided == 0.0), true, (signedHeight < 0.0)), false);
@@ -1915,7 +2141,7 @@ QuadView viewQuad(Emitter e_6, vec3 point_2) {
     float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_12 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -1934,9 +2160,9 @@ BoxView viewBox(Emitter e_8, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_2) {
+float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_4) {
     BoxView _e5 = viewBox(e_9, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_2))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_4))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
@@ -1946,15 +2172,15 @@ LampTriangle fetchLampTriangle(uint row_7) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_3, uint place_2) {
+float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_5, uint place_2) {
     uint _e7 = frame.lampTables;
     uint row_11 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
     LampTriangle _e20 = fetchLampTriangle(row_11);
-    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_18, normal_3))), distance_4);
+    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_18, normal_5))), distance_4);
     return _e26;
 }
 
-float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, vec3 normal_4, uint place_3) {
+float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, vec3 normal_6, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
@@ -1973,14 +2199,14 @@ float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, 
     const bool _e21 = hasBoxLights;
     if (_e21) {
         if ((e_11.kind == 2.0)) {
-            float _e25 = boxPdf(e_11, point_6, direction_19, distance_5, normal_4);
+            float _e25 = boxPdf(e_11, point_6, direction_19, distance_5, normal_6);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
         if ((e_11.kind == 7.0)) {
-            float _e31 = meshPdf(e_11, direction_19, distance_5, normal_4, place_3);
+            float _e31 = meshPdf(e_11, direction_19, distance_5, normal_6, place_3);
             pdf = _e31;
         }
     }
@@ -1993,24 +2219,24 @@ float spotFalloff(Emitter e_12, vec3 toLight_1) {
     return (share_3 * share_3);
 }
 
-float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_5) {
+float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
     bool isQuad = pick(_e4, (e_13.kind == 1.0), false);
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_13.kind == 5.0), false);
     vec3 middle_3 = (e_13.position + pick(isQuad, (0.5 * (e_13.u + e_13.v)), vec3(0.0)));
-    vec3 toLight_2 = pick(isFar, -(e_13.u), (middle_3 - point_7));
-    float distance2_ = dot(toLight_2, toLight_2);
+    vec3 toLight_3 = pick(isFar, -(e_13.u), (middle_3 - point_7));
+    float distance2_ = dot(toLight_3, toLight_3);
     float distance_6 = sqrt(distance2_);
     float grown = max((distance_6 + e_13.reach), 1e-15);
-    float above_2 = clamp(((dot(normal_5, toLight_2) + e_13.reach) / grown), 0.0, 1.0);
-    float cosine_12 = pick((dot(normal_5, normal_5) == 0.0), 1.0, above_2);
+    float above_2 = clamp(((dot(normal_7, toLight_3) + e_13.reach) / grown), 0.0, 1.0);
+    float cosine_19 = pick((dot(normal_7, normal_7) == 0.0), 1.0, above_2);
     float square = pick(isQuad, (distance2_ + (e_13.area / 3.1415927)), max(distance2_, (e_13.area / 12.566371)));
-    estimate = ((e_13.power * cosine_12) / pick(isFar, 1.0, max(square, 1e-15)));
+    estimate = ((e_13.power * cosine_19) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_13.u, e_13.v), toLight_2)) / max(e_13.area, 1e-30));
+        float height_2 = (-(dot(cross(e_13.u, e_13.v), toLight_3)) / max(e_13.area, 1e-30));
         float side_5 = pick((e_13.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
         float lampCosine = pick((side_5 > 0.0), ((side_5 + e_13.reach) / grown), 0.0);
         float _e89 = estimate;
@@ -2019,17 +2245,17 @@ float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_5) {
     const bool _e94 = hasMeshLamps;
     if (_e94) {
         float alike = length(e_13.v);
-        float across_4 = -(dot(e_13.v, toLight_2));
-        float side_6 = pick((e_13.oneSided == 1.0), max(across_4, 0.0), abs(across_4));
+        float across_5 = -(dot(e_13.v, toLight_3));
+        float side_6 = pick((e_13.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
         float shown = ((0.25 * (1.0 - alike)) + ((side_6 + (alike * e_13.reach)) / grown));
         float sizeOfMesh = (distance2_ + ((e_13.area * (1.0 + (3.0 * alike))) / 12.566371));
         float _e125 = estimate;
-        estimate = pick((e_13.kind == 7.0), (((e_13.power * cosine_12) * shown) / max(sizeOfMesh, 1e-15)), _e125);
+        estimate = pick((e_13.kind == 7.0), (((e_13.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
     }
     const bool _e137 = hasPointLights;
     if (_e137) {
         float _e138 = estimate;
-        float _e143 = spotFalloff(e_13, (toLight_2 / vec3(max(distance_6, 1e-15))));
+        float _e143 = spotFalloff(e_13, (toLight_3 / vec3(max(distance_6, 1e-15))));
         estimate = (_e138 * pick((e_13.kind == 4.0), _e143, 1.0));
     }
     const bool _e151 = hasSky;
@@ -2041,55 +2267,55 @@ float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_5) {
     return _e158;
 }
 
-LightNode fetchLightNode(uint i_19) {
-    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(0u, i_19)), 0);
-    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(1u, i_19)), 0);
-    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(2u, i_19)), 0);
-    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_19)), 0);
-    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_19)), 0);
-    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_19)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_19)), 0);
-    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_19)), 0);
-    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_19)), 0);
-    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_19)), 0);
-    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_19)), 0);
-    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_19)), 0);
-    return LightNode(t0_5.xyzw, t1_4.xyzw, t2_2.xyzw, t3_2.xyzw, t4_2.xyzw, t5_1.xyzw, t6_.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
+LightNode fetchLightNode(uint i_20) {
+    vec4 t0_6 = texelFetch(sceneTable, ivec2(uvec2(0u, i_20)), 0);
+    vec4 t1_5 = texelFetch(sceneTable, ivec2(uvec2(1u, i_20)), 0);
+    vec4 t2_3 = texelFetch(sceneTable, ivec2(uvec2(2u, i_20)), 0);
+    vec4 t3_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_20)), 0);
+    vec4 t4_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_20)), 0);
+    vec4 t5_2 = texelFetch(sceneTable, ivec2(uvec2(5u, i_20)), 0);
+    vec4 t6_1 = texelFetch(sceneTable, ivec2(uvec2(6u, i_20)), 0);
+    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_20)), 0);
+    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_20)), 0);
+    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_20)), 0);
+    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_20)), 0);
+    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_20)), 0);
+    return LightNode(t0_6.xyzw, t1_5.xyzw, t2_3.xyzw, t3_3.xyzw, t4_3.xyzw, t5_2.xyzw, t6_1.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
 }
 
-vec4 sineOf(vec4 cosine) {
-    return sqrt(max((vec4(1.0) - (cosine * cosine)), vec4(0.0)));
+vec4 sineOf(vec4 cosine_2) {
+    return sqrt(max((vec4(1.0) - (cosine_2 * cosine_2)), vec4(0.0)));
 }
 
 vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n_2, vec3 point_8, vec3 normal_6) {
-    vec4 x_18 = (n_2.x - vec4(point_8.x));
-    vec4 y_11 = (n_2.y - vec4(point_8.y));
-    vec4 z_4 = (n_2.z - vec4(point_8.z));
-    vec4 distance2_1 = (((x_18 * x_18) + (y_11 * y_11)) + (z_4 * z_4));
+vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
+    vec4 x_20 = (n_3.x - vec4(point_8.x));
+    vec4 y_11 = (n_3.y - vec4(point_8.y));
+    vec4 z_4 = (n_3.z - vec4(point_8.z));
+    vec4 distance2_1 = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
     vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
-    bvec4 inside_3 = lessThanEqual(distance2_1, (n_2.reach * n_2.reach));
-    vec4 sinB_1 = min((n_2.reach * inverse_3), vec4(1.0));
+    bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
+    vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
-    vec4 along_1 = (-((((n_2.axisX * x_18) + (n_2.axisY * y_11)) + (n_2.axisZ * z_4))) * inverse_3);
-    vec4 cosW = clamp(mix(along_1, abs(along_1), greaterThan(n_2.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
+    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
+    vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
-    vec4 _e60 = sineOf(n_2.cosWidth);
-    vec4 _e62 = cosineLess(cosW, _e58, n_2.cosWidth, _e60);
+    vec4 _e60 = sineOf(n_3.cosWidth);
+    vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
-    vec4 cosN = clamp(((((normal_6.x * x_18) + (normal_6.y * y_11)) + (normal_6.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_8.x * x_20) + (normal_8.y * y_11)) + (normal_8.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_3 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
-    vec4 cosIn = pick((dot(normal_6, normal_6) == 0.0), vec4(1.0), above_3);
-    vec4 estimate_1 = (((n_2.power * cosOut) * cosIn) / max(max(distance2_1, (n_2.reach * n_2.reach)), vec4(1e-15)));
-    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_2.cosEdge));
+    vec4 cosIn = pick((dot(normal_8, normal_8) == 0.0), vec4(1.0), above_3);
+    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
+    return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
 }
 
 float shareOfTree(float total, float far_1) {
@@ -2097,7 +2323,7 @@ float shareOfTree(float total, float far_1) {
     return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
 }
 
-TreeChoice descend(vec3 point_9, vec3 normal_7, float u_4, int leaf, float far_2) {
+TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
@@ -2111,7 +2337,7 @@ TreeChoice descend(vec3 point_9, vec3 normal_7, float u_4, int leaf, float far_2
         uint _e23 = frame.lightTree;
         uint _e24 = node_1;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_9, normal_7);
+        vec4 _e27 = estimatesOfChildren(_e26, point_9, normal_9);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -2133,12 +2359,12 @@ TreeChoice descend(vec3 point_9, vec3 normal_7, float u_4, int leaf, float far_2
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
         bool low_3 = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own_6 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float own_8 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
         float before_1 = pick(low_3, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
-        choice.probability = (_e95 * (own_6 / max(total_2, 1e-37)));
+        choice.probability = (_e95 * (own_8 / max(total_2, 1e-37)));
         choice.emitter = uint(pick(low_3, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
-        rest = clamp(((at_3 - before_1) / max(own_6, 1e-37)), 0.0, 0.99999994);
+        rest = clamp(((at_3 - before_1) / max(own_8, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node_1;
         node_1 = (((4u * _e121) + 1u) + child);
         uint _e126 = level;
@@ -2150,7 +2376,7 @@ TreeChoice descend(vec3 point_9, vec3 normal_7, float u_4, int leaf, float far_2
     return _e129;
 }
 
-float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_8, Odds odds) {
+float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_10, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -2158,13 +2384,13 @@ float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_8, Odds odds) {
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_14, point_10, normal_8);
+            float _e18 = estimatedIrradiance(e_14, point_10, normal_10);
             probability = (_e18 / max(odds.total, 1e-37));
             const bool _e24 = hasLightTree;
             if (_e24) {
                 uint _e27 = frame.lightTreeDepth;
                 if ((_e27 > 0u)) {
-                    TreeChoice _e36 = descend(point_10, normal_8, 0.0, int(max(e_14.leaf, 0.0)), odds.total);
+                    TreeChoice _e36 = descend(point_10, normal_10, 0.0, int(max(e_14.leaf, 0.0)), odds.total);
                     float _e37 = probability;
                     probability = pick((e_14.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
                 }
@@ -2176,15 +2402,15 @@ float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_8, Odds odds) {
 }
 
 float misWeight(float own_1, float other) {
-    float ratio_5 = (other / own_1);
-    return (1.0 / (1.0 + (ratio_5 * ratio_5)));
+    float ratio_7 = (other / own_1);
+    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
 }
 
-vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
+vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
-    uint i_20 = 0u;
+    uint i_21 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_20 = p_11.rays.direction;
+    vec3 direction_20 = p_10.rays.direction;
     bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_20) > 0.0), false);
     int _e21 = emitterOf(s_7.code);
     found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
@@ -2193,31 +2419,31 @@ vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     if (pick(weighed, (_e33 > 0u), false)) {
         vec3 emission = found_8;
         found_8 = vec3(0.0);
-        i_20 = pick(escaped, 0u, uint(max(_e21, 0)));
+        i_21 = pick(escaped, 0u, uint(max(_e21, 0)));
         const bool _e47 = hasMeshLamps;
         if (_e47) {
             if ((hit_1.triangle.instance != noInstance)) {
-                uint _e52 = i_20;
-                uint _e53 = i_20;
+                uint _e52 = i_21;
+                uint _e53 = i_21;
                 Emitter _e54 = emitterAt(_e53, only_1);
                 uint _e56 = emitterOfTriangle(_e54, hit_1.triangle);
-                i_20 = (_e52 + _e56);
+                i_21 = (_e52 + _e56);
             }
         }
         while(true) {
-            uint _e58 = i_20;
+            uint _e58 = i_21;
             Emitter _e59 = emitterAt(_e58, only_1);
             FarLight _e60 = farLight(_e59, direction_20);
-            float _e66 = shapePdf(_e59, p_11.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
+            float _e66 = shapePdf(_e59, p_10.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
             float density = pick(escaped, _e60.pdf, _e66);
-            float _e73 = probabilityOf(_e59, p_11.rays.point, p_11.litSide, p_11.odds);
+            float _e73 = probabilityOf(_e59, p_10.rays.point, p_10.litSide, p_10.odds);
             float pdf_3 = (density * _e73);
             vec3 radiance = pick(escaped, _e60.radiance, emission);
             vec3 _e77 = found_8;
-            float _e79 = misWeight(p_11.pdf, pdf_3);
-            found_8 = (_e77 + (radiance * pick((p_11.pdf <= 0.0), 1.0, _e79)));
-            uint _e88 = i_20;
-            i_20 = (_e88 + 1u);
+            float _e79 = misWeight(p_10.pdf, pdf_3);
+            found_8 = (_e77 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e79)));
+            uint _e88 = i_21;
+            i_21 = (_e88 + 1u);
             const bool _e91 = hasManyLights;
             if (!(_e91)) {
                 break;
@@ -2229,7 +2455,7 @@ vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
                     break;
                 }
             }
-            uint _e100 = i_20;
+            uint _e100 = i_21;
             uint _e103 = frame.farEmitters;
             if (pick(!(escaped), true, (_e100 >= _e103))) {
                 break;
@@ -2240,10 +2466,10 @@ vec3 foundLight(Path p_11, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     return _e106;
 }
 
-uint pascalW2_(uint x_13) {
+uint pascalW2_(uint x_14) {
     uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_13 >> 2u) & 13107u));
-    y_7 = (x_13 ^ _e5);
+    uint _e5 = timesW2_(((x_14 >> 2u) & 13107u));
+    y_7 = (x_14 ^ _e5);
     uint _e8 = y_7;
     uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
@@ -2265,14 +2491,14 @@ vec3 next3d(inout Sampler s_8) {
     return vec3(_e13, _e17);
 }
 
-EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
+EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
     uint chosen = 0u;
     float chosenWeight = 0.0;
     float rest_1 = 0.0;
-    uint i_21 = 0u;
+    uint i_22 = 0u;
     const bool _e6 = hasLightTree;
     if (_e6) {
         uint _e9 = frame.lightTreeDepth;
@@ -2290,10 +2516,10 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
         if ((_e36 > 1u)) {
             rest_1 = u_5;
             while(true) {
-                uint _e48 = i_21;
+                uint _e48 = i_22;
                 Emitter _e49 = fetchEmitter(_e48);
-                float _e50 = estimatedIrradiance(_e49, point_11, normal_9);
-                uint _e51 = i_21;
+                float _e50 = estimatedIrradiance(_e49, point_11, normal_11);
+                uint _e51 = i_22;
                 float weight_1 = pick((_e51 < listed), _e50, 0.0);
                 float _e55 = total_1;
                 total_1 = (_e55 + weight_1);
@@ -2302,16 +2528,16 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
                 float _e61 = rest_1;
                 bool take = (_e61 < share_5);
                 uint _e63 = chosen;
-                uint _e64 = i_21;
+                uint _e64 = i_22;
                 chosen = pick(take, _e64, _e63);
                 float _e66 = chosenWeight;
                 chosenWeight = pick(take, weight_1, _e66);
                 float _e68 = rest_1;
                 float _e75 = rest_1;
                 rest_1 = pick(take, (_e75 / max(share_5, 1e-37)), ((_e68 - share_5) / max((1.0 - share_5), 1e-7)));
-                uint _e81 = i_21;
-                i_21 = (_e81 + 1u);
-                uint _e83 = i_21;
+                uint _e81 = i_22;
+                i_22 = (_e81 + 1u);
+                uint _e83 = i_22;
                 if ((_e83 >= listed)) {
                     break;
                 }
@@ -2327,7 +2553,7 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
                 if (_e97) {
                     float _e98 = rest_1;
                     float _e100 = total_1;
-                    TreeChoice _e101 = descend(point_11, normal_9, _e98, -1, _e100);
+                    TreeChoice _e101 = descend(point_11, normal_11, _e98, -1, _e100);
                     choice_1.odds.tree = _e101.share;
                     uint _e106 = chosen;
                     choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
@@ -2342,68 +2568,68 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_9, float u_5) {
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_5) {
-    float s_20 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_7 = (-1.0 / (s_20 + axis_1.z));
+    float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_7 = (-1.0 / (s_26 + axis_1.z));
     float b_10 = ((axis_1.x * axis_1.y) * a_7);
-    vec3 x_19 = vec3((1.0 + (((s_20 * axis_1.x) * axis_1.x) * a_7)), (s_20 * b_10), (-(s_20) * axis_1.x));
-    vec3 y_12 = vec3(b_10, (s_20 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
-    return (((v_5.x * x_19) + (v_5.y * y_12)) + (v_5.z * axis_1));
+    vec3 x_21 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_7)), (s_26 * b_10), (-(s_26) * axis_1.x));
+    vec3 y_12 = vec3(b_10, (s_26 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
+    return (((v_5.x * x_21) + (v_5.y * y_12)) + (v_5.z * axis_1));
 }
 
 ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_6) {
     float oneMinusCosine = (u_6.x * width_1);
-    float cosine_13 = (1.0 - oneMinusCosine);
+    float cosine_20 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_6.y);
     vec2 turn_2 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_13));
-    return ConeDirection(_e23, cosine_13, sine2_);
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_20));
+    return ConeDirection(_e23, cosine_20, sine2_);
 }
 
 LightSample sampleSphere(Emitter e_15, vec3 point_12, vec2 u_7) {
     SphereView _e3 = viewSphere(e_15, point_12);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_7);
-    float along_2 = (_e3.distance_ * _e19.cosine);
+    float along_3 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_15.radius * e_15.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along_2) + halfChord);
-    bool takeLarger = pick(_e3.inside, (along_2 > 0.0), false);
+    float larger = (abs(along_3) + halfChord);
+    bool takeLarger = pick(_e3.inside, (along_3 > 0.0), false);
     float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
     return LightSample(_e19.direction, distance_7, e_15.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_14) {
-    float h_4 = (0.5 * x_14);
-    float z_5 = (h_4 * h_4);
-    float sine_4 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_4) + h_4);
+vec2 cosineAndSine(float x_15) {
+    float h_5 = (0.5 * x_15);
+    float z_5 = (h_5 * h_5);
+    float sine_4 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_5) + h_5);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
-    float h_5 = q_4.height;
+    float h_6 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_21 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_5 * h_5)))));
+    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_6 * h_6)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_8.x * q_4.solidAngle))));
-    vec2 across_5 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
-    float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_5), 1e-15));
-    float x_20 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_20 * x_20) + (h_5 * h_5));
+    vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
+    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
+    float x_22 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_22 * x_22) + (h_6 * h_6));
     vec2 ends_1 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
-    float v_9 = mix(ends_1.x, ends_1.y, u_8.y);
-    float atY = clamp(((v_9 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_9 * v_9)), 1e-12))), y_13.x, y_13.y);
-    return (((x_20 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
+    float v_11 = mix(ends_1.x, ends_1.y, u_8.y);
+    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
+    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_16, vec3 point_13, vec2 u_9) {
     QuadView _e3 = viewQuad(e_16, point_13);
     vec3 onArea = ((_e3.corner + (u_9.x * e_16.u)) + (u_9.y * e_16.v));
     vec3 _e13 = sphericalRectangle(_e3, u_9);
-    vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_3), _e3.height);
+    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_4), _e3.height);
     float _e23 = pdfOfView(_e3, e_16.area, distance_8);
-    return LightSample((toLight_3 / vec3(distance_8)), distance_8, e_16.radiance, _e23, false);
+    return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_16.radiance, _e23, false);
 }
 
 vec4 pointOnFaces(Emitter e_17, BoxView b_2, vec2 u_10) {
@@ -2414,9 +2640,9 @@ vec4 pointOnFaces(Emitter e_17, BoxView b_2, vec2 u_10) {
     float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
     float within_3 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_21 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_10.y) - 1.0));
-    vec3 toLight_4 = ((pick(onX_1, p_21.xyz, pick(onY_1, p_21.zxy, p_21.yzx)) * e_17.u) - b_2.point);
-    return vec4(toLight_4, abs(dot(axis_5, toLight_4)));
+    vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_10.y) - 1.0));
+    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_17.u) - b_2.point);
+    return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
 }
 
 vec3 rotateBack(vec4 q_5, vec3 v_6) {
@@ -2447,10 +2673,10 @@ ChosenTriangle chooseTriangle(Emitter e_19, vec2 u_12) {
     uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_19.triangles);
-    float x_21 = clamp((((u_12.x * e_19.triangles) - float(column_1)) + fine), 0.0, 0.99999994);
-    bool own_7 = (x_21 < _e18.own);
-    float rest_2 = pick(own_7, (x_21 / max(_e18.own, 1e-37)), ((x_21 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
-    uint place_7 = pick(own_7, _e18.place, _e18.other);
+    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_1)) + fine), 0.0, 0.99999994);
+    bool own_9 = (x_23 < _e18.own);
+    float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_7 = pick(own_9, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first_2 + column_1) + place_7) - _e18.place));
     float density_1 = _e67.density;
     return ChosenTriangle(place_7, density_1, vec2(min(rest_2, 1.0), u_12.y));
@@ -2462,12 +2688,12 @@ vec2 weightsOnTriangle(vec2 u_13) {
     return pick((u_13.x < u_13.y), vec2(low_4, high_2), vec2(high_2, low_4));
 }
 
-vec3 outOfMesh(Instance i_22, vec3 p_12) {
-    vec3 q_7 = (p_12 - vec3(i_22.toMeshX.w, i_22.toMeshY.w, i_22.toMeshZ.w));
-    vec3 x_22 = cross(i_22.toMeshY.xyz, i_22.toMeshZ.xyz);
-    vec3 y_14 = cross(i_22.toMeshZ.xyz, i_22.toMeshX.xyz);
-    vec3 z_6 = cross(i_22.toMeshX.xyz, i_22.toMeshY.xyz);
-    return ((((q_7.x * x_22) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_22.toMeshX.xyz, x_22)));
+vec3 outOfMesh(Instance i_23, vec3 p_11) {
+    vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
+    vec3 x_24 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
+    vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
+    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
+    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
 }
 
 LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
@@ -2477,21 +2703,21 @@ LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_5 = (_e34 - point_15);
-    vec3 across_6 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
-    float height_3 = (dot(across_6, toLight_5) * inversesqrt(max(dot(across_6, across_6), 1e-37)));
-    float distance_10 = length(toLight_5);
+    vec3 toLight_6 = (_e34 - point_15);
+    vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
+    float height_3 = (dot(across_7, toLight_6) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
+    float distance_10 = length(toLight_6);
     float _e62 = areaPdf((e_20.area / _e3.density), abs(height_3), distance_10);
     bool lit_1 = pick((height_3 < 0.0), true, pick((e_20.oneSided == 0.0), (height_3 > 0.0), false));
     float reached_1 = max((distance_10 - (1e-5 * (length(point_15) + distance_10))), 0.0);
-    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached_1, e_20.radiance, pick(lit_1, _e62, 0.0), false);
+    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, e_20.radiance, pick(lit_1, _e62, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_21, vec3 point_16) {
-    vec3 toLight_6 = (e_21.position - point_16);
-    float distance_11 = length(toLight_6);
+    vec3 toLight_7 = (e_21.position - point_16);
+    float distance_11 = length(toLight_7);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_11, (e_21.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_7 / vec3(safe)), distance_11, (e_21.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_22, vec3 point_17) {
@@ -2514,31 +2740,31 @@ LightSample sampleDirectional(Emitter e_23, vec2 u_15) {
     return LightSample(_e10.direction, 1e30, e_23.radiance, pick(delta, 1.0, (1.0 / max(e_23.area, 1e-31))), delta);
 }
 
-Parts splitProduct(vec2 u_16, uvec2 n_3) {
+Parts splitProduct(vec2 u_16, uvec2 n_4) {
     uvec2 digits = uvec2((u_16 * 16777216.0));
-    uvec2 low_5 = ((digits & uvec2(4095u)) * n_3);
-    uvec2 high_3 = (((digits >> uvec2(12u)) * n_3) + (low_5 >> uvec2(12u)));
+    uvec2 low_5 = ((digits & uvec2(4095u)) * n_4);
+    uvec2 high_3 = (((digits >> uvec2(12u)) * n_4) + (low_5 >> uvec2(12u)));
     return Parts((high_3 >> uvec2(12u)), vec2((((high_3 & uvec2(4095u)) << uvec2(12u)) | (low_5 & uvec2(4095u)))));
 }
 
 ChosenCell chooseCell(vec2 u_17) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_6 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_17, (size_6 + uvec2(0u, 1u)));
+    uvec2 size_8 = uvec2(_e3);
+    Parts _e9 = splitProduct(u_17, (size_8 + uvec2(0u, 1u)));
     uint _e17 = mixBits((floatBitsToUint(u_17.x) ^ (floatBitsToUint(u_17.y) * 2654435761u)));
     uint hash_1 = (_e17 >> 8u);
     float _e26 = frame.environmentSize.x;
     float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
-    float x_23 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
-    uint rows_2 = ((size_6.y + 2u) / 2u);
+    float x_25 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
+    uint rows_2 = ((size_8.y + 2u) / 2u);
     bool second_1 = (_e9.whole.y >= rows_2);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_6.y) - pick(second_1, rows_2, 0u)))), 0);
+    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_8.y) - pick(second_1, rows_2, 0u)))), 0);
     vec2 entry = pick(second_1, entries.zw, entries.xy);
-    bool own_8 = (x_23 < entry.x);
+    bool own_10 = (x_25 < entry.x);
     uint other_1 = uint(entry.y);
-    uint otherRow = (other_1 / size_6.x);
-    uvec2 cell_2 = pick(own_8, _e9.whole, uvec2((other_1 - (otherRow * size_6.x)), otherRow));
-    float rest_3 = pick(own_8, (x_23 / max(entry.x, 1e-37)), ((x_23 - entry.x) / max((1.0 - entry.x), 1e-7)));
+    uint otherRow = (other_1 / size_8.x);
+    uvec2 cell_2 = pick(own_10, _e9.whole, uvec2((other_1 - (otherRow * size_8.x)), otherRow));
+    float rest_3 = pick(own_10, (x_25 / max(entry.x, 1e-37)), ((x_25 - entry.x) / max((1.0 - entry.x), 1e-7)));
     return ChosenCell(cell_2, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
 }
 
@@ -2548,26 +2774,26 @@ float linearSample(float u_18, float a_1, float b_3) {
 }
 
 EnvironmentSample sampleEnvironment(vec2 u_19) {
-    vec2 size_7 = frame.environmentSize;
+    vec2 size_9 = frame.environmentSize;
     ChosenCell _e4 = chooseCell(u_19);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_3 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_7.y));
+    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_12 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_12), mix(_e6.b.w, _e6.d.w, t_12));
-    bool isLower_1 = ((2.0 * cell_3.y) > size_7.y);
-    float fromPole_1 = pick(isLower_1, ((size_7.y - cell_3.y) + (0.5 - t_12)), (cell_3.y + (t_12 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_7.y)));
+    float t_13 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_13), mix(_e6.b.w, _e6.d.w, t_13));
+    bool isLower_1 = ((2.0 * cell_3.y) > size_9.y);
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_13)), (cell_3.y + (t_13 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_7.x) - _e85));
+    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_9.x) - _e85));
     float nearest_2 = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest_2)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_22 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_12), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_5);
     return EnvironmentSample(direction_22, _e119);
 }
 
@@ -2653,212 +2879,315 @@ LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_21) {
     return _e73;
 }
 
-bool isConductor(uint code_6) {
+vec3 heroColor(vec3 throughput, float u_22) {
+    vec3 share_6 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_22 < share_6.x);
+    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_6.x + share_6.y)), false), (share_6.z > 0.0), false);
+    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_6), 1e-6)));
+}
+
+float nextHash(inout Sampler s_12) {
+    uint _e3 = s_12.key;
+    s_12.key = (_e3 + 1u);
+    uint _e7 = s_12.key;
+    uint _e9 = s_12.salt;
+    uint _e11 = mixBits((_e7 ^ _e9));
+    uint _e13 = s_12.sample_;
+    uint _e17 = s_12.place;
+    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    float _e21 = unitFloat(_e20);
+    return _e21;
+}
+
+bool isConductor(uint code_10) {
     const bool _e2 = hasConductors;
-    uint _e3 = kindOf(code_6);
+    uint _e3 = kindOf(code_10);
     return pick(_e2, (_e3 == conductor), false);
 }
 
-vec3 schlick(vec3 f0_, float cosine_1) {
-    float m = max((1.0 - cosine_1), 0.0);
-    float m2_ = (m * m);
-    return (f0_ + ((vec3(1.0) - f0_) * ((m2_ * m2_) * m)));
+float dispersedIndex(float ior, float dispersion, vec3 hero) {
+    float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+}
+
+vec2 ellipticAlpha(float alpha, float strength) {
+    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
+}
+
+float greatest(vec3 v_7) {
+    return max(max(v_7.x, v_7.y), v_7.z);
+}
+
+float sheenAlbedo(float cosine_3, float roughness) {
+    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    float v2_ = (v_12 * v_12);
+    float root_1 = dot((low_6 + ((v2_ * v_12) * high_4)), vec3(1.0, v_12, v2_));
+    float albedo = (root_1 * root_1);
+    return (albedo + (0.005 * max(albedo, 1.0)));
+}
+
+vec3 dielectricF0_(Layers l_1) {
+    float contrast = ((l_1.ior - 1.0) / (l_1.ior + 1.0));
+    return min(((contrast * contrast) * l_1.specularColor), vec3(1.0));
+}
+
+float singleScatteringAlbedo(float cosine_4, float alpha_1) {
+    float x_26 = (cosine_4 / (cosine_4 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_26 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_26 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_26 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_26 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float a2_ = (alpha_1 * alpha_1);
+    return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
+}
+
+float cosineInAir(float cosine_5, float ratio) {
+    float sine2_1 = ((1.0 - (cosine_5 * cosine_5)) / (ratio * ratio));
+    return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_5);
+}
+
+vec3 indexOf(vec3 f0_1) {
+    vec3 root_2 = sqrt(min(f0_1, vec3(0.9999)));
+    return ((vec3(1.0) + root_2) / (vec3(1.0) - root_2));
+}
+
+vec3 sensitivity(float difference, vec3 shift) {
+    float phase = (6.2831855e-9 * difference);
+    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
+    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
+    vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
+    vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    float x_27 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+}
+
+vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) {
+    vec3 sum = vec3(0.0);
+    vec3 amplitude = vec3(0.0);
+    float order = 1.0;
+    float sine2_2 = ((1.0 - (cosine_6 * cosine_6)) / (filmIor * filmIor));
+    float within_4 = sqrt(max((1.0 - sine2_2), 0.0));
+    float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
+    vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_6);
+    float r12_ = _e21.x;
+    float t121_ = (1.0 - r12_);
+    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
+    vec3 second_2 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
+    vec3 _e35 = schlick((second_2 * second_2), within_4);
+    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
+    vec3 once = sqrt(r123_);
+    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
+    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
+    float difference_1 = (((2.0 * filmIor) * thickness) * within_4);
+    sum = (vec3(r12_) + rs);
+    amplitude = (rs - vec3(t121_));
+    while(true) {
+        vec3 _e71 = amplitude;
+        amplitude = (_e71 * once);
+        vec3 _e73 = sum;
+        vec3 _e74 = amplitude;
+        float _e77 = order;
+        float _e79 = order;
+        vec3 _e81 = sensitivity((_e77 * difference_1), (_e79 * shift_1));
+        sum = (_e73 + ((2.0 * _e74) * _e81));
+        float _e84 = order;
+        order = (_e84 + 1.0);
+        float _e87 = order;
+        if ((_e87 > 2.5)) {
+            break;
+        }
+    }
+    vec3 _e90 = sum;
+    return clamp(_e90, vec3(0.0), vec3(1.0));
+}
+
+bool reflectsAll(float cosine_7, float ratio_1) {
+    return pick((ratio_1 < 1.0), ((1.0 - (cosine_7 * cosine_7)) >= (ratio_1 * ratio_1)), false);
+}
+
+vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
+    vec3 dielectric = vec3(0.0);
+    vec3 metal = vec3(0.0);
+    bool isMetal = false;
+    Layers l_3 = o_2.layers;
+    float _e5 = cosineInAir(cosine_8, o_2.ratio);
+    vec3 _e6 = dielectricF0_(l_3);
+    vec3 _e8 = schlick(_e6, _e5);
+    dielectric = (l_3.specularWeight * _e8);
+    vec3 _e12 = schlick(s_13.baseColor, _e5);
+    metal = _e12;
+    const bool _e15 = hasIridescence;
+    if (_e15) {
+        if ((l_3.film > 0.0)) {
+            isMetal = (s_13.metallic >= 1.0);
+            while(true) {
+                bool _e26 = isMetal;
+                vec3 _e30 = filmReflectance(pick(_e26, s_13.baseColor, (l_3.specularWeight * _e6)), l_3.filmIor, l_3.filmThickness, _e5);
+                bool _e31 = isMetal;
+                if (_e31) {
+                    vec3 _e32 = metal;
+                    metal = mix(_e32, _e30, l_3.film);
+                } else {
+                    vec3 _e35 = dielectric;
+                    dielectric = mix(_e35, _e30, l_3.film);
+                }
+                bool _e38 = isMetal;
+                if (pick(_e38, true, (s_13.metallic <= 0.0))) {
+                    break;
+                }
+                isMetal = true;
+            }
+        }
+    }
+    vec3 _e44 = dielectric;
+    bool _e48 = reflectsAll(cosine_8, o_2.ratio);
+    dielectric = pick(_e48, vec3(1.0), _e44);
+    vec3 _e50 = dielectric;
+    vec3 _e51 = metal;
+    vec3 _e57 = dielectric;
+    float _e58 = greatest(_e57);
+    return vec4(mix(_e50, _e51, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e58)));
+}
+
+float mean3_(vec3 v_8) {
+    return dot(v_8, vec3(0.33333334));
+}
+
+Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
+    float sheen = 0.0;
+    vec3 more = vec3(1.0);
+    Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    float side_8 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_8));
+    bool isSolid = (l_2.solid > 0.0);
+    bool inside_4 = pick(isSolid, (side_8 < 0.0), false);
+    float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
+    float ratio_8 = pick(isSolid, pick(inside_4, (1.0 / _e22), _e22), 1.0);
+    bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
+    vec2 _e39 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
+    vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
+    float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
+    float _e48 = coatReflectance(l_2.coat, wo_8.z);
+    float coat_1 = pick(inside_4, 0.0, _e48);
+    float _e52 = greatest(l_2.sheenColor);
+    if ((_e52 > 0.0)) {
+        float _e59 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
+        sheen = pick(inside_4, 0.0, _e59);
+    }
+    vec3 _e63 = dielectricF0_(l_2);
+    vec3 f0_3 = (l_2.specularWeight * _e63);
+    const bool _e69 = hasCompensation;
+    if (_e69) {
+        float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
+        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
+        vec3 _e86 = more;
+        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, s_14.metallic) * ((1.0 - _e75) / _e75))), _e86);
+    }
+    vec3 _e98 = more;
+    float _e99 = sheen;
+    o_3 = Stack(l_2, wo_8, side_8, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    Stack _e106 = o_3;
+    vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
+    float _e111 = sheen;
+    float below_2 = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
+    float film_1 = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
+    float _e127 = mean3_(_e108.xyz);
+    float _e133 = mean3_(s_14.baseColor);
+    float facets = (below_2 * ((_e127 + film_1) + ((_e108.w * l_2.transmission) * _e133)));
+    float _e139 = sheen;
+    float _e142 = mean3_(l_2.sheenColor);
+    float fibres = (((1.0 - coat_1) * _e139) * _e142);
+    float _e148 = greatest(f0_3);
+    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e148)) * (1.0 - l_2.transmission));
+    float _e161 = mean3_(s_14.baseColor);
+    float diffuse = ((body * (1.0 - l_2.beyond)) * _e161);
+    float _e166 = mean3_(l_2.beyondColor);
+    float beyond = ((body * l_2.beyond) * _e166);
+    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    o_3.ofCoat = (coat_1 / all_);
+    o_3.ofFacets = (facets / all_);
+    o_3.ofSheen = (fibres / all_);
+    o_3.ofDiffuse = (diffuse / all_);
+    Stack _e182 = o_3;
+    return _e182;
 }
 
 vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
     return mix(vec3(0.04), baseColor, metallic);
 }
 
-vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_2) {
-    vec3 _e7 = schlick(vec3(0.04), cosine_2);
+vec3 metallicRoughnessDiffuse(vec3 baseColor_1, float metallic_1, float cosine_9) {
+    vec3 _e7 = schlick(vec3(0.04), cosine_9);
     return (((1.0 - metallic_1) * (1.0 - _e7.x)) * baseColor_1);
 }
 
-float specularShare(vec3 baseColor_2, float metallic_2, float cosine_3) {
+float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
     vec3 _e3 = metallicRoughnessF0_(baseColor_2, metallic_2);
-    vec3 _e4 = schlick(_e3, cosine_3);
+    vec3 _e4 = schlick(_e3, cosine_10);
     float specular = dot(_e4, vec3(1.0));
     vec3 _e9 = metallicRoughnessDiffuse(baseColor_2, metallic_2, 1.0);
-    float diffuse = dot(_e9, vec3(1.0));
-    return (specular / max((specular + diffuse), 1e-20));
+    float diffuse_1 = dot(_e9, vec3(1.0));
+    return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-bool isMetallicRoughness(uint code_7) {
-    const bool _e2 = hasMetallicRoughness;
-    uint _e3 = kindOf(code_7);
-    return pick(_e2, (_e3 == metallicRoughness), false);
+float indexRatio(float eta_3, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
 }
 
-float indexRatio(float eta, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta), eta);
+float reflectionBound(vec3 wo, float alpha_2) {
+    float s_28 = (1.0 + length(wo.xy));
+    float s2_ = (s_28 * s_28);
+    float a2_1 = (alpha_2 * alpha_2);
+    return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float reflectionBound(vec3 wo, float alpha) {
-    float s_22 = (1.0 + length(wo.xy));
-    float s2_ = (s_22 * s_22);
-    float a2_ = (alpha * alpha);
-    return (((1.0 - a2_) * s2_) / (s2_ + ((a2_ * wo.z) * wo.z)));
+float stretched(vec3 w_1, float alpha_3) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
 }
 
-float stretched(vec3 w_1, float alpha_1) {
-    return sqrt(((w_1.z * w_1.z) + ((alpha_1 * alpha_1) * dot(w_1.xy, w_1.xy))));
-}
-
-Outgoing outgoing(Surface s_12, vec3 wo_1) {
-    Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_8 = uint(s_12.code);
-    bool _e4 = isConductor(code_8);
-    bool _e5 = isDielectric(code_8);
-    o_2 = Outgoing(wo_1, pick(pick(_e4, true, _e5), 1.0, 0.0), 1.0, 1.0, 1.0);
-    const bool _e16 = hasMetallicRoughness;
-    if (_e16) {
-        float _e19 = o_2.share;
-        float _e23 = specularShare(s_12.baseColor, s_12.metallic, wo_1.z);
-        bool _e24 = isMetallicRoughness(code_8);
-        o_2.share = pick(_e24, _e23, _e19);
+Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
+    Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+    uint code_11 = uint(s_15.code);
+    bool _e5 = isConductor(code_11);
+    bool _e6 = isDielectric(code_11);
+    o_4 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    const bool _e17 = hasLayers;
+    if (_e17) {
+        bool _e22 = isLayered(uint(s_15.code), s_15.eta.x);
+        if (_e22) {
+            Layers _e25 = layersHere;
+            Stack _e26 = stackOf(s_15, _e25, wo_1, hero_2);
+            stackHere = _e26;
+        }
     }
-    const bool _e27 = hasGlass;
-    if (_e27) {
-        bool _e32 = isThin(code_8);
-        float _e33 = indexRatio(s_12.eta.x, wo_1.z, _e32);
-        bool _e34 = isDielectric(code_8);
-        o_2.ratio = pick(_e34, _e33, 1.0);
+    const bool _e28 = hasMetallicRoughness;
+    if (_e28) {
+        float _e31 = o_4.share;
+        float _e35 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
+        bool _e36 = isMetallicRoughness(code_11);
+        o_4.share = pick(_e36, _e35, _e31);
     }
-    const bool _e38 = hasConductors;
-    const bool _e40 = hasMetallicRoughness;
-    const bool _e43 = hasGlass;
-    if (pick(pick(_e38, true, _e40), true, _e43)) {
-        float _e47 = reflectionBound(wo_1, s_12.alpha);
-        bool _e48 = isDielectric(code_8);
-        o_2.bound = pick(_e48, 1.0, _e47);
-        float _e53 = stretched(wo_1, s_12.alpha);
-        o_2.stretched = _e53;
+    const bool _e39 = hasGlass;
+    if (_e39) {
+        bool _e44 = isThin(code_11);
+        float _e45 = indexRatio(s_15.eta.x, wo_1.z, _e44);
+        bool _e46 = isDielectric(code_11);
+        o_4.ratio = pick(_e46, _e45, 1.0);
     }
-    Outgoing _e54 = o_2;
-    return _e54;
-}
-
-bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
-    return ((dot(geometric_1, a_2) > 0.0) != (dot(geometric_1, b_4) > 0.0));
-}
-
-float facetDensity(vec3 h_2, float alpha_2) {
-    float slope = max(((dot(h_2.xy, h_2.xy) / (alpha_2 * alpha_2)) + (h_2.z * h_2.z)), 1.0);
-    return (0.31830987 / (((alpha_2 * alpha_2) * slope) * slope));
-}
-
-vec3 conductorFresnel(float cosine_4, vec3 eta_1, vec3 k_1) {
-    float cosine2_ = (cosine_4 * cosine_4);
-    float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta_1 * eta_1) - (k_1 * k_1)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_1) * eta_1) * k_1) * k_1)));
-    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_1 * k_1) / larger_1);
-    vec3 a_8 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
-    vec3 b_11 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_11 * b_11) + vec3(1e-20));
-    vec3 acrossFar = (a_8 + vec3(cosine_4));
-    vec3 acrossNear = (a_8 - vec3(cosine_4));
-    vec3 across_7 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_8 * cosine_4) + vec3(sine2_1));
-    vec3 alongNear = ((a_8 * cosine_4) - vec3(sine2_1));
-    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
-    return ((0.5 * across_7) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
-}
-
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_2, vec3 k_2, float cosine_5) {
-    float constants = dot((eta_2 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_5, eta_2, k_2);
-    return pick((constants > 0.0), _e8, baseColor_3);
-}
-
-float dielectricFresnel(float cosine_6, float ratio) {
-    float inside2_ = (((ratio - 1.0) * (ratio + 1.0)) + (cosine_6 * cosine_6));
-    float inside_4 = sqrt(max(inside2_, 0.0));
-    float across_8 = ((cosine_6 - inside_4) / (cosine_6 + inside_4));
-    float along_3 = ((((ratio * ratio) * cosine_6) - inside_4) / (((ratio * ratio) * cosine_6) + inside_4));
-    return pick((inside2_ > 0.0), (0.5 * ((across_8 * across_8) + (along_3 * along_3))), 1.0);
-}
-
-float glassReflectance(float cosine_7, float ratio_1, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_7, ratio_1);
-    return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
-}
-
-vec3 facetReflectance(Surface s_13, float cosine_8, float ratio_2) {
-    vec3 reflectance = vec3(0.0);
-    uint code_9 = uint(s_13.code);
-    const bool _e9 = hasMetallicRoughness;
-    if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_13.baseColor, s_13.metallic);
-        vec3 _e13 = schlick(_e12, cosine_8);
-        reflectance = _e13;
+    const bool _e50 = hasConductors;
+    const bool _e52 = hasMetallicRoughness;
+    const bool _e55 = hasGlass;
+    if (pick(pick(_e50, true, _e52), true, _e55)) {
+        float _e59 = reflectionBound(wo_1, s_15.alpha);
+        bool _e60 = isDielectric(code_11);
+        o_4.bound = pick(_e60, 1.0, _e59);
+        float _e65 = stretched(wo_1, s_15.alpha);
+        o_4.stretched = _e65;
     }
-    const bool _e15 = hasConductors;
-    if (_e15) {
-        vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_13.baseColor, s_13.eta, s_13.k, cosine_8);
-        bool _e21 = isConductor(code_9);
-        reflectance = pick(_e21, _e20, _e16);
-    }
-    const bool _e24 = hasGlass;
-    if (_e24) {
-        vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_9);
-        float _e27 = glassReflectance(cosine_8, ratio_2, _e26);
-        bool _e29 = isDielectric(code_9);
-        reflectance = pick(_e29, vec3(_e27), _e25);
-    }
-    vec3 _e31 = reflectance;
-    return _e31;
-}
-
-float singleScatteringAlbedo(float cosine_9, float alpha_3) {
-    float x_24 = (cosine_9 / (cosine_9 + alpha_3));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_24 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_24 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_24 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_24 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
-    float a2_1 = (alpha_3 * alpha_3);
-    return min(dot(byAlpha, vec4(1.0, alpha_3, a2_1, (a2_1 * alpha_3))), 1.0);
-}
-
-vec3 compensation(Surface s_14, float cosine_10) {
-    uint code_10 = uint(s_14.code);
-    bool _e8 = isDielectric(code_10);
-    bool asked = pick(((code_10 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_10, s_14.alpha);
-    vec3 _e17 = facetReflectance(s_14, 1.0, 1.0);
-    return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
-}
-
-FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi) {
-    vec3 passes = vec3(0.0);
-    vec3 wo_5 = o_3.wo;
-    bool _e6 = isDielectric(uint(s_15.code));
-    const bool _e8 = hasGlass;
-    bool crossing = pick(_e8, ((wo_5.z < 0.0) != (wi.z < 0.0)), false);
-    vec3 m_1 = (wo_5 + (wi * pick(crossing, o_3.ratio, 1.0)));
-    float m2_1 = max(dot(m_1, m_1), 1e-20);
-    vec3 h_6 = (m_1 * inversesqrt(m2_1));
-    float oh = dot(wo_5, h_6);
-    float ih = dot(wi, h_6);
-    float zo = abs(wo_5.z);
-    float zi = abs(wi.z);
-    bool faces_1 = pick((((oh * h_6.z) * wo_5.z) >= 0.0), (((ih * h_6.z) * wi.z) >= 0.0), false);
-    float _e52 = facetDensity(h_6, s_15.alpha);
-    float spread = (pick(crossing, (abs((oh * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_15, abs(oh), o_3.ratio);
-    passes = pick(crossing, (vec3(1.0) - _e60), _e60);
-    float _e69 = stretched(wi, s_15.alpha);
-    float masked = (zi / max(((zi * o_3.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing, (o_3.ratio * o_3.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_15, zo);
-        passes = (_e87 * _e88);
-    }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh));
+    Outgoing _e66 = o_4;
+    return _e66;
 }
 
 float mirrorShare(float reflectivity) {
@@ -2866,278 +3195,681 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_1) {
+vec3 sampleCosine(vec2 u_23) {
+    float radius_2 = sqrt(u_23.x);
+    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
+}
+
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
+    float _e8 = stretched(wo_2, alpha_4);
+    vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
+    float drop = (u_24.y * (1.0 + (bound * w_5.z)));
+    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+}
+
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_25) {
+    float side_9 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_5, 0.001), o_5.bound, u_25);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
+}
+
+vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
+    float cosine2_ = (cosine_11 * cosine_11);
+    float sine2_3 = (1.0 - cosine2_);
+    vec3 difference_2 = (((eta_4 * eta_4) - (k_1 * k_1)) - vec3(sine2_3));
+    vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
+    vec3 smaller = ((eta_4 * k_1) / larger_1);
+    vec3 a_8 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
+    vec3 b_11 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
+    vec3 b2_ = ((b_11 * b_11) + vec3(1e-20));
+    vec3 acrossFar = (a_8 + vec3(cosine_11));
+    vec3 acrossNear = (a_8 - vec3(cosine_11));
+    vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
+    vec3 alongFar = ((a_8 * cosine_11) + vec3(sine2_3));
+    vec3 alongNear = ((a_8 * cosine_11) - vec3(sine2_3));
+    vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
+    return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
+}
+
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_12) {
+    float constants = dot((eta_5 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_12, eta_5, k_2);
+    return pick((constants > 0.0), _e8, baseColor_3);
+}
+
+float dielectricFresnel(float cosine_13, float ratio_2) {
+    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
+    float inside_5 = sqrt(max(inside2_, 0.0));
+    float across_9 = ((cosine_13 - inside_5) / (cosine_13 + inside_5));
+    float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_5) / (((ratio_2 * ratio_2) * cosine_13) + inside_5));
+    return pick((inside2_ > 0.0), (0.5 * ((across_9 * across_9) + (along_4 * along_4))), 1.0);
+}
+
+float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_14, ratio_3);
+    return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
+}
+
+vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
+    vec3 reflectance = vec3(0.0);
+    uint code_12 = uint(s_16.code);
+    const bool _e9 = hasMetallicRoughness;
+    if (_e9) {
+        vec3 _e12 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
+        vec3 _e13 = schlick(_e12, cosine_15);
+        reflectance = _e13;
+    }
+    const bool _e15 = hasConductors;
+    if (_e15) {
+        vec3 _e16 = reflectance;
+        vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
+        bool _e21 = isConductor(code_12);
+        reflectance = pick(_e21, _e20, _e16);
+    }
+    const bool _e24 = hasGlass;
+    if (_e24) {
+        vec3 _e25 = reflectance;
+        bool _e26 = isThin(code_12);
+        float _e27 = glassReflectance(cosine_15, ratio_4, _e26);
+        bool _e29 = isDielectric(code_12);
+        reflectance = pick(_e29, vec3(_e27), _e25);
+    }
+    vec3 _e31 = reflectance;
+    return _e31;
+}
+
+vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
+    float cosine_21 = dot(wo_3, h_2);
+    float inside_6 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_21 * cosine_21)), 0.0));
+    return ((((cosine_21 - inside_6) * h_2) - wo_3) / vec3(ratio_5));
+}
+
+float ellipticBound(vec3 wo_4, vec2 alpha_6) {
+    float s_29 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_29 * s_29);
+    float least_2 = min(alpha_6.x, alpha_6.y);
+    float a2_2 = (least_2 * least_2);
+    return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
+}
+
+float ellipticStretched(vec3 w_2, vec2 alpha_7) {
+    vec2 scaled = (alpha_7 * w_2.xy);
+    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
+}
+
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
+    float _e8 = ellipticStretched(wo_5, alpha_8);
+    vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
+    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_6.z)));
+    float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
+    vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
+}
+
+Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
+    vec3 toward = (reflectance_1.xyz * pick(o_6.inside, o_6.hero, vec3(1.0)));
+    vec3 beyond_1 = (((reflectance_1.w * o_6.layers.transmission) * s_17.baseColor) * o_6.hero);
+    float _e18 = mean3_(toward);
+    float _e19 = mean3_(beyond_1);
+    return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
+}
+
+float throughCover(Stack o_7, float zi, bool crossing) {
+    float sheen_1 = 0.0;
+    Layers l_4 = o_7.layers;
+    bool isSolid_1 = (l_4.solid > 0.0);
+    bool entersHere = pick(o_7.inside, crossing, false);
+    float _e11 = coatReflectance(l_4.coat, zi);
+    float coat_2 = pick(entersHere, _e11, o_7.coat);
+    sheen_1 = o_7.sheen;
+    if ((o_7.sheenColor > 0.0)) {
+        bool isOutside = pick(!(isSolid_1), true, (o_7.inside == crossing));
+        float _e22 = sheen_1;
+        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
+        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
+    }
+    float _e31 = sheen_1;
+    return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e31, 1.0))));
+}
+
+LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
+    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
+    vec3 wo_9 = o_8.wo;
+    bool isSolid_2 = (o_8.layers.solid > 0.0);
+    bool isCoat_1 = (u_27.z < o_8.ofCoat);
+    bool isFacet = (u_27.z < (o_8.ofCoat + o_8.ofFacets));
+    vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
+    bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
+    vec2 wide_1 = max(alpha_15, vec2(0.001));
+    float _e28 = ellipticBound(wo_9, wide_1);
+    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
+    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_27.xy);
+    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
+    float oh = max(dot(wo_9, h_9), 0.0);
+    vec4 _e43 = baseReflectance(s_18, o_8, oh);
+    Parting _e44 = partingOf(s_18, o_8, _e43);
+    float left_2 = ((u_27.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
+    vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
+    vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
+    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected_1.xy, -(reflected_1.z)));
+    vec3 met_1 = pick(crossing_1, beyond_2, reflected_1);
+    bool lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
+    float _e76 = throughCover(o_8, abs(met_1.z), crossing_1);
+    vec3 weight_2 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
+    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    float _e122 = drawn.pdf;
+    drawn.pdf = pick(lost, 0.0, _e122);
+    if (!(isFacet)) {
+        float next = ((u_27.z - o_8.ofCoat) - o_8.ofFacets);
+        float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
+        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
+        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
+        vec3 _e153 = sampleCosine(u_27.xy);
+        vec3 below_3 = vec3(_e153.xy, pick((next >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
+        drawn = LayeredSample(pick((next < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
+    }
+    float _e174 = drawn.direction.z;
+    drawn.direction.z = (_e174 * o_8.side);
+    LayeredSample _e177 = drawn;
+    return _e177;
+}
+
+vec3 mirrored(vec3 wo_6) {
+    return vec3(-(wo_6.xy), wo_6.z);
+}
+
+BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
+    BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
+    vec3 wi = vec3(0.0);
+    float probability_1 = 0.0;
+    vec3 weight = vec3(0.0);
+    vec3 wo_10 = o_9.wo;
+    float _e5 = mirrorShare(s_19.reflectivity);
+    float base_2 = (1.0 - _e5);
+    float choice_2 = ((u_28.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_28.xy);
+    drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
+    const bool _e20 = hasConductors;
+    const bool _e22 = hasMetallicRoughness;
+    const bool _e25 = hasGlass;
+    if (pick(pick(_e20, true, _e22), true, _e25)) {
+        uint code_13 = uint(s_19.code);
+        bool _e29 = isDielectric(code_13);
+        bool _e30 = isSmooth(code_13);
+        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
+        float oh_1 = max(dot(wo_10, _e33), 0.0);
+        vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
+        bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
+        wi = (((2.0 * oh_1) * _e33) - wo_10);
+        probability_1 = (base_2 * o_9.share);
+        weight = (_e38 / vec3(o_9.share));
+        const bool _e55 = hasGlass;
+        if (_e55) {
+            bool _e56 = isThin(code_13);
+            vec3 _e57 = wi;
+            vec3 _e59 = refracted(wo_10, _e33, o_9.ratio);
+            wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
+            float _e63 = probability_1;
+            probability_1 = pick(_e29, (base_2 * pick(crossing_2, (1.0 - _e38.x), _e38.x)), _e63);
+            vec3 _e71 = weight;
+            weight = pick(_e29, vec3(pick(pick(crossing_2, !(_e56), false), (1.0 / (o_9.ratio * o_9.ratio)), 1.0)), _e71);
+        }
+        float _e88 = wi.z;
+        bool lost_1 = pick(!(_e30), (crossing_2 != ((wo_10.z < 0.0) != (_e88 < 0.0))), false);
+        bool specular_1 = (choice_2 < o_9.share);
+        vec3 _e98 = drawn_1.direction;
+        vec3 _e99 = wi;
+        drawn_1.direction = pick(specular_1, _e99, _e98);
+        float _e103 = drawn_1.pdf;
+        float _e104 = probability_1;
+        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e104), _e103);
+        vec3 _e110 = drawn_1.weight;
+        vec3 _e111 = weight;
+        drawn_1.weight = pick(specular_1, _e111, _e110);
+        drawn_1.delta = pick(specular_1, _e30, false);
+    }
+    const bool _e116 = hasLayers;
+    if (_e116) {
+        bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
+        if (_e121) {
+            Stack _e123 = stackHere;
+            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_28.xy, choice_2));
+            drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), _e126.weight, _e126.delta);
+        }
+    }
+    const bool _e134 = hasMirrorLayers;
+    if (_e134) {
+        bool reflected_2 = (u_28.z < _e5);
+        vec3 _e139 = drawn_1.direction;
+        vec3 _e140 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_2, _e140, _e139);
+        float _e144 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_2, _e5, _e144);
+        vec3 _e148 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_2, vec3(1.0), _e148);
+        bool _e154 = drawn_1.delta;
+        drawn_1.delta = pick(_e154, true, reflected_2);
+    }
+    BsdfSample _e156 = drawn_1;
+    return _e156;
+}
+
+float facetDensity(vec3 h_3, float alpha_9) {
+    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
+    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
+}
+
+vec3 compensation(Surface s_20, float cosine_16) {
+    uint code_14 = uint(s_20.code);
+    bool _e8 = isDielectric(code_14);
+    bool asked_1 = pick(((code_14 & 8u) != 0u), !(_e8), false);
+    float _e12 = singleScatteringAlbedo(cosine_16, s_20.alpha);
+    vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
+    return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
+}
+
+FacetLobe evaluateFacets(Surface s_21, Outgoing o_10, vec3 wi_1) {
+    vec3 passes = vec3(0.0);
+    vec3 wo_11 = o_10.wo;
+    bool _e6 = isDielectric(uint(s_21.code));
+    const bool _e8 = hasGlass;
+    bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
+    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_10.ratio, 1.0)));
+    float m2_1 = max(dot(m_1, m_1), 1e-20);
+    vec3 h_10 = (m_1 * inversesqrt(m2_1));
+    float oh_2 = dot(wo_11, h_10);
+    float ih = dot(wi_1, h_10);
+    float zo = abs(wo_11.z);
+    float zi_1 = abs(wi_1.z);
+    bool faces_1 = pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false);
+    float _e52 = facetDensity(h_10, s_21.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
+    vec3 _e60 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
+    passes = pick(crossing_3, (vec3(1.0) - _e60), _e60);
+    float _e69 = stretched(wi_1, s_21.alpha);
+    float masked = (zi_1 / max(((zi_1 * o_10.stretched) + (zo * _e69)), 1e-20));
+    float _e76 = passes.x;
+    float chosen_3 = (pick(_e6, _e76, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
+    const bool _e86 = hasCompensation;
+    if (_e86) {
+        vec3 _e87 = passes;
+        vec3 _e88 = compensation(s_21, zo);
+        passes = (_e87 * _e88);
+    }
+    vec3 _e90 = passes;
+    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
+}
+
+vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
-    float lambert = (0.31830987 * max(wi_1.z, 0.0));
-    value = (vec4(s_16.baseColor, 1.0) * lambert);
-    dark = pick((o_4.wo.z < 0.0), true, (wi_1.z <= 0.0));
+    float lambert = (0.31830987 * max(wi_2.z, 0.0));
+    value = (vec4(s_22.baseColor, 1.0) * lambert);
+    dark = pick((o_11.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_11 = uint(s_16.code);
-        FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_1);
+        uint code_15 = uint(s_22.code);
+        FacetLobe _e32 = evaluateFacets(s_22, o_11, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_11);
+            vec3 _e42 = metallicRoughnessDiffuse(s_22.baseColor, s_22.metallic, _e32.cosine);
+            bool _e43 = isMetallicRoughness(code_15);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_11);
-        vec4 rough_1 = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
+        bool _e52 = isSmooth(code_15);
+        vec4 rough_1 = pick(_e52, vec4(0.0), vec4(_e32.value, (o_11.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_11);
-        value = pick((_e62 == diffuse0_), _e61, (rough_1 + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
+        uint _e62 = kindOf(code_15);
+        value = pick((_e62 == diffuse0_), _e61, (rough_1 + (vec4(_e54, (1.0 - o_11.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_11);
-        bool _e68 = isDielectric(code_11);
+        bool _e67 = isSmooth(code_15);
+        bool _e68 = isDielectric(code_15);
         dark = pick(_e68, _e67, _e66);
     }
-    float _e71 = mirrorShare(s_16.reflectivity);
+    float _e71 = mirrorShare(s_22.reflectivity);
     vec4 _e74 = value;
     bool _e78 = dark;
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-vec3 sampleCosine(vec2 u_22) {
-    float radius_2 = sqrt(u_22.x);
-    float phi_2 = ((6.2831855 * u_22.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_22.x))));
+float ellipticDensity(vec3 h_4, vec2 alpha_10) {
+    vec2 scaled_1 = (h_4.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
+    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_23) {
-    float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_4 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
-    float drop = (u_23.y * (1.0 + (bound * w_4.z)));
-    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_7 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+float shadowingExponent(float x_16, float alpha_11) {
+    float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+    float a_9 = mix(21.5473, 25.3245, m_2);
+    float b_12 = mix(3.82987, 3.32435, m_2);
+    float c_5 = mix(0.19823, 0.16801, m_2);
+    float d_5 = mix(-1.9776, -1.27393, m_2);
+    float e_26 = mix(-4.32054, -4.85967, m_2);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_26);
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_24) {
-    float side_7 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_7), max(alpha_5, 0.001), o_5.bound, u_24);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_7);
+float sheenShadowing(float cosine_17, float alpha_12) {
+    float x_28 = clamp(cosine_17, 1e-6, 1.0);
+    bool isLow = (x_28 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_12);
+    float _e14 = shadowingExponent(0.5, alpha_12);
+    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
 
-vec3 refracted(vec3 wo_3, vec3 h_3, float ratio_3) {
-    float cosine_14 = dot(wo_3, h_3);
-    float inside_5 = sqrt(max((((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_14 * cosine_14)), 0.0));
-    return ((((cosine_14 - inside_5) * h_3) - wo_3) / vec3(ratio_3));
+float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
+    vec3 m_3 = (wo_7 + wi_3);
+    float m2_2 = max(dot(m_3, m_3), 1e-20);
+    float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
+    float power_1 = (0.5 / alpha_13);
+    float density_2 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
+    float zo_1 = max(wo_7.z, 1e-6);
+    float _e38 = sheenShadowing(wo_7.z, alpha_13);
+    float _e42 = sheenShadowing(wi_3.z, alpha_13);
+    return (density_2 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
-vec3 mirrored(vec3 wo_4) {
-    return vec3(-(wo_4.xy), wo_4.z);
+float sheenAlpha(float roughness_1) {
+    float r_4 = max(roughness_1, 0.07);
+    return (r_4 * r_4);
 }
 
-BsdfSample sampleLobe(Surface s_17, Outgoing o_6, vec3 u_25) {
-    BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
-    vec3 wi_2 = vec3(0.0);
-    float probability_1 = 0.0;
-    vec3 weight = vec3(0.0);
-    vec3 wo_6 = o_6.wo;
-    float _e5 = mirrorShare(s_17.reflectivity);
-    float base_2 = (1.0 - _e5);
-    float choice_2 = ((u_25.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_25.xy);
-    drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
-    const bool _e20 = hasConductors;
-    const bool _e22 = hasMetallicRoughness;
-    const bool _e25 = hasGlass;
-    if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_12 = uint(s_17.code);
-        bool _e29 = isDielectric(code_12);
-        bool _e30 = isSmooth(code_12);
-        vec3 _e33 = sampleFacet(s_17.alpha, _e30, o_6, u_25.xy);
-        float oh_1 = max(dot(wo_6, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_17, oh_1, o_6.ratio);
-        bool crossing_1 = pick(_e29, (choice_2 >= _e38.x), false);
-        wi_2 = (((2.0 * oh_1) * _e33) - wo_6);
-        probability_1 = (base_2 * o_6.share);
-        weight = (_e38 / vec3(o_6.share));
-        const bool _e55 = hasGlass;
-        if (_e55) {
-            bool _e56 = isThin(code_12);
-            vec3 _e57 = wi_2;
-            vec3 _e59 = refracted(wo_6, _e33, o_6.ratio);
-            wi_2 = pick(crossing_1, pick(_e56, -(wo_6), _e59), _e57);
-            float _e63 = probability_1;
-            probability_1 = pick(_e29, (base_2 * pick(crossing_1, (1.0 - _e38.x), _e38.x)), _e63);
-            vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing_1, !(_e56), false), (1.0 / (o_6.ratio * o_6.ratio)), 1.0)), _e71);
+float ofBeyond(Stack o_12) {
+    return max(((((1.0 - o_12.ofCoat) - o_12.ofFacets) - o_12.ofSheen) - o_12.ofDiffuse), 0.0);
+}
+
+vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
+    vec4 sum_1 = vec4(0.0);
+    float intoBody = 0.0;
+    bool isCoat = false;
+    vec3 lobe = vec3(0.0);
+    float chosen_1 = 0.0;
+    Layers l_5 = o_13.layers;
+    vec3 wo_12 = o_13.wo;
+    vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_13.side));
+    bool crossing_4 = (wi_4.z < 0.0);
+    vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
+    float zi_2 = facing.z;
+    float _e18 = throughCover(o_13, zi_2, crossing_4);
+    isCoat = pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0));
+    while(true) {
+        bool _e32 = isCoat;
+        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
+        bool _e42 = isCoat;
+        vec2 alpha_16 = pick(_e42, vec2(o_13.coatAlpha), o_13.alpha);
+        bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
+        vec2 wide_2 = max(alpha_16, vec2(0.001));
+        vec3 met_2 = pick(bends, wi_4, facing);
+        vec3 m_4 = (wo_12 + (met_2 * pick(bends, o_13.ratio, 1.0)));
+        float m2_3 = max(dot(m_4, m_4), 1e-20);
+        vec3 h_11 = (m_4 * inversesqrt(m2_3));
+        float oh_3 = dot(wo_12, h_11);
+        float ih_1 = dot(met_2, h_11);
+        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_2.z) >= 0.0), false);
+        float _e81 = ellipticDensity(h_11, wide_2);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e81), 0.0));
+        float _e89 = ellipticStretched(wo_12, wide_2);
+        float _e92 = ellipticStretched(facing, wide_2);
+        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
+        float _e98 = ellipticBound(wo_12, wide_2);
+        bool _e102 = isCoat;
+        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
+        float density_3 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
+        bool _e115 = isCoat;
+        vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e120 = partingOf(s_23, o_13, _e119);
+        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_13.more)));
+        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
+        bool _e142 = isCoat;
+        if (_e142) {
+            intoBody = _e119.w;
+            lobe = vec3(pick(crossing_4, 0.0, o_13.coat));
+            chosen_1 = pick(crossing_4, 0.0, o_13.ofCoat);
         }
-        float _e88 = wi_2.z;
-        bool lost = pick(!(_e30), (crossing_1 != ((wo_6.z < 0.0) != (_e88 < 0.0))), false);
-        bool specular_1 = (choice_2 < o_6.share);
-        vec3 _e98 = drawn.direction;
-        vec3 _e99 = wi_2;
-        drawn.direction = pick(specular_1, _e99, _e98);
-        float _e103 = drawn.pdf;
-        float _e104 = probability_1;
-        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e104), _e103);
-        vec3 _e110 = drawn.weight;
-        vec3 _e111 = weight;
-        drawn.weight = pick(specular_1, _e111, _e110);
-        drawn.delta = pick(specular_1, _e30, false);
+        vec4 _e151 = sum_1;
+        vec3 _e152 = lobe;
+        float _e155 = chosen_1;
+        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_3)));
+        bool _e159 = isCoat;
+        if (!(_e159)) {
+            break;
+        }
+        isCoat = false;
     }
-    const bool _e116 = hasMirrorLayers;
-    if (_e116) {
-        bool reflected_1 = (u_25.z < _e5);
-        vec3 _e121 = drawn.direction;
-        vec3 _e122 = mirrored(wo_6);
-        drawn.direction = pick(reflected_1, _e122, _e121);
-        float _e126 = drawn.pdf;
-        drawn.pdf = pick(reflected_1, _e5, _e126);
-        vec3 _e130 = drawn.weight;
-        drawn.weight = pick(reflected_1, vec3(1.0), _e130);
-        bool _e136 = drawn.delta;
-        drawn.delta = pick(_e136, true, reflected_1);
+    if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
+        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+        float most_2 = max(max(o_13.sheen, _e172), 1.0);
+        float _e180 = sheenAlpha(l_5.sheenRoughness);
+        float _e181 = whiteSheen(wo_12, wi_4, _e180);
+        float fibres_1 = (((1.0 - o_13.coat) * _e181) / most_2);
+        vec4 _e184 = sum_1;
+        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
     }
-    BsdfSample _e138 = drawn;
-    return _e138;
+    vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_23.baseColor));
+    float _e201 = intoBody;
+    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e208 = sum_1;
+    float _e210 = ofBeyond(o_13);
+    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
 }
 
-BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
-    float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_2), drawn_1.delta);
+Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
+    Pair pair = Pair(vec4(0.0), vec4(0.0));
+    bool isLight = false;
+    vec4 _e4 = evaluateBsdf(s_24, o_14, toLight_2);
+    vec4 _e5 = evaluateBsdf(s_24, o_14, toSample);
+    pair = Pair(_e4, _e5);
+    const bool _e9 = hasLayers;
+    if (_e9) {
+        bool _e14 = isLayered(uint(s_24.code), s_24.eta.x);
+        if (_e14) {
+            uint _e17 = frame.emitterCount;
+            isLight = (_e17 > 0u);
+            while(true) {
+                float _e22 = mirrorShare(s_24.reflectivity);
+                Stack _e26 = stackHere;
+                bool _e27 = isLight;
+                vec4 _e29 = evaluateLayered(s_24, _e26, pick(_e27, toLight_2, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e29);
+                bool _e31 = isLight;
+                if (_e31) {
+                    pair.toLight = value_2;
+                } else {
+                    pair.toSample = value_2;
+                }
+                bool _e34 = isLight;
+                if (!(_e34)) {
+                    break;
+                }
+                isLight = false;
+            }
+        }
+    }
+    Pair _e37 = pair;
+    return _e37;
 }
 
-vec3 toWorld(Basis b_5, vec3 v_7) {
-    return (((v_7.x * b_5.tangent) + (v_7.y * b_5.bitangent)) + (v_7.z * b_5.normal));
+bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
+    return ((dot(geometric_1, a_2) > 0.0) != (dot(geometric_1, b_4) > 0.0));
 }
 
-float max3_(vec3 v_8) {
-    return max(max(v_8.x, v_8.y), v_8.z);
+BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
+    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_3 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
-float nextHash(inout Sampler s_18) {
-    uint _e3 = s_18.key;
-    s_18.key = (_e3 + 1u);
-    uint _e7 = s_18.key;
-    uint _e9 = s_18.salt;
-    uint _e11 = mixBits((_e7 ^ _e9));
-    uint _e13 = s_18.sample_;
-    uint _e17 = s_18.place;
-    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
-    float _e21 = unitFloat(_e20);
-    return _e21;
+vec3 toWorld(Basis b_5, vec3 v_9) {
+    return (((v_9.x * b_5.tangent) + (v_9.y * b_5.bitangent)) + (v_9.z * b_5.normal));
 }
 
-bool isFlat(uint i_23) {
+float max3_(vec3 v_10) {
+    return max(max(v_10.x, v_10.y), v_10.z);
+}
+
+bool isFlat(uint i_24) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_23 >= _e4);
+    return (i_24 >= _e4);
 }
 
-void meetSurface(inout Path p_13, PairHit hit_2) {
-    RayPair rays_2 = p_13.rays;
+void meetSurface(inout Path p_12, PairHit hit_2) {
+    Surface surface_1 = Surface(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
+    Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 hero_3 = vec3(1.0);
+    RayPair rays_2 = p_12.rays;
     bool escaped_1 = (hit_2.shape == noShape);
     uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
-    Surface surface = _e10.surface;
-    bool _e14 = isDielectric(uint(surface.code));
+    surface_1 = _e10.surface;
+    float _e14 = surface_1.code;
+    float _e18 = surface_1.eta.x;
+    bool _e19 = letsThrough(uint(_e14), _e18);
     vec3 point_19 = (rays_2.point + (hit_2.t * rays_2.direction));
     vec3 outward_1 = _e10.shading;
-    Basis _e29 = basisAbout(pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e14), false), -(outward_1), outward_1));
-    vec3 _e32 = toLocal(_e29, -(rays_2.direction));
-    const bool _e34 = hasGlass;
-    if (_e34) {
-        bool _e37 = isThin(uint(surface.code));
-        bool inside_6 = pick(pick(pick(_e14, !(_e37), false), (_e32.z < 0.0), false), !(escaped_1), false);
-        vec3 _e47 = p_13.throughput;
-        p_13.throughput = (_e47 * exp((-(surface.absorption) * pick(inside_6, hit_2.t, 0.0))));
+    vec3 normal_15 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e34 = basisAbout(normal_15);
+    basis = _e34;
+    const bool _e37 = hasLayers;
+    if (_e37) {
+        vec3 _e39 = grainHere;
+        if (any(notEqual(_e39, vec3(0.0)))) {
+            vec3 _e45 = grainHere;
+            Basis _e46 = basisAlong(normal_15, _e45);
+            basis = _e46;
+        }
     }
-    Emitter _e57 = fetchEmitter(0u);
-    vec3 _e59 = p_13.radiance;
-    vec3 _e61 = p_13.throughput;
-    Path _e62 = p_13;
-    vec3 _e64 = foundLight(_e62, hit_2, surface, _e10.geometric, _e57);
-    p_13.radiance = (_e59 + (_e61 * _e64));
-    const bool _e68 = hasMeshes;
-    if (_e68) {
+    Basis _e47 = basis;
+    vec3 _e50 = toLocal(_e47, -(rays_2.direction));
+    const bool _e52 = hasGlass;
+    const bool _e54 = hasLayers;
+    if (pick(_e52, true, _e54)) {
+        float _e57 = surface_1.code;
+        bool _e59 = isThin(uint(_e57));
+        bool inside_7 = pick(pick(pick(_e19, !(_e59), false), (_e50.z < 0.0), false), !(escaped_1), false);
+        vec3 _e69 = p_12.throughput;
+        vec3 _e71 = surface_1.absorption;
+        p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
+    }
+    const bool _e80 = hasLayers;
+    if (_e80) {
+        vec3 _e82 = surface_1.emission;
+        float _e85 = layersHere.coat;
+        float _e88 = coatReflectance(_e85, abs(_e50.z));
+        surface_1.emission = (_e82 * (1.0 - _e88));
+    }
+    Emitter _e93 = fetchEmitter(0u);
+    vec3 _e95 = p_12.radiance;
+    vec3 _e97 = p_12.throughput;
+    Path _e98 = p_12;
+    Surface _e99 = surface_1;
+    vec3 _e101 = foundLight(_e98, hit_2, _e99, _e10.geometric, _e93);
+    p_12.radiance = (_e95 + (_e97 * _e101));
+    const bool _e105 = hasMeshes;
+    if (_e105) {
         if (escaped_1) {
-            p_13.alive = false;
+            p_12.alive = false;
             return;
         }
     }
-    vec3 litSide = pick(_e14, vec3(0.0), _e29.normal);
-    vec3 _e76 = next3d(p_13.sampler_);
-    vec3 _e78 = next3d(p_13.sampler_);
-    EmitterChoice _e80 = chooseEmitter(point_19, litSide, _e76.z);
-    Emitter _e82 = emitterAt(_e80.index, _e57);
-    LightSample _e84 = sampleEmitter(_e82, point_19, _e76.xy);
-    float lightPdf = (_e84.pdf * _e80.probability);
-    Outgoing _e88 = outgoing(surface, _e32);
-    const bool _e90 = hasMeshes;
-    bool opaque = pick(_e90, !(_e14), false);
-    bool _e97 = crosses(_e10.geometric, _e84.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e97, false);
-    vec3 _e100 = toLocal(_e29, _e84.direction);
-    vec4 _e101 = evaluateBsdf(surface, _e88, _e100);
-    vec4 toLight_7 = pick(lightLeaks, vec4(0.0), _e101);
-    bool alone_1 = pick(_e84.delta, true, pick((_e82.shape < 0.0), (_e84.distance_ < 1e30), false));
-    float _e115 = misWeight(lightPdf, toLight_7.w);
-    float lightWeight = (pick(alone_1, 1.0, _e115) / lightPdf);
-    BsdfSample _e119 = sampleLobe(surface, _e88, _e78);
-    vec4 _e121 = evaluateBsdf(surface, _e88, _e119.direction);
-    BsdfSample _e122 = completed(_e119, _e121);
-    vec3 _e124 = toWorld(_e29, _e122.direction);
-    bool _e128 = crosses(_e10.geometric, _e124, -(rays_2.direction));
-    bool leaks = pick(opaque, _e128, false);
-    uint _e132 = p_13.depth;
-    uint _e135 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e132 != _e135), false);
-    vec3 _e139 = p_13.throughput;
-    vec3 contribution = (((_e139 * toLight_7.xyz) * _e84.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_7.xyz * _e84.radiance), vec3(0.0))), false);
-    p_13.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e161 = p_13.throughput;
-    vec3 throughput = (_e161 * _e122.weight);
-    float _e164 = max3_(throughput);
-    uint _e170 = p_13.depth;
-    float survival = pick((_e170 < rouletteDepth), 1.0, min((_e164 / 0.33333334), 0.95));
-    float _e182 = max3_(throughput);
-    float _e187 = nextHash(p_13.sampler_);
-    p_13.alive = pick(pick(pick(pick(goesOn_1, (_e122.pdf > 0.0), false), !(leaks), false), (_e182 > 0.0), false), (_e187 < survival), false);
-    p_13.throughput = (throughput / vec3(survival));
-    uint _e195 = p_13.depth;
-    p_13.depth = (_e195 + 1u);
-    p_13.pdf = pick(_e122.delta, 0.0, _e122.pdf);
-    p_13.litSide = litSide;
-    p_13.odds = _e80.odds;
-    bool _e205 = isFlat(shape_1);
-    bool solid = !(_e205);
-    uint lightShape = pick((_e82.shape >= 0.0), uint(max(_e82.shape, 0.0)), noShape);
-    bool _e222 = p_13.alive;
-    Sampler _e237 = p_13.sampler_;
-    uint _e238 = numberOfNext(_e237);
-    p_13.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e222, _e124, pick(solid, (dot(_e124, outward_1) < 0.0), false), _e84.direction, pick(solid, (dot(_e84.direction, outward_1) < 0.0), false), pick(lit_2, _e84.distance_, -1.0), lightShape, _e238);
+    vec3 litSide = pick(_e19, vec3(0.0), normal_15);
+    vec3 _e112 = next3d(p_12.sampler_);
+    vec3 _e114 = next3d(p_12.sampler_);
+    EmitterChoice _e116 = chooseEmitter(point_19, litSide, _e112.z);
+    Emitter _e118 = emitterAt(_e116.index, _e93);
+    LightSample _e120 = sampleEmitter(_e118, point_19, _e112.xy);
+    float lightPdf = (_e120.pdf * _e116.probability);
+    const bool _e128 = hasLayers;
+    if (_e128) {
+        float _e131 = layersHere.dispersion;
+        if (pick(_e19, (_e131 > 0.0), false)) {
+            vec3 _e136 = p_12.throughput;
+            float _e138 = nextHash(p_12.sampler_);
+            vec3 _e139 = heroColor(_e136, _e138);
+            hero_3 = _e139;
+        }
+    }
+    Surface _e140 = surface_1;
+    vec3 _e141 = hero_3;
+    Outgoing _e142 = outgoing(_e140, _e50, _e141);
+    Surface _e143 = surface_1;
+    BsdfSample _e144 = sampleLobe(_e143, _e142, _e114);
+    Surface _e145 = surface_1;
+    Basis _e146 = basis;
+    vec3 _e148 = toLocal(_e146, _e120.direction);
+    Pair _e150 = evaluatePair(_e145, _e142, _e148, _e144.direction);
+    const bool _e152 = hasMeshes;
+    bool opaque = pick(_e152, !(_e19), false);
+    bool _e159 = crosses(_e10.geometric, _e120.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e159, false);
+    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e150.toLight);
+    bool alone_1 = pick(_e120.delta, true, pick((_e118.shape < 0.0), (_e120.distance_ < 1e30), false));
+    float _e175 = misWeight(lightPdf, toLight_8.w);
+    float lightWeight = (pick(alone_1, 1.0, _e175) / lightPdf);
+    BsdfSample _e180 = completed(_e144, _e150.toSample);
+    Basis _e181 = basis;
+    vec3 _e183 = toWorld(_e181, _e180.direction);
+    bool _e187 = crosses(_e10.geometric, _e183, -(rays_2.direction));
+    bool leaks = pick(opaque, _e187, false);
+    uint _e191 = p_12.depth;
+    uint _e194 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e191 != _e194), false);
+    vec3 _e198 = p_12.throughput;
+    vec3 contribution = (((_e198 * toLight_8.xyz) * _e120.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e120.radiance), vec3(0.0))), false);
+    p_12.light = pick(lit_2, contribution, vec3(0.0));
+    vec3 _e220 = p_12.throughput;
+    vec3 throughput_1 = (_e220 * _e180.weight);
+    float _e223 = max3_(throughput_1);
+    uint _e229 = p_12.depth;
+    float survival = pick((_e229 < rouletteDepth), 1.0, min((_e223 / 0.33333334), 0.95));
+    float _e241 = max3_(throughput_1);
+    float _e246 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e180.pdf > 0.0), false), !(leaks), false), (_e241 > 0.0), false), (_e246 < survival), false);
+    p_12.throughput = (throughput_1 / vec3(survival));
+    uint _e254 = p_12.depth;
+    p_12.depth = (_e254 + 1u);
+    p_12.pdf = pick(_e180.delta, 0.0, _e180.pdf);
+    p_12.litSide = litSide;
+    p_12.odds = _e116.odds;
+    bool _e264 = isFlat(shape_1);
+    bool solid = !(_e264);
+    uint lightShape = pick((_e118.shape >= 0.0), uint(max(_e118.shape, 0.0)), noShape);
+    bool _e281 = p_12.alive;
+    Sampler _e296 = p_12.sampler_;
+    uint _e297 = numberOfNext(_e296);
+    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e281, _e183, pick(solid, (dot(_e183, outward_1) < 0.0), false), _e120.direction, pick(solid, (dot(_e120.direction, outward_1) < 0.0), false), pick(lit_2, _e120.distance_, -1.0), lightShape, _e297);
     return;
 }
 
-void extendPath(inout Path p_14) {
-    RayPair _e2 = p_14.rays;
+void extendPath(inout Path p_13) {
+    RayPair _e2 = p_13.rays;
     PairHit _e3 = tracePair(_e2);
-    vec3 _e5 = p_14.radiance;
-    vec3 _e7 = p_14.light;
-    p_14.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
-    p_14.rays.lightDistance = -1.0;
-    bool _e17 = p_14.alive;
+    vec3 _e5 = p_13.radiance;
+    vec3 _e7 = p_13.light;
+    p_13.radiance = (_e5 + pick(_e3.blocked, vec3(0.0), _e7));
+    p_13.rays.lightDistance = -1.0;
+    bool _e17 = p_13.alive;
     if (_e17) {
-        meetSurface(p_14, _e3);
+        meetSurface(p_13, _e3);
         return;
     } else {
         return;
     }
 }
 
-bool isOver(Path p_15) {
-    return pick(!(p_15.alive), (p_15.rays.lightDistance < 0.0), false);
+bool isOver(Path p_14) {
+    return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
 }
 
 void main() {

@@ -259,16 +259,25 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let escaped = hit.shape == noShape;
   let shape = select(hit.shape, 0u, escaped);
   let met = surfaceAt(rays, hit, shape);
-  let surface = met.surface;
-  let isGlass = isDielectric(u32(surface.code));
+  var surface = met.surface;
+  let isClear = letsThrough(u32(surface.code), surface.eta.x);
   let point = rays.point + hit.t * rays.direction;
   let outward = met.shading;
-  // Along z the outward normal of a dielectric; of all else the normal towards where the ray came from.
-  let basis = basisAbout(select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isGlass));
+  // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
+  let normal = select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isClear);
+  var basis = basisAbout(normal);
+  if (hasLayers) {
+    if (any(grainHere != vec3f(0.0))) {
+      basis = basisAlong(normal, grainHere);
+    }
+  }
   let wo = toLocal(basis, -rays.direction);
-  if (hasGlass) {
-    let inside = isGlass & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
+  if (hasGlass | hasLayers) {
+    let inside = isClear & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
+  }
+  if (hasLayers) {
+    surface.emission *= 1.0 - coatReflectance(layersHere.coat, abs(wo.z));
   }
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
@@ -282,23 +291,30 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   }
 
   // Light that must come from this side to count: none is excluded where light goes through.
-  let litSide = select(basis.normal, vec3f(0.0), isGlass);
+  let litSide = select(normal, vec3f(0.0), isClear);
   let uLight = next3d(&(*p).sampler);
   let uBsdf = next3d(&(*p).sampler);
   let choice = chooseEmitter(point, litSide, uLight.z);
   let emitter = emitterAt(choice.index, only);
   let light = sampleEmitter(emitter, point, uLight.xy);
   let lightPdf = light.pdf * choice.probability;
-  let o = outgoing(surface, wo);
+  var hero = vec3f(1.0);
+  if (hasLayers) {
+    if (isClear & (layersHere.dispersion > 0.0)) {
+      hero = heroColor((*p).throughput, nextHash(&(*p).sampler));
+    }
+  }
+  let o = outgoing(surface, wo, hero);
+  let drawn = sampleLobe(surface, o, uBsdf);
+  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn.direction);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
-  let opaque = hasMeshes & !isGlass;
+  let opaque = hasMeshes & !isClear;
   let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
-  let toLight = select(evaluateBsdf(surface, o, toLocal(basis, light.direction)), vec4f(0.0), lightLeaks);
+  let toLight = select(values.toLight, vec4f(0.0), lightLeaks);
   // A light that rays cannot meet is found by light sampling only.
   let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
   let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
-  let drawn = sampleLobe(surface, o, uBsdf);
-  let bsdf = completed(drawn, evaluateBsdf(surface, o, drawn.direction));
+  let bsdf = completed(drawn, values.toSample);
   let direction = toWorld(basis, bsdf.direction);
   let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
   let goesOn = !escaped & ((*p).depth != frame.maxDepth);
@@ -322,30 +338,45 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
-  var p = SurfacePoint(fetchSurface(shape), outward, outward);
+  var surface = fetchSurface(shape);
+  if (hasLayers) {
+    layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
+  var normals = Normals(outward, outward);
+  var tangent = vec3f(0.0);
+  var bitangent = vec3f(0.0);
   if (hasMeshes) {
     if (hit.triangle.instance != noInstance) {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-      p.geometric = m.geometric;
-      p.shading = m.shading;
+      normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&p.surface, m.uv, m.color.rgb);
+        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
+        tangent = m.tangent;
+        bitangent = m.bitangent;
         if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-          p.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
         }
       }
-      // Where the two normals of a glass body do not agree on which side a ray comes from, the geometric one is right.
-      let agree = (dot(p.geometric, rays.direction) > 0.0) == (dot(p.shading, rays.direction) > 0.0);
-      p.shading = select(p.shading, p.geometric, isDielectric(u32(p.surface.code)) & !agree);
+      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
+      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
   }
-  return p;
+  if (hasLayers) {
+    grainHere = vec3f(0.0);
+    if (layersHere.anisotropy > 0.0) {
+      grainHere = grainAt(normals.shading, tangent, bitangent, layersHere.grain);
+    }
+  }
+  return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
-fn isDielectric(code: u32) -> bool {
-  return hasGlass & (kindOf(code) == dielectric);
+// Whether light may go through the surface.
+fn letsThrough(code: u32, eta: f32) -> bool {
+  return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -354,6 +385,9 @@ fn basisAbout(n: vec3f) -> Basis {
   let b = n.x * n.y * a;
   return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
 }
+
+// What glTF's extensions add to metallicRoughness, and the one of them that is long.
+override hasLayers = false;
 
 fn toLocal(b: Basis, v: vec3f) -> vec3f {
   return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
@@ -522,9 +556,15 @@ fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   return s;
 }
 
-fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
+// The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
+fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   let code = u32(s.code);
   var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
+  if (hasLayers) {
+    if (isLayered(u32(s.code), s.eta.x)) {
+      stackHere = stackOf(s, layersHere, wo, hero);
+    }
+  }
   if (hasMetallicRoughness) {
     o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
   }
@@ -538,40 +578,8 @@ fn outgoing(s: Surface, wo: vec3f) -> Outgoing {
   return o;
 }
 
-// Whether one of two directions away from a surface points into it and the other out of it.
-fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
-  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
-}
-
-// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0.
-fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
-  let lambert = invPi * max(wi.z, 0.0);
-  var value = vec4f(s.baseColor, 1.0) * lambert;
-  var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
-    let code = u32(s.code);
-    let facets = evaluateFacets(s, o, wi);
-    var base = vec3f(0.0);
-    if (hasMetallicRoughness) {
-      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
-    }
-    let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
-    value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
-    dark = select(dark, isSmooth(code), isDielectric(code));
-  }
-  return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
-}
-
-const miss = 1e30;
-
-// Power heuristic, for one sample of each kind.
-fn misWeight(own: f32, other: f32) -> f32 {
-  let ratio = other / own;
-  return 1.0 / (1.0 + ratio * ratio);
-}
-
 // A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
-// are still to be had from evaluateBsdf: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+// are still to be had from evaluatePair: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
 fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   let wo = o.wo;
   let mirror = mirrorShare(s.reflectivity);
@@ -604,6 +612,12 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
     drawn.weight = select(drawn.weight, weight, specular);
     drawn.delta = specular & delta;
   }
+  if (hasLayers) {
+    if (isLayered(u32(s.code), s.eta.x)) {
+      let layered = sampleLayered(s, stackHere, vec3f(u.xy, choice));
+      drawn = BsdfSample(layered.direction, base * layered.pdf, layered.weight, layered.delta);
+    }
+  }
   if (hasMirrorLayers) {
     let reflected = u.z < mirror;
     drawn.direction = select(drawn.direction, mirrored(wo), reflected);
@@ -614,7 +628,44 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// `value` is what evaluateBsdf says of the sample's direction.
+// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
+// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
+fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
+  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+  if (hasLayers) {
+    if (isLayered(u32(s.code), s.eta.x)) {
+      var isLight = frame.emitterCount > 0u;
+      loop {
+        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
+        if (isLight) {
+          pair.toLight = value;
+        } else {
+          pair.toSample = value;
+        }
+        if (!isLight) {
+          break;
+        }
+        isLight = false;
+      }
+    }
+  }
+  return pair;
+}
+
+// Whether one of two directions away from a surface points into it and the other out of it.
+fn crosses(geometric: vec3f, a: vec3f, b: vec3f) -> bool {
+  return (dot(geometric, a) > 0.0) != (dot(geometric, b) > 0.0);
+}
+
+const miss = 1e30;
+
+// Power heuristic, for one sample of each kind.
+fn misWeight(own: f32, other: f32) -> f32 {
+  let ratio = other / own;
+  return 1.0 / (1.0 + ratio * ratio);
+}
+
+// `value` is what evaluatePair says of the sample's direction.
 fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
   let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
   let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
@@ -634,12 +685,6 @@ const rouletteShare = 1.0 / 3.0;
 // From this depth on paths end by chance, if they bring less than this share of their light: sooner, and the paths that are left
 // weigh so much that the noise costs more than the rays that were saved.
 const rouletteDepth = 5u;
-
-// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
-fn nextHash(s: ptr<function, Sampler>) -> f32 {
-  (*s).key = (*s).key + 1u;
-  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample << 8u) | (*s).place)));
-}
 
 fn isFlat(i: u32) -> bool {
   return i >= frame.shapeEnds.y;
@@ -665,8 +710,116 @@ struct PairHit {
 }
 
 
+// Along the surface, where facets have a grain; else zero.
+var<private> grainHere: vec3f;
+
+// With x along a direction that lies about at right angles to the normal.
+fn basisAlong(n: vec3f, x: vec3f) -> Basis {
+  let tangent = normalize(x - dot(x, n) * n);
+  return Basis(tangent, cross(n, tangent), n);
+}
+
+// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+struct Basis {
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+}
+
+
 fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
+}
+
+// Share of the light that a coat of this weight sends back.
+fn coatReflectance(coat: f32, cosine: f32) -> f32 {
+  return coat * schlick(vec3f(coatF0), cosine).x;
+}
+
+var<private> layersHere: Layers;
+
+// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
+fn schlick(f0: vec3f, cosine: f32) -> vec3f {
+  let m = max(1.0 - cosine, 0.0);
+  let m2 = m * m;
+  return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+const coatF0 = 0.04;
+
+struct Layers {
+  // factor on what facets of the dielectric reflect at normal incidence
+  specularColor: vec3f,
+  // share of what they reflect
+  specularWeight: f32,
+  // of the fibres on top; black: there are none
+  sheenColor: vec3f,
+  // alpha is its square
+  sheenRoughness: f32,
+  // factor on light that leaves diffusely on the other side
+  beyondColor: vec3f,
+  // share of the diffuse light that does
+  beyond: f32,
+  // cosine and sine of the angle from the tangent to the direction that highlights are drawn out in
+  grain: vec2f,
+  // how much they are; 0: not
+  anisotropy: f32,
+  // share of the diffuse body that is a refracting boundary instead
+  transmission: f32,
+  // share of the surface that has a clear coat
+  coat: f32,
+  // alpha is its square
+  coatRoughness: f32,
+  // index of the body
+  ior: f32,
+  // 1: the body is solid; 0: a thin wall
+  solid: f32,
+  // share of the surface that has a thin film
+  film: f32,
+  // its index
+  filmIor: f32,
+  // nanometres; where a texture says how thick: where it is 1
+  filmThickness: f32,
+  // its thickness where that texture is 0
+  filmLeast: f32,
+  // 20 / Abbe number
+  dispersion: f32,
+  // unused
+  spare0: f32,
+  // unused
+  spare1: f32,
+  // unused
+  spare2: f32,
+}
+
+
+// One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
+// so the mean is right, and a path of one colour keeps it.
+fn heroColor(throughput: vec3f, u: f32) -> vec3f {
+  let share = throughput / max(dot(throughput, vec3f(1.0)), 1e-30);
+  let isRed = u < share.x;
+  let isBlue = !isRed & (u >= share.x + share.y) & (share.z > 0.0);
+  let chosen = select(select(vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0), isBlue), vec3f(1.0, 0.0, 0.0), isRed);
+  return chosen / max(dot(chosen, share), 1e-6);
+}
+
+// One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
+fn nextHash(s: ptr<function, Sampler>) -> f32 {
+  (*s).key = (*s).key + 1u;
+  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample << 8u) | (*s).place)));
+}
+
+// Uniform in [0, 1) with 24 bits.
+fn unitFloat(h: u32) -> f32 {
+  return f32(h >> 8u) * 5.9604644775390625e-8;
+}
+
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits(x: u32) -> u32 {
+  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
+  y = (y ^ (y >> 15u)) * 0x735a2d97u;
+  return y ^ (y >> 15u);
 }
 
 // The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
@@ -690,14 +843,6 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
   return normalize(normal);
 }
 
-struct SurfacePoint {
-  surface: Surface,
-  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
-  geometric: vec3f,
-  shading: vec3f,
-}
-
-
 fn fetchSurface(i: u32) -> Surface {
   let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
   let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
@@ -706,6 +851,62 @@ fn fetchSurface(i: u32) -> Surface {
   let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
+
+struct Normals {
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+struct SurfacePoint {
+  surface: Surface,
+  // Unit vectors in the world, out of solids or to the front of triangles. Only meshes have two that differ.
+  geometric: vec3f,
+  shading: vec3f,
+}
+
+
+// All zero where there are none.
+fn layersOf(code: u32, eta: f32) -> Layers {
+  var l: Layers;
+  if (hasLayers) {
+    if (isLayered(code, eta)) {
+      l = fetchLayers(u32(abs(eta)));
+    }
+  }
+  return l;
+}
+
+// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
+fn isLayered(code: u32, eta: f32) -> bool {
+  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+}
+
+fn fetchLayers(i: u32) -> Layers {
+  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
+  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
+  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
+  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
+}
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+fn isMetallicRoughness(code: u32) -> bool {
+  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
+}
+
+override hasMetallicRoughness = false;
+
+// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
+fn kindOf(code: u32) -> u32 {
+  return code & 3u;
+}
+
+const metallicRoughness = 1u;
 
 const noInstance = 0xffffffffu;
 
@@ -779,6 +980,9 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
       (*s).metallic *= share.y;
       bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      if (hasLayers) {
+        takeUpLayer(t.slot, texel);
+      }
       i++;
       if (i >= material.count) {
         break;
@@ -838,7 +1042,7 @@ struct Surface {
   emission: vec3f,
   // share of the perfect mirror layer over the base
   reflectivity: f32,
-  // conductor: index of refraction per channel; dielectric: the index in all three
+  // conductor: index of refraction per channel; dielectric: the index in all three; metallicRoughness: in x the row of the table with its Layers, with a minus sign when light may go through; 0: there are none
   eta: vec3f,
   // GGX width, roughness^2; 0: smooth
   alpha: f32,
@@ -898,6 +1102,52 @@ fn isSmooth(code: u32) -> bool {
 }
 
 const normalSlot = 3u;
+
+fn takeUpLayer(slot: u32, texel: vec4f) {
+  layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
+  layersHere.specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
+  layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
+  layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
+  layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
+  layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
+  layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
+  layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
+  layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
+  layersHere.film *= select(1.0, texel.r, slot == filmSlot);
+  layersHere.filmThickness = select(layersHere.filmThickness, mix(layersHere.filmLeast, layersHere.filmThickness, texel.g), slot == filmThicknessSlot);
+  let isGrain = slot == anisotropySlot;
+  layersHere.anisotropy *= select(1.0, texel.b, isGrain);
+  // A direction in the frame of tangents, which the material's angle turns.
+  let given = 2.0 * texel.rg - 1.0;
+  let size = dot(given, given);
+  let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
+  let own = layersHere.grain;
+  layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+}
+
+const specularWeightSlot = 4u;
+
+const specularColorSlot = 5u;
+
+const transmissionSlot = 6u;
+
+const beyondSlot = 7u;
+
+const beyondColorSlot = 8u;
+
+const coatSlot = 9u;
+
+const coatRoughnessSlot = 10u;
+
+const sheenColorSlot = 11u;
+
+const sheenRoughnessSlot = 12u;
+
+const filmSlot = 14u;
+
+const filmThicknessSlot = 15u;
+
+const anisotropySlot = 13u;
 
 fn texelRow(i: u32) -> vec4u {
   return texels[i];
@@ -1124,6 +1374,27 @@ struct Triangle {
 }
 
 
+// In the world; `tangent` and `bitangent` of the mesh, of any length, or zero where it has none. `grain`: cosine and sine of the angle from
+// the one towards the other. Never along the normal.
+fn grainAt(normal: vec3f, tangent: vec3f, bitangent: vec3f, grain: vec2f) -> vec3f {
+  let along = tangent - dot(tangent, normal) * normal;
+  let size = dot(along, along);
+  let own = size > 1e-12 * dot(tangent, tangent);
+  let t = select(tangentAbout(normal), along * inverseSqrt(max(size, 1e-37)), own);
+  let across = cross(normal, t);
+  let hand = select(1.0, -1.0, own & (dot(across, bitangent) < 0.0));
+  return grain.x * t + grain.y * hand * across;
+}
+
+// The direction along which anisotropic facets are rougher.
+// Where a shape has no frame of tangents: that of growing longitude about the Y axis, as the tangent of a globe's texture coordinates; +X at
+// its poles. `normal`: outwards.
+fn tangentAbout(normal: vec3f) -> vec3f {
+  let east = vec3f(normal.z, 0.0, -normal.x);
+  let length2 = dot(east, east);
+  return select(vec3f(1.0, 0.0, 0.0), east * inverseSqrt(max(length2, 1e-20)), length2 > 1e-12);
+}
+
 fn fetchBounds(i: u32) -> Bounds {
   let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
   return Bounds(t0.xyz, t0.w);
@@ -1149,8 +1420,6 @@ fn fetchExtent(i: u32) -> Extent {
 fn isPlane(i: u32) -> bool {
   return (i >= frame.shapeEnds.z) & (i < frame.shapeEnds.w);
 }
-
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -1235,20 +1504,11 @@ struct Bounds {
 }
 
 
-// These take Surface.code as an integer and not the struct: a compiler that copies structs at each call needs minutes.
-fn kindOf(code: u32) -> u32 {
-  return code & 3u;
+fn isDielectric(code: u32) -> bool {
+  return hasGlass & (kindOf(code) == dielectric);
 }
 
 const dielectric = 3u;
-
-// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-struct Basis {
-  tangent: vec3f,
-  bitangent: vec3f,
-  normal: vec3f,
-}
-
 
 struct Emitter {
   // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
@@ -1884,14 +2144,6 @@ fn reverseHalves(x: u32) -> u32 {
   return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
 }
 
-// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
-// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits(x: u32) -> u32 {
-  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
-  y = (y ^ (y >> 15u)) * 0x735a2d97u;
-  return y ^ (y >> 15u);
-}
-
 // One padded sequence: what all its dimensions have in common.
 struct Group {
   // Shuffled sample index.
@@ -2230,9 +2482,241 @@ fn isConductor(code: u32) -> bool {
   return hasConductors & (kindOf(code) == conductor);
 }
 
-override hasMetallicRoughness = false;
-
 override hasConductors = false;
+
+var<private> stackHere: Stack;
+
+fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
+  let side = select(1.0, -1.0, given.z < 0.0);
+  let wo = vec3f(given.xy, given.z * side);
+  let isSolid = l.solid > 0.0;
+  let inside = isSolid & (side < 0.0);
+  let index = dispersedIndex(l.ior, l.dispersion, hero);
+  let ratio = select(1.0, select(index, 1.0 / index, inside), isSolid);
+  let flat = isSolid & (l.transmission > 0.0) & (index - 1.0 < leastContrast);
+  let alpha = select(ellipticAlpha(s.alpha, l.anisotropy), vec2f(0.0), flat);
+  let coatAlpha = l.coatRoughness * l.coatRoughness;
+  let coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
+  let sheenColor = greatest(l.sheenColor);
+  var sheen = 0.0;
+  if (sheenColor > 0.0) {
+    sheen = select(sheenAlbedo(wo.z, l.sheenRoughness), 0.0, inside);
+  }
+  let f0 = l.specularWeight * dielectricF0(l);
+  var more = vec3f(1.0);
+  if (hasCompensation) {
+    let albedo = singleScatteringAlbedo(wo.z, sqrt(alpha.x * alpha.y));
+    let asked = ((u32(s.code) & 8u) != 0u) & (l.transmission <= 0.0);
+    more = select(more, 1.0 + mix(f0, s.baseColor, s.metallic) * ((1.0 - albedo) / albedo), asked);
+  }
+  var o = Stack(l, wo, side, hero, ratio, inside, more, alpha, coatAlpha, coat, sheen, sheenColor, 0.0, 0.0, 0.0, 0.0);
+
+  // Lobes are chosen by about the light that they send to wo. The diffuse ones keep nearly all of theirs even when wo is grazing:
+  // metallic_roughness.wesl. A film's colours vanish at some angles only.
+  let met = baseReflectance(s, o, wo.z);
+  let below = (1.0 - coat) * (1.0 - sheenColor * min(sheen, 1.0));
+  let film = select(0.0, 0.25 * l.film, l.film > 0.0);
+  let facets = below * (mean3(met.rgb) + film + met.a * l.transmission * mean3(s.baseColor));
+  let fibres = (1.0 - coat) * sheen * mean3(l.sheenColor);
+  let body = below * (1.0 - s.metallic) * (1.0 - greatest(f0)) * (1.0 - l.transmission);
+  let diffuse = body * (1.0 - l.beyond) * mean3(s.baseColor);
+  let beyond = body * l.beyond * mean3(l.beyondColor);
+  let all = max(coat + facets + fibres + diffuse + beyond, 1e-20);
+  o.ofCoat = coat / all;
+  o.ofFacets = facets / all;
+  o.ofSheen = fibres / all;
+  o.ofDiffuse = diffuse / all;
+  return o;
+}
+
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Stack {
+  layers: Layers,
+  // Above the surface.
+  wo: vec3f,
+  // -1: wo was below.
+  side: f32,
+  // Colour that refracted light goes on with, times its weight: transmission.wesl.
+  hero: vec3f,
+  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
+  ratio: f32,
+  // wo is inside a solid.
+  inside: bool,
+  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
+  more: vec3f,
+  // Facets of the base; below leastAlpha they are a mirror.
+  alpha: vec2f,
+  coatAlpha: f32,
+  // Share of the light towards wo that is the coat's.
+  coat: f32,
+  // Share of white light that fibres send to wo, and of the strongest colour of these.
+  sheen: f32,
+  sheenColor: f32,
+  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
+  ofCoat: f32,
+  ofFacets: f32,
+  ofSheen: f32,
+  ofDiffuse: f32,
+}
+
+
+// KHR_materials_transmission and KHR_materials_volume: light that goes through facets.
+// KHR_materials_dispersion: the index that red, green or blue light meets; `hero` is the colour that the path goes on with, or white.
+// Below the index of air no dispersion goes.
+fn dispersedIndex(ior: f32, dispersion: f32, hero: vec3f) -> f32 {
+  let side = select(0.0, 1.0, hero.z > 0.0) - select(0.0, 1.0, hero.x > 0.0);
+  return max(ior + side * (ior - 1.0) * 0.025 * dispersion, 1.0);
+}
+
+// An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
+const leastContrast = 1e-3;
+
+// KHR_materials_anisotropy: strength makes facets rougher along x. Across, a highlight is no narrower than 32-bit floats can hold.
+fn ellipticAlpha(alpha: f32, strength: f32) -> vec2f {
+  return select(vec2f(alpha), vec2f(mix(alpha, 1.0, strength * strength), max(alpha, leastAlpha)), strength > 0.0);
+}
+
+fn greatest(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
+}
+
+// KHR_materials_ior and KHR_materials_specular: what facets of the dielectric would reflect at normal incidence at full weight.
+fn dielectricF0(l: Layers) -> vec3f {
+  let contrast = (l.ior - 1.0) / (l.ior + 1.0);
+  return min(contrast * contrast * l.specularColor, vec3f(1.0));
+}
+
+override hasCompensation = false;
+
+// rgb: what facets of the base reflect that are met at this cosine; a: what of the rest reaches the dielectric's body.
+fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
+  let l = o.layers;
+  let outer = cosineInAir(cosine, o.ratio);
+  let f0 = dielectricF0(l);
+  var dielectric = l.specularWeight * schlick(f0, outer);
+  var metal = schlick(s.baseColor, outer);
+  if (hasIridescence) {
+    if (l.film > 0.0) {
+      // Mostly one of the two.
+      var isMetal = s.metallic >= 1.0;
+      loop {
+        let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
+        if (isMetal) {
+          metal = mix(metal, film, l.film);
+        } else {
+          dielectric = mix(dielectric, film, l.film);
+        }
+        if (isMetal | (s.metallic <= 0.0)) {
+          break;
+        }
+        isMetal = true;
+      }
+    }
+  }
+  dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));
+  return vec4f(mix(dielectric, metal, s.metallic), (1.0 - s.metallic) * (1.0 - greatest(dielectric)));
+}
+
+fn mean3(v: vec3f) -> f32 {
+  return dot(v, vec3f(1.0 / 3.0));
+}
+
+// E: share of light that white fibres send back to a direction of this cosine; of fine ones along the surface it is more than 1, a gap
+// of the model. A fit, 0.005 off at most, or 0.5 % where E is above 1 (scripts/fits/sheen-albedo.ts), and that much is added: what lies
+// below loses rather too much than too little.
+fn sheenAlbedo(cosine: f32, roughness: f32) -> f32 {
+  // -1 at a cosine of 1e-4 and at the least roughness, 1 at 1.
+  let u = (sqrt(sqrt(clamp(cosine, 1e-4, 1.0))) - 0.1) / 0.45 - 1.0;
+  let v = (sqrt(max(roughness, leastSheenRoughness)) - 0.264575) / 0.367712 - 1.0;
+  let low = vec3f(0.746962, 0.0397496, 0.224802) + u * (vec3f(-0.448339, 0.3406, -0.509736) + u * (vec3f(-0.196284, 0.0161825, -0.50469) + u * (vec3f(0.0587112, 0.187983, 0.191769) + u * (vec3f(-0.182064, 0.425384, 0.971703) + u * (vec3f(0.0763965, -0.331055, 0.616069) + u * (vec3f(0.0893496, -0.409073, -0.445006) + u * vec3f(-0.0525425, 0.0277158, -0.421496)))))));
+  let high = vec3f(-0.0321953, -0.190573, 0.0715297) + u * (vec3f(0.492365, -0.201291, -0.00570256) + u * (vec3f(0.833264, 0.765625, -1.06831) + u * (vec3f(-1.29238, 0.71056, 0.237437) + u * (vec3f(-2.81818, -0.673857, 2.17806) + u * (vec3f(0.500911, -0.777981, 0.0143213) + u * (vec3f(1.97956, 0.108218, -1.28939) + u * vec3f(0.324871, 0.21472, -0.194708)))))));
+  let v2 = v * v;
+  let root = dot(low + v2 * v * high, vec3f(1.0, v, v2));
+  let albedo = root * root;
+  return albedo + 0.005 * max(albedo, 1.0);
+}
+
+// KHR_materials_sheen: fibres that stand on the surface. Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017
+// course notes: the distribution "Charlie", and a fit of the shadowing that was measured on it.
+// Finer fibres shine in so thin a rim that 32-bit floats do not hold it; roughness, not alpha.
+const leastSheenRoughness = 0.07;
+
+// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
+// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
+// loss near the horizon is a function of that ratio alone as alpha goes to 0.
+fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
+  let x = cosine / (cosine + alpha);
+  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
+  let a2 = alpha * alpha;
+  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+}
+
+// The cosine on the side of air at a facet that is met at `cosine`; 0 at total reflection. `ratio`: the index beyond over
+// the one on this side. Schlick's formula wants this cosine (KHR_materials_volume, Refraction).
+fn cosineInAir(cosine: f32, ratio: f32) -> f32 {
+  let sine2 = (1.0 - cosine * cosine) / (ratio * ratio);
+  return select(cosine, sqrt(max(1.0 - sine2, 0.0)), ratio < 1.0);
+}
+
+override hasIridescence = false;
+
+// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
+fn reflectsAll(cosine: f32, ratio: f32) -> bool {
+  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
+}
+
+// The film's reflectance over a body that would reflect f0 without it. Kept within 0 … 1: the integral over three colours overshoots.
+fn filmReflectance(f0: vec3f, filmIor: f32, thickness: f32, cosine: f32) -> vec3f {
+  // The cosine within the film; above 0, as its index is at least 1.
+  let sine2 = (1.0 - cosine * cosine) / (filmIor * filmIor);
+  let within = sqrt(max(1.0 - sine2, 0.0));
+  let first = (filmIor - 1.0) / (filmIor + 1.0);
+  let r12 = schlick(vec3f(first * first), cosine).x;
+  let t121 = 1.0 - r12;
+  let body = indexOf(f0 + 1e-4);
+  let second = (body - filmIor) / (body + filmIor);
+  let r23 = schlick(second * second, within);
+  let r123 = clamp(r12 * r23, vec3f(1e-5), vec3f(0.9999));
+  let once = sqrt(r123);
+  let rs = t121 * t121 * r23 / (1.0 - r123);
+  // Half a turn at the lower side of the film's upper boundary, and another where the body's index is less than the film's.
+  let shift = 0.5 + select(vec3f(0.0), vec3f(0.5), body < vec3f(filmIor));
+  let difference = 2.0 * filmIor * thickness * within;
+  var sum = r12 + rs;
+  var amplitude = rs - t121;
+  var order = 1.0;
+  loop {
+    amplitude *= once;
+    sum += 2.0 * amplitude * sensitivity(order * difference, order * shift);
+    order += 1.0;
+    if (order > 2.5) {
+      break;
+    }
+  }
+  return clamp(sum, vec3f(0.0), vec3f(1.0));
+}
+
+// Index of a body that reflects f0 against air.
+fn indexOf(f0: vec3f) -> vec3f {
+  let root = sqrt(min(f0, vec3f(0.9999)));
+  return (1.0 + root) / (1.0 - root);
+}
+
+// What is left of the interference of a path difference (nanometres) in linear red, green, blue: section 4, Gaussians in the frequency
+// domain for x, y, z and the second lobe of x. `shift`: what the boundaries add to the phase, in turns.
+fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
+  let phase = 6.28318530718e-9 * difference;
+  let mean = vec4f(1.6810e6, 1.7953e6, 2.2084e6, 2.2399e6);
+  let variance = vec4f(4.3278e9, 9.3046e9, 6.6121e9, 4.5282e9);
+  // val sqrt(2 pi var) / 1.0685e-7 of the sample.
+  let height = vec4f(0.846590, 1.000222, 1.001122, 0.153868);
+  // Whole turns are left out: the cosine of a large angle has no digits.
+  let turns = mean * (phase * 0.15915494309) + vec4f(shift, shift.x);
+  let lobes = height * cos(6.28318530718 * (turns - round(turns))) * exp(-variance * (phase * phase));
+  let x = lobes.x + lobes.w;
+  // XYZ to linear sRGB
+  return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
+}
 
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
 // its light even when wo is grazing, since the half vector's cosine is not: counted by wo's own it would be sampled too seldom.
@@ -2242,29 +2726,16 @@ fn specularShare(baseColor: vec3f, metallic: f32, cosine: f32) -> f32 {
   return specular / max(specular + diffuse, 1e-20);
 }
 
-fn isMetallicRoughness(code: u32) -> bool {
-  return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
-}
-
-// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
-fn schlick(f0: vec3f, cosine: f32) -> vec3f {
-  let m = max(1.0 - cosine, 0.0);
-  let m2 = m * m;
-  return f0 + (1.0 - f0) * (m2 * m2 * m);
-}
-
 fn metallicRoughnessF0(baseColor: vec3f, metallic: f32) -> vec3f {
-  return mix(vec3f(dielectricF0), baseColor, metallic);
+  return mix(vec3f(dielectricF00), baseColor, metallic);
 }
 
 // Albedo of the diffuse part for light that meets facets at this cosine.
 fn metallicRoughnessDiffuse(baseColor: vec3f, metallic: f32, cosine: f32) -> vec3f {
-  return (1.0 - metallic) * (1.0 - schlick(vec3f(dielectricF0), cosine).x) * baseColor;
+  return (1.0 - metallic) * (1.0 - schlick(vec3f(dielectricF00), cosine).x) * baseColor;
 }
 
-const dielectricF0 = 0.04;
-
-const metallicRoughness = 1u;
+const dielectricF00 = 0.04;
 
 // Index behind the boundary over the index on the side of a direction with this z. A thin pane has air on both sides.
 fn indexRatio(eta: f32, z: f32, thin: bool) -> f32 {
@@ -2287,46 +2758,37 @@ fn stretched(w: vec3f, alpha: f32) -> f32 {
 
 const conductor = 2u;
 
-// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
-const invPi = 0.31830988618;
-
 // Share of the perfect mirror over the base.
 fn mirrorShare(reflectivity: f32) -> f32 {
   return select(0.0, reflectivity, hasMirrorLayers);
 }
 
-fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
-  let wo = o.wo;
-  let isGlass = isDielectric(u32(s.code));
-  let crossing = hasGlass & ((wo.z < 0.0) != (wi.z < 0.0));
-  let m = wo + wi * select(1.0, o.ratio, crossing);
-  let m2 = max(dot(m, m), 1e-20);
-  let h = m * inverseSqrt(m2);
-  let oh = dot(wo, h);
-  let ih = dot(wi, h);
-  let zo = abs(wo.z);
-  let zi = abs(wi.z);
-  // Facets do not turn their back on one direction while the surface does not.
-  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
-  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
-  let f = facetReflectance(s, abs(oh), o.ratio);
-  var passes = select(f, 1.0 - f, crossing);
-  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
-  let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
-  if (hasCompensation) {
-    passes *= compensation(s, zo);
-  }
-  return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
+struct BsdfSample {
+  direction: vec3f,
+  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
+  pdf: f32,
+  // f |cos| / pdf
+  weight: vec3f,
+  delta: bool,
 }
 
-// Kinds, as Surface.code numbers them.
-const diffuse0 = 0u;
 
-// D(h): facets around the half vector per area and solid angle.
-fn facetDensity(h: vec3f, alpha: f32) -> f32 {
-  // At least 1 for a unit vector; opposite directions along the surface have none.
-  let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
-  return 0.31830988618 / (alpha * alpha * slope * slope);
+// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
+fn sampleCosine(u: vec2f) -> vec3f {
+  let radius = sqrt(u.x);
+  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
+  let phi = 6.28318530718 * u.y - 3.14159265359;
+  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
+}
+
+// Kinds of material beside diffuse, and what may be laid over or set on top.
+override hasMirrorLayers = true;
+
+// A facet that wo sees, turned to wo's side.
+fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
+  let side = select(1.0, -1.0, o.wo.z < 0.0);
+  let rough = sampleVisibleNormal(o.wo * side, max(alpha, leastAlpha), o.bound, u);
+  return select(rough, vec3f(0.0, 0.0, 1.0), isMirror) * side;
 }
 
 // Share of light that a facet reflects, met at this cosine.
@@ -2345,35 +2807,23 @@ fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
   return reflectance;
 }
 
-override hasCompensation = false;
-
-// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
-// in m, the half vector before it gets length 1.
-struct FacetLobe {
-  value: vec3f,
-  pdf: f32,
-  // dot(wo, h)
-  cosine: f32,
+// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
+fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
+  let cosine = dot(wo, h);
+  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
+  return ((cosine - inside) * h - wo) / ratio;
 }
 
-
-// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
-// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
-fn compensation(s: Surface, cosine: f32) -> vec3f {
-  let code = u32(s.code);
-  let asked = ((code & 8u) != 0u) & !isDielectric(code);
-  let albedo = singleScatteringAlbedo(cosine, s.alpha);
-  return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
-}
-
-// Share of light that comes back from wo when every facet reflects all, but light that meets a second facet is lost. A minimax
-// fit of the integral, 0.4 % off at most for |cos| >= 0.04: polynomials in alpha and in cosine / (cosine + alpha), since the
-// loss near the horizon is a function of that ratio alone as alpha goes to 0.
-fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
-  let x = cosine / (cosine + alpha);
-  let byAlpha = vec4f(0.887807, 0.309386, -0.270728, 0.0252433) + x * (vec4f(1.08526, -3.21434, -1.87718, 1.61195) + x * (vec4f(-5.18071, 10.7648, 6.30913, -8.09265) + x * (vec4f(7.80474, -12.7430, -24.1046, 25.2536) + x * vec4f(-3.60041, 4.60906, 23.1225, -22.9342))));
-  let a2 = alpha * alpha;
-  return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
+// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
+// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
+fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
+  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
+  let phi = 6.28318530718 * u.x - 3.14159265359;
+  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
+  let drop = u.y * (1.0 + bound * w.z);
+  let sine = sqrt(max(drop * (2.0 - drop), 0.0));
+  let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
+  return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
 }
 
 // Without measured constants (eta and k black) the base colour comes back at every angle.
@@ -2424,61 +2874,297 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
   return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
 }
 
-// Kinds of material beside diffuse, and what may be laid over or set on top.
-override hasMirrorLayers = true;
-
-struct BsdfSample {
-  direction: vec3f,
-  // Per solid angle, of all lobes together; of a delta lobe the probability with which it is chosen. 0: no direction.
-  pdf: f32,
-  // f |cos| / pdf
-  weight: vec3f,
-  delta: bool,
+// A direction by one of the lobes. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
+  let wo = o.wo;
+  let isSolid = o.layers.solid > 0.0;
+  let isCoat = u.z < o.ofCoat;
+  let isFacet = u.z < o.ofCoat + o.ofFacets;
+  let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
+  let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
+  let wide = max(alpha, vec2f(leastAlpha));
+  let bound = select(ellipticBound(wo, wide), 1.0, isSolid & !isCoat);
+  let rough = sampleEllipticNormal(wo, wide, bound, u.xy);
+  let h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  let oh = max(dot(wo, h), 0.0);
+  let p = partingOf(s, o, baseReflectance(s, o, oh));
+  // What is left of u.z is uniform again.
+  let left = (u.z - o.ofCoat) / max(o.ofFacets, 1e-20);
+  let crossing = !isCoat & (left >= p.share);
+  let reflected = 2.0 * oh * h - wo;
+  let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
+  let met = select(reflected, beyond, crossing);
+  let lost = !isSmooth & (crossing != (met.z < 0.0));
+  let weight = throughCover(o, abs(met.z), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
+  var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
+  drawn.pdf = select(drawn.pdf, 0.0, lost);
+  if (!isFacet) {
+    let next = u.z - o.ofCoat - o.ofFacets;
+    let sine = sqrt(max(u.x * (2.0 - u.x), 0.0));
+    let phi = 6.28318530718 * u.y - 3.14159265359;
+    let even = vec3f(sine * cos(phi), sine * sin(phi), 1.0 - u.x);
+    let matte = sampleCosine(u.xy);
+    let below = vec3f(matte.xy, select(matte.z, -matte.z, next >= o.ofSheen + o.ofDiffuse));
+    drawn = LayeredSample(select(below, even, next < o.ofSheen), 1.0, vec3f(1.0), false);
+  }
+  drawn.direction.z *= o.side;
+  return drawn;
 }
 
-
-// Cosine-weighted direction about +z (Malley's method: points of the disk, raised). Its density is z / pi.
-fn sampleCosine(u: vec2f) -> vec3f {
-  let radius = sqrt(u.x);
-  // From -pi on: beyond, drivers promise no accuracy of sine and cosine, and little within. Hence also the normalize.
-  let phi = 6.28318530718 * u.y - 3.14159265359;
-  return normalize(vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x)));
+// Eto and Tokuyoshi 2023, equation 6: the smaller width bounds both.
+fn ellipticBound(wo: vec3f, alpha: vec2f) -> f32 {
+  let s = 1.0 + length(wo.xy);
+  let s2 = s * s;
+  let least = min(alpha.x, alpha.y);
+  let a2 = least * least;
+  return (1.0 - a2) * s2 / (s2 + a2 * wo.z * wo.z);
 }
 
-// A facet that wo sees, turned to wo's side.
-fn sampleFacet(alpha: f32, isMirror: bool, o: Outgoing, u: vec2f) -> vec3f {
-  let side = select(1.0, -1.0, o.wo.z < 0.0);
-  let rough = sampleVisibleNormal(o.wo * side, max(alpha, leastAlpha), o.bound, u);
-  return select(rough, vec3f(0.0, 0.0, 1.0), isMirror) * side;
-}
-
-// The direction beyond the boundary of what comes from wo; h is the normal on wo's side. Only asked when Fresnel is below 1.
-fn refracted(wo: vec3f, h: vec3f, ratio: f32) -> vec3f {
-  let cosine = dot(wo, h);
-  let inside = sqrt(max((ratio - 1.0) * (ratio + 1.0) + cosine * cosine, 0.0));
-  return ((cosine - inside) * h - wo) / ratio;
-}
-
-// A normal that wo (wo.z >= 0) sees, with density D(h) 2 dot(wo, h) / (bound wo.z + stretched(wo)). Dupuy and Benyoub,
-// "Sampling Visible GGX Normals with Spherical Caps", HPG 2023: a cap of the sphere, shifted by wo; `bound` cuts it, 1 does not.
-fn sampleVisibleNormal(wo: vec3f, alpha: f32, bound: f32, u: vec2f) -> vec3f {
-  let w = vec3f(alpha * wo.xy, wo.z) / stretched(wo, alpha);
+// As sampleVisibleNormal.
+fn sampleEllipticNormal(wo: vec3f, alpha: vec2f, bound: f32, u: vec2f) -> vec3f {
+  let w = vec3f(alpha * wo.xy, wo.z) / ellipticStretched(wo, alpha);
   let phi = 6.28318530718 * u.x - 3.14159265359;
-  // 1 - z of the cap's point; kept so, since z near 1 would lose the digits of the sine.
   let drop = u.y * (1.0 + bound * w.z);
   let sine = sqrt(max(drop * (2.0 - drop), 0.0));
   let h = w + vec3f(sine * cos(phi), sine * sin(phi), 1.0 - drop);
   return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
 }
 
+fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
+  let toward = reflectance.rgb * select(vec3f(1.0), o.hero, o.inside);
+  let beyond = reflectance.a * o.layers.transmission * s.baseColor * o.hero;
+  let a = mean3(toward);
+  let b = mean3(beyond);
+  return Parting(toward, beyond, select(1.0, a / max(a + b, 1e-20), b > 0.0));
+}
+
+// What of the light between wo and a direction of cosine zi is left by coat and sheen. Light that crosses a solid's boundary meets them
+// once, outside.
+fn throughCover(o: Stack, zi: f32, crossing: bool) -> f32 {
+  let l = o.layers;
+  let isSolid = l.solid > 0.0;
+  let entersHere = o.inside & crossing;
+  let coat = select(o.coat, coatReflectance(l.coat, zi), entersHere);
+  var sheen = o.sheen;
+  if (o.sheenColor > 0.0) {
+    let isOutside = !isSolid | (o.inside == crossing);
+    sheen = max(sheen, select(0.0, sheenAlbedo(zi, l.sheenRoughness), isOutside));
+  }
+  return (1.0 - coat) * (1.0 - o.sheenColor * min(sheen, 1.0));
+}
+
+struct LayeredSample {
+  direction: vec3f,
+  // Of a delta lobe: the probability with which it is chosen, and f |cos| over that. 0: the light is lost.
+  pdf: f32,
+  weight: vec3f,
+  delta: bool,
+}
+
+
+fn ellipticStretched(w: vec3f, alpha: vec2f) -> f32 {
+  let scaled = alpha * w.xy;
+  return sqrt(w.z * w.z + dot(scaled, scaled));
+}
+
+// What a facet of the base makes of light: towards wo's side, and beyond; and how often a sample takes the first.
+struct Parting {
+  toward: vec3f,
+  beyond: vec3f,
+  share: f32,
+}
+
+
 // The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
 fn mirrored(wo: vec3f) -> vec3f {
   return vec3f(-wo.xy, wo.z);
 }
 
-// Uniform in [0, 1) with 24 bits.
-fn unitFloat(h: u32) -> f32 {
-  return f32(h >> 8u) * 5.9604644775390625e-8;
+struct Pair {
+  toLight: vec4f,
+  toSample: vec4f,
+}
+
+
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Without layers: evaluatePair.
+fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
+  let lambert = invPi * max(wi.z, 0.0);
+  var value = vec4f(s.baseColor, 1.0) * lambert;
+  var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
+  if (hasConductors | hasMetallicRoughness | hasGlass) {
+    let code = u32(s.code);
+    let facets = evaluateFacets(s, o, wi);
+    var base = vec3f(0.0);
+    if (hasMetallicRoughness) {
+      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+    }
+    let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
+    value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
+    dark = select(dark, isSmooth(code), isDielectric(code));
+  }
+  return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
+}
+
+// rgb: f |cos wi|; a: the density with which sampleLayered gives wi. Delta lobes give 0.
+fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
+  let l = o.layers;
+  let wo = o.wo;
+  let wi = vec3f(given.xy, given.z * o.side);
+  let crossing = wi.z < 0.0;
+  // Through a thin wall light goes as if it were reflected and then mirrored.
+  let facing = vec3f(wi.xy, abs(wi.z));
+  let zi = facing.z;
+  let under = throughCover(o, zi, crossing);
+  var sum = vec4f(0.0);
+  var intoBody = 0.0;
+  // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
+  // whose length is known is written out by Windows' compiler.
+  var isCoat = (o.coat > 0.0) | (s.metallic < 1.0);
+  loop {
+    let bends = crossing & !isCoat & (l.solid > 0.0);
+    let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
+    let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
+    let wide = max(alpha, vec2f(leastAlpha));
+    let met = select(facing, wi, bends);
+    let m = wo + met * select(1.0, o.ratio, bends);
+    let m2 = max(dot(m, m), 1e-20);
+    let h = m * inverseSqrt(m2);
+    let oh = dot(wo, h);
+    let ih = dot(met, h);
+    let faces = (oh * h.z >= 0.0) & (ih * h.z * met.z >= 0.0);
+    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(h, wide), faces & !isSmooth);
+    let ownStretched = ellipticStretched(wo, wide);
+    let masked = zi / max(zi * ownStretched + wo.z * ellipticStretched(facing, wide), 1e-20);
+    let bound = select(ellipticBound(wo, wide), 1.0, (l.solid > 0.0) & !isCoat);
+    let density = spread / (bound * wo.z + ownStretched);
+    // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
+    let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, isCoat & o.inside));
+    let p = partingOf(s, o, reflectance);
+    var lobe = under * select(p.toward * o.more, p.beyond, crossing);
+    var chosen = o.ofFacets * select(p.share, 1.0 - p.share, crossing) * select(1.0, o.ratio * o.ratio, bends);
+    if (isCoat) {
+      intoBody = reflectance.a;
+      lobe = vec3f(select(o.coat, 0.0, crossing));
+      chosen = select(o.ofCoat, 0.0, crossing);
+    }
+    sum += vec4f(lobe * (spread * masked), chosen * density);
+    if (!isCoat) {
+      break;
+    }
+    isCoat = false;
+  }
+  if ((o.sheenColor > 0.0) & !crossing & !o.inside) {
+    let most = max(max(o.sheen, sheenAlbedo(zi, l.sheenRoughness)), 1.0);
+    let fibres = (1.0 - o.coat) * whiteSheen(wo, wi, sheenAlpha(l.sheenRoughness)) / most;
+    sum += vec4f(fibres * l.sheenColor, o.ofSheen * invTwoPi);
+  }
+  let body = select((1.0 - l.beyond) * s.baseColor, l.beyond * l.beyondColor, crossing);
+  let matte = under * intoBody * (1.0 - l.transmission) * body;
+  return sum + vec4f(matte, select(o.ofDiffuse, ofBeyond(o), crossing)) * (invPi * zi);
+}
+
+fn ofBeyond(o: Stack) -> f32 {
+  return max(1.0 - o.ofCoat - o.ofFacets - o.ofSheen - o.ofDiffuse, 0.0);
+}
+
+// Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
+const invPi = 0.31830988618;
+
+fn ellipticDensity(h: vec3f, alpha: vec2f) -> f32 {
+  let scaled = h.xy / alpha;
+  let slope = max(dot(scaled, scaled) + h.z * h.z, 1.0);
+  return 0.31830988618 / (alpha.x * alpha.y * slope * slope);
+}
+
+// What the fibres send back, times the cosine of wi, for white ones. Both cosines are above 0.
+fn whiteSheen(wo: vec3f, wi: vec3f, alpha: f32) -> f32 {
+  let m = wo + wi;
+  let m2 = max(dot(m, m), 1e-20);
+  let sine2 = clamp(dot(m.xy, m.xy) / m2, 0.0, 1.0);
+  let power = 0.5 / alpha;
+  // (2 + 1/alpha) sin^(1/alpha) / 2 pi, and 1 / (4 zo zi (1 + Lambda + Lambda)), times zi
+  let density = (2.0 + 2.0 * power) * 0.15915494309 * select(exp(power * log(max(sine2, 1e-20))), 0.0, sine2 < 1e-20);
+  let zo = max(wo.z, 1e-6);
+  return density / (4.0 * zo * (1.0 + sheenShadowing(wo.z, alpha) + sheenShadowing(wi.z, alpha)));
+}
+
+fn sheenAlpha(roughness: f32) -> f32 {
+  let r = max(roughness, leastSheenRoughness);
+  return r * r;
+}
+
+const invTwoPi = 0.15915494309;
+
+// Lambda at this cosine; along the surface it is large and finite.
+fn sheenShadowing(cosine: f32, alpha: f32) -> f32 {
+  let x = clamp(cosine, 1e-6, 1.0);
+  let isLow = x < 0.5;
+  let l = shadowingExponent(select(max(1.0 - x, 1e-6), x, isLow), alpha);
+  return exp(select(2.0 * shadowingExponent(0.5, alpha) - l, l, isLow));
+}
+
+// l(x) of equation 3, table 1.
+fn shadowingExponent(x: f32, alpha: f32) -> f32 {
+  let m = (1.0 - alpha) * (1.0 - alpha);
+  let a = mix(21.5473, 25.3245, m);
+  let b = mix(3.82987, 3.32435, m);
+  let c = mix(0.19823, 0.16801, m);
+  let d = mix(-1.97760, -1.27393, m);
+  let e = mix(-4.32054, -4.85967, m);
+  return a / (1.0 + b * pow(x, c)) + d * x + e;
+}
+
+fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
+  let wo = o.wo;
+  let isGlass = isDielectric(u32(s.code));
+  let crossing = hasGlass & ((wo.z < 0.0) != (wi.z < 0.0));
+  let m = wo + wi * select(1.0, o.ratio, crossing);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  let zo = abs(wo.z);
+  let zi = abs(wi.z);
+  // Facets do not turn their back on one direction while the surface does not.
+  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
+  let f = facetReflectance(s, abs(oh), o.ratio);
+  var passes = select(f, 1.0 - f, crossing);
+  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
+  let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
+  if (hasCompensation) {
+    passes *= compensation(s, zo);
+  }
+  return FacetLobe(passes * spread * masked, spread * chosen / (o.bound * zo + o.stretched), abs(oh));
+}
+
+// Kinds, as Surface.code numbers them.
+const diffuse0 = 0u;
+
+// D(h): facets around the half vector per area and solid angle.
+fn facetDensity(h: vec3f, alpha: f32) -> f32 {
+  // At least 1 for a unit vector; opposite directions along the surface have none.
+  let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
+  return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
+// in m, the half vector before it gets length 1.
+struct FacetLobe {
+  value: vec3f,
+  pdf: f32,
+  // dot(wo, h)
+  cosine: f32,
+}
+
+
+// Turquin, "Practical multiple scattering compensation for microfacet models", 2019, equation 16: what single scattering loses
+// comes back in the same lobe, coloured once more by the reflectance at normal incidence.
+fn compensation(s: Surface, cosine: f32) -> vec3f {
+  let code = u32(s.code);
+  let asked = ((code & 8u) != 0u) & !isDielectric(code);
+  let albedo = singleScatteringAlbedo(cosine, s.alpha);
+  return select(vec3f(1.0), 1.0 + facetReflectance(s, 1.0, 1.0) * ((1.0 - albedo) / albedo), asked);
 }
 
 const noTriangle = LeftTriangle(noInstance, 0u);

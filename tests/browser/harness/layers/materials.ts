@@ -1,0 +1,26 @@
+/** Layered materials as rows of a scene table, packed as scenes are. */
+
+import { layerValues } from '../../../../packages/renderer/src/packed-scene/layer-values.ts';
+import { TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import { writeRow } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
+import { surfaceValues } from '../../../../packages/renderer/src/packed-scene/surface-values.ts';
+import { type Block, createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { isLayered } from '../../../../packages/renderer/src/scene/layered.ts';
+import sheenWesl from '../../../../packages/renderer/src/shading/bsdf/layers/sheen.wesl?raw';
+import { materialOf } from '../../../fixtures/layers/as-material.ts';
+import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';
+import { sheenFit } from '../../../fixtures/layers/sheen-fit.ts';
+
+export const albedoOfSheen = sheenFit(sheenWesl);
+
+/** The surface of material i lies in row i, its layers below all surfaces. */
+export function layerTable(materials: readonly LayeredMaterial[], energyCompensation = false): Block {
+  const table = createBlock(2 * materials.length * TABLE_WIDTH * 16);
+  materials.forEach((given, row) => {
+    const material = { ...materialOf(given), energyCompensation };
+    if (!isLayered(material)) throw new Error(`No layers: ${JSON.stringify(given)}`);
+    writeRow(table, 'Surface', row, surfaceValues(material, null, 0, materials.length + row));
+    writeRow(table, 'Layers', materials.length + row, layerValues(material));
+  });
+  return table;
+}
