@@ -1,7 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { deflateSync } from 'node:zlib';
 import { shaderText } from './shader-text.mjs';
 
 const source = fileURLToPath(new URL('../packages/renderer/src/', import.meta.url));
@@ -117,12 +116,11 @@ const LOADER = 'virtual:load-part';
 /**
  * For Vite. A dynamic import of one of the parts becomes
  *
- * - `text`: text at the end of the one HTML file, compressed, which the browser neither parses nor unpacks before it is asked for, and
- *   for which the page's own script does not wait;
- * - `file`: an import of a file beside the module, mirrorball-gltf.js and so on.
+ * - `page`: a classic script beside the page, which a browser loads from a folder on the disk too, as it does no module;
+ * - `library`: an import of a file beside the module, mirrorball-gltf.js and so on.
  *
  * Parts that nothing of the page asks for are left out. Workers ask the page for parts: see `answerParts` in the loader below.
- * @param {'text' | 'file'} as
+ * @param {'page' | 'library'} as
  * @returns {import('vite').Plugin}
  */
 export function lazyParts(as) {
@@ -132,12 +130,9 @@ export function lazyParts(as) {
     ...partImports(as, written),
     generateBundle: {
       order: 'post',
-      handler(_, bundle) {
-        if (as === 'file')
-          for (const [name, code] of written) this.emitFile({ type: 'asset', fileName: fileOf(name), source: code });
-        for (const file of Object.values(bundle))
-          if (as === 'text' && file.type === 'asset' && file.fileName.endsWith('.html'))
-            file.source = withParts(String(file.source), written);
+      handler() {
+        for (const [name, code] of written)
+          this.emitFile({ type: 'asset', fileName: fileOf(name), source: as === 'page' ? scriptOf(name, code) : code });
       },
     },
   };
@@ -145,9 +140,12 @@ export function lazyParts(as) {
 
 const fileOf = (/** @type {string} */ name) => `mirrorball-${name}.js`;
 
+/** Leaves the code as text: the loader makes modules of it, in the page and in its workers. @param {string} name @param {string} code */
+const scriptOf = (name, code) => `(self.mirrorballParts ??= {})[${JSON.stringify(name)}] = ${JSON.stringify(code)};\n`;
+
 /**
  * What the page and its parts have in common: imports of parts are replaced, and those that are asked for are built.
- * @param {'text' | 'file'} as
+ * @param {'page' | 'library'} as
  * @param {Map<string, string>} written
  * @returns {import('vite').Plugin}
  */
@@ -168,7 +166,7 @@ function partImports(as, written) {
       order: 'pre',
       handler(id) {
         if (id === `\0${LOADER}`) return LOADER_CODE;
-        if (as === 'text' && id === ANSWERING) return `export { answerParts } from '${LOADER}';`;
+        if (as === 'page' && id === ANSWERING) return `export { answerParts } from '${LOADER}';`;
         return id.endsWith('.wasm?url&inline') ? byteText(id) : null;
       },
     },
@@ -178,7 +176,7 @@ function partImports(as, written) {
         const parts = partsAskedBy(id);
         if (parts.length === 0) return null;
         const text = parts.reduce((before, part) => replaced(before, part, as), code);
-        return { code: as === 'text' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
+        return { code: as === 'page' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
       },
     },
     async renderChunk(_, chunk) {
@@ -203,12 +201,12 @@ function partsAskedBy(id) {
 /** What asks for it. @param {Part} part */
 const callOf = (part) => new RegExp(`import\\((['"])${part.asked.replaceAll('.', '\\.')}\\1\\)`, 'g');
 
-/** @param {string} code @param {Part} part @param {'text' | 'file'} as */
+/** @param {string} code @param {Part} part @param {'page' | 'library'} as */
 function replaced(code, part, as) {
   const call = callOf(part);
   if (!call.test(code))
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);
-  return code.replace(call, as === 'text' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
+  return code.replace(call, as === 'page' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
 }
 
 /** A letter for each byte: compression finds what repeats in it, which base64 hides. A third smaller. */
@@ -217,7 +215,7 @@ function byteText(/** @type {string} */ id) {
   return `export default ${JSON.stringify(bytes.toString('latin1'))};`;
 }
 
-/** @param {Part} part @param {'text' | 'file'} as @param {Map<string, string>} written */
+/** @param {Part} part @param {'page' | 'library'} as @param {Map<string, string>} written */
 async function buildPart(part, as, written) {
   // Not above: build-studio.mjs takes a name from here before the packages are installed.
   const { build } = await import('vite');
@@ -250,54 +248,18 @@ async function buildPart(part, as, written) {
   return chunk.code;
 }
 
-/** What stands before the first part: build-studio.mjs measures up to here what every visitor waits for. */
-export const PARTS_START = '<!-- What comes when it is needed -->';
-
-/**
- * @param {string} html
- * @param {ReadonlyMap<string, string>} parts
- */
-function withParts(html, parts) {
-  if (parts.size === 0) return html;
-  const texts = [...parts].map(([name, code]) => {
-    const packed = deflateSync(Buffer.from(code), { level: 9 }).toString('base64');
-    return `<script type="text/plain" id="part-${name}">${packed}</script>`;
-  });
-  const { script, rest } = cutOut(html);
-  const end = rest.lastIndexOf('</body>');
-  return `${rest.slice(0, end)}${script}\n${PARTS_START}\n${texts.join('\n')}\n${rest.slice(end)}`;
-}
-
-/**
- * The page's own script, and the page without it. A module script waits for the end of the page unless it is async; then it has to stand
- * behind what it looks for.
- * @param {string} html
- */
-function cutOut(html) {
-  const start = html.indexOf('<script type="module"');
-  const end = html.indexOf('</script>', start) + '</script>'.length;
-  if (start < 0 || html.indexOf('<script type="module"', end) >= 0)
-    throw new Error('The page should have one module script.');
-  const script = html.slice(start, end).replace('<script type="module"', '<script type="module" async');
-  return { script, rest: html.slice(0, start) + html.slice(end) };
-}
-
 /** Runs in the page, in parts, as they may need parts, and in workers, which see no page and ask it by a message. */
 const LOADER_CODE = `
-const text = (name) => document.getElementById('part-' + name);
-const parsed = () => new Promise((resolve) => {
-  if (document.readyState !== 'loading') resolve();
-  else addEventListener('DOMContentLoaded', resolve, { once: true });
+const beside = (name) => new Promise((resolve, reject) => {
+  const code = () => self.mirrorballParts?.[name];
+  const missing = 'mirrorball-' + name + '.js is missing: it belongs into the folder of this page.';
+  const end = () => (code() === undefined ? reject(new Error(missing)) : resolve(new Blob([code()])));
+  if (code() !== undefined) return end();
+  const script = document.createElement('script');
+  script.src = 'mirrorball-' + name + '.js';
+  script.onload = script.onerror = end;
+  document.head.append(script);
 });
-async function unpacked(name) {
-  if (!text(name)) await parsed();
-  const element = text(name);
-  if (!element) throw new Error('This page has been cut off: its part "' + name + '" is missing.');
-  // The end tag may still be under way.
-  if (!element.nextSibling) await parsed();
-  const bytes = Uint8Array.from(atob(element.textContent), (letter) => letter.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).blob();
-}
 const asked = (name) => new Promise((resolve, reject) => {
   const { port1, port2 } = new MessageChannel();
   port1.onmessage = ({ data }) => {
@@ -311,14 +273,14 @@ export function answerParts(worker) {
   worker.addEventListener('message', async ({ data, ports }) => {
     if (!data || typeof data.part !== 'string') return;
     try {
-      ports[0].postMessage({ code: await unpacked(data.part) });
+      ports[0].postMessage({ code: await beside(data.part) });
     } catch (error) {
       ports[0].postMessage({ problem: error.message });
     }
   });
 }
 async function load(name) {
-  const code = await (typeof document === 'undefined' ? asked(name) : unpacked(name));
+  const code = await (typeof document === 'undefined' ? asked(name) : beside(name));
   const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
   try {
     return await import(/* @vite-ignore */ url);
@@ -328,7 +290,11 @@ async function load(name) {
 }
 const loads = new Map();
 export function loadPart(name) {
-  if (!loads.has(name)) loads.set(name, load(name));
+  if (!loads.has(name)) {
+    loads.set(name, load(name));
+    // What was missing may be there the next time.
+    loads.get(name).catch(() => loads.delete(name));
+  }
   return loads.get(name);
 }
 `;

@@ -9,7 +9,7 @@ import { layoutWithoutDocs } from '../../scripts/without-docs.mjs';
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
-  plugins: [layoutWithoutDocs(), shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
+  plugins: [layoutWithoutDocs(), shaderText(), viteSingleFile({ removeViteModuleLoader: true }), lazyParts('page')],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: { outDir: 'dist', emptyOutDir: true, target: 'es2022', modulePreload: false, reportCompressedSize: true },
 });

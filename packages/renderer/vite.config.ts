@@ -6,7 +6,7 @@ import { lazyParts } from '../../scripts/lazy-parts.mjs';
 // start; mirrorball-gltf.js and others beside it come when a model needs them.
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
-  plugins: [lazyParts('file')],
+  plugins: [lazyParts('library')],
   build: {
     outDir: 'dist',
     emptyOutDir: true,

@@ -25,7 +25,7 @@ async function openPage(page: Page, folder: string): Promise<void> {
     configFile: false,
     root: folder,
     logLevel: 'error',
-    plugins: [viteSingleFile({ removeViteModuleLoader: true }), lazyParts('text')],
+    plugins: [viteSingleFile({ removeViteModuleLoader: true }), lazyParts('page')],
     build: { outDir: join(folder, 'dist'), target: 'es2022', modulePreload: false },
   });
   await page.goto(pathToFileURL(join(folder, 'dist/index.html')).href);

@@ -1,7 +1,10 @@
 import { describe, expect, test } from 'vitest';
+import { swarm } from '../../../tests/fixtures/motion.ts';
+import { seededRandom } from '../../../tests/fixtures/random.ts';
 import { testLight, testScene } from '../../../tests/fixtures/scenes.ts';
 import type { RendererSettings } from './renderer-types.ts';
-import type { Scene, Shape } from './scene/scene.ts';
+import type { MeshShape, Scene, Shape } from './scene/scene.ts';
+import { trustScene } from './scene-file/parse-scene.ts';
 import { DEFAULT_SETTINGS, View } from './view.ts';
 
 const ball: Shape = { type: 'sphere', center: [0, 0, 0], radius: 1, material: 'white' };
@@ -190,4 +193,33 @@ test('rays per pixel: a camera ray and its mirror rays, each with a shadow ray a
   const panel = (maxReflections: number) => ({ maxReflections, lightSamples: 1 });
   view.set({ comparison: { panels: [panel(0), panel(1), panel(2)], dividers: [0.3, 0.6] } });
   expect(view.raysPerPixel()).toBe((3 + 6 + 9) / 3);
+});
+
+describe('clips', () => {
+  const playing = (): View => {
+    const scene = swarm(seededRandom(1), 3);
+    trustScene(scene);
+    return viewOf(scene);
+  };
+
+  test('move the picture as keyframes do, unless none plays', () => {
+    const view = playing();
+    expect(view.moves).toBe(true);
+    expect(growth(view, () => view.advance(0.1))).toEqual({ film: 1, shown: 1 });
+    const { clip: _, ...resting } = view.scene!;
+    trustScene(resting);
+    expect(viewOf(resting).moves).toBe(false);
+  });
+
+  test('what frames are made of goes with the time; data of an earlier time stay as they are', () => {
+    const view = playing();
+    const [moment, before] = [view.momentNow(), view.sceneNow()];
+    expect(view.momentNow()).toBe(moment);
+    const matrix = (before.shapes['thing 0'] as MeshShape).matrix!.slice();
+    view.advance(0.2);
+    expect(view.momentNow().time).toBeCloseTo(0.2);
+    expect(view.momentNow().scene, 'nothing but meshes moves').toBe(moment.scene);
+    expect((view.sceneNow().shapes['thing 0'] as MeshShape).matrix).not.toEqual(matrix);
+    expect((before.shapes['thing 0'] as MeshShape).matrix).toEqual(matrix);
+  });
 });

@@ -15,6 +15,7 @@ import { probeWildLamps } from './emitters/wild-lamps.ts';
 import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
+import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilm } from './path.ts';
@@ -46,6 +47,8 @@ export const harness = {
   parity,
   pathFilm,
   pictureOf,
+  playedFilms,
+  playFrames,
   probeSampler,
   probeChoices,
   probeTree,
@@ -58,6 +61,7 @@ export const harness = {
   probeWildLamps,
   lightCases,
   shadeMean,
+  switchMovingScenes,
   texturedSights,
   tiltedLight,
   treesFromWorker,

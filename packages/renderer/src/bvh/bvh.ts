@@ -58,10 +58,16 @@ export const DEFAULT_COSTS: TraceCosts = { node: 1, primitive: 1.25 };
  * MacDonald and Booth 1990). Σ area(node)/area(root) · (node cost, or primitive cost × count at leaves).
  */
 export function sahCost(bvh: Bvh, costs: TraceCosts = DEFAULT_COSTS): number {
+  const { nodeCount, links, bounds } = bvh;
+  const { node, primitive } = costs;
   let sum = 0;
-  for (let i = 0; i < bvh.nodeCount; i++) {
-    const count = leafCount(bvh, i);
-    sum += halfArea(bvh, i) * (count > 0 ? costs.primitive * count : costs.node);
+  for (let i = 0, at = 0; i < nodeCount; i++, at += 6) {
+    const count = links[2 * i + 1]!;
+    const dx = bounds[at + 3]! - bounds[at]!;
+    const dy = bounds[at + 4]! - bounds[at + 1]!;
+    const dz = bounds[at + 5]! - bounds[at + 2]!;
+    const area = dx * (dy + dz) + dy * dz;
+    sum += count > 0 ? area * primitive * count : area * node;
   }
   return sum > 0 ? sum / halfArea(bvh, 0) : 0;
 }

@@ -66,3 +66,42 @@ test('refuses boxes that are missing or not finite', () => {
   expect(() => tree.build(new Float32Array(11), 2)).toThrow('11 floats are less than 2 boxes');
   expect(() => tree.build(Float32Array.of(0, 0, 0, 1, NaN, 1), 1)).toThrow(/not finite/);
 });
+
+test('the quick tree is one too, for any number of boxes, again and again, and not much worse (seed 54)', () => {
+  const random = seededRandom(54);
+  const tree = new InstanceTree();
+  for (const count of [0, 1, 2, 3, 9, 100, 1000, 7, 0, 1200, 5000, 2]) {
+    const boxes = randomBoxes(random, count);
+    const bvh = tree.buildQuickly(boxes, count);
+    expect(checkTree(used(bvh), boxes)).toBe(Math.min(count, 1));
+    expect(sahCost(bvh)).toBeLessThanOrEqual(1.35 * sahCost(tree.build(boxes, count)));
+  }
+});
+
+test('the quick tree keeps its arrays and does not grow deep over equal boxes, points and rows (seed 55)', () => {
+  const random = seededRandom(55);
+  const tree = new InstanceTree();
+  const { bounds, links, order } = tree.buildQuickly(randomBoxes(random, 1000), 1000);
+  const shapes = [
+    new Float32Array(6000).fill(5),
+    Float32Array.from({ length: 6000 }, (_, k) => (k % 6 < 3 ? 1 : 2)),
+    Float32Array.from({ length: 6000 }, (_, k) => 2 ** (Math.floor(k / 6) / 20) * (k % 6 < 3 ? 1 : 1.01)),
+  ];
+  for (const boxes of shapes) {
+    const bvh = tree.buildQuickly(boxes, 1000);
+    checkTree(used(bvh), boxes);
+    expect(bvh.depth).toBeLessThanOrEqual(25);
+    expect([bvh.bounds === bounds, bvh.links === links, bvh.order === order]).toEqual([true, true, true]);
+  }
+});
+
+test('either tree is fitted to boxes that have moved (seed 56)', () => {
+  const random = seededRandom(56);
+  const tree = new InstanceTree();
+  const [here, there] = [randomBoxes(random, 300), randomBoxes(random, 300)];
+  for (const bvh of [tree.build(here, 300), tree.buildQuickly(here, 300)]) {
+    checkTree(used(tree.refit(bvh, there)), there);
+    checkTree(used(tree.refit(bvh, here)), here);
+  }
+  expect(() => tree.refit(tree.build(here, 300), there.subarray(6))).toThrow('less than 300 boxes');
+});

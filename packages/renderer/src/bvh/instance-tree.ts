@@ -34,7 +34,7 @@ export class InstanceTree {
     return this.tree;
   }
 
-  /** A tree in a third of the time, for instances that move. */
+  /** A tree in less than half the time, for instances that move. */
   buildQuickly(boxes: Float32Array, count: number): Bvh {
     check(boxes, count);
     return this.sweep.build(boxes, count);

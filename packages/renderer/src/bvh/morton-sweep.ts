@@ -1,7 +1,7 @@
 /**
  * A tree over boxes that move every frame: in Morton's order, and each range split where the surface area heuristic finds it cheapest
- * among all places in that order. Nothing is sorted but once, and nothing moved, so it takes a third of the time of the good builder's; trees
- * cost a tenth more, as docs/bvh.md shows.
+ * among all places in that order. Nothing is sorted but once, and nothing moved, so it takes less than half of the good builder's time; trees
+ * cost a sixth more, as docs/motion.md shows.
  */
 import { uniteUpwards } from './bounds.ts';
 import { gatherItems, pairPrimitives } from './items.ts';

@@ -1,13 +1,16 @@
 import { describe, expect, test } from 'vitest';
 import { awkwardMeshes, bumpySphere, landscape, soup } from '../../../../tests/fixtures/meshes.ts';
 import { between, pick, randomDirection, seededRandom } from '../../../../tests/fixtures/random.ts';
+import { checkTree } from '../../../../tests/fixtures/tree-check.ts';
 import { wideSource } from '../../../../tests/fixtures/wide-source.ts';
 import { buildBvh } from '../bvh/build-bvh.ts';
-import type { Bvh, TriangleMesh } from '../bvh/bvh.ts';
+import { type Bvh, firstPlace, leafCount, sahCost, type TriangleMesh } from '../bvh/bvh.ts';
 import { triangleBoxes } from '../bvh/primitive-boxes.ts';
+import { planRefit, refit } from '../bvh/refit.ts';
 import { type NodeSource, roomForChildren } from '../bvh/trace/node-source.ts';
 import { closestByBruteForce, closestHit } from '../bvh/trace/trace.ts';
-import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
+import { decodeWideBvh } from './decode-wide-bvh.ts';
+import { encodeWideBvh, MOST_IN_LEAF, writeBoxes } from './encode-wide-bvh.ts';
 
 function sourceOf(bvh: Bvh): NodeSource {
   const { words, stackNeed } = encodeWideBvh(bvh);
@@ -59,6 +62,38 @@ describe.each(meshes)('%s', (_, mesh) => {
       const ray = { origin, direction, tMin: 0, tMax: Number.POSITIVE_INFINITY };
       expect(closestHit(source, mesh, ray)).toEqual(closestByBruteForce(mesh, ray));
     }
+  });
+});
+
+describe.each(meshes)('%s, read back', (_, mesh) => {
+  const tree = buildBvh(mesh, options);
+  const { words } = encodeWideBvh(tree);
+  const { bvh, sources } = decodeWideBvh(words, tree.order);
+
+  test('is a binary tree with the same leaves, and as good as that which was written', () => {
+    refit(bvh, mesh.positions, planRefit(bvh, mesh));
+    checkTree(bvh, triangleBoxes(mesh));
+    const leaves = (one: Bvh) =>
+      Array.from({ length: one.nodeCount }, (_, i) => [firstPlace(one, i), leafCount(one, i)]).filter(
+        ([, n]) => n! > 0,
+      );
+    expect(leaves(bvh)).toEqual(leaves(tree));
+    expect(sahCost(bvh)).toBeLessThan(1.1 * sahCost(tree) + 1e-9);
+  });
+
+  test('boxes written anew are those that stood there', () => {
+    const copy = words.slice();
+    const floats = new Float32Array(copy.buffer);
+    refit(
+      bvh,
+      mesh.positions.map((x) => 2 - x),
+      planRefit(bvh, mesh),
+    );
+    writeBoxes(sources, sources.length / 4, bvh, floats);
+    if (mesh.indices.length > 0) expect(copy).not.toEqual(words);
+    refit(bvh, mesh.positions, planRefit(bvh, mesh));
+    writeBoxes(sources, sources.length / 4, bvh, floats);
+    expect(copy).toEqual(words);
   });
 });
 

@@ -10,7 +10,7 @@
 import { type Bvh, firstChild, firstPlace, halfArea, leafCount, secondChild } from '../bvh/bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 
-const WIDTH = 4;
+export const WIDTH = 4;
 const LEAF = 0x80000000;
 const COUNT_SHIFT = 28;
 export const MOST_IN_LEAF = 7;
@@ -24,15 +24,13 @@ export interface WideBvh {
   readonly words: Uint32Array<ArrayBuffer>;
   /** What waits at most on a kernel's stack on the way through. */
   readonly stackNeed: number;
-  /** Which node of the binary tree each of a node's four children is; NONE: there is no such child. */
-  readonly sources: Uint32Array;
 }
 
-const NODE_WORDS = geometryRows('WideNode') * GEOMETRY_ROW;
+export const NODE_WORDS = geometryRows('WideNode') * GEOMETRY_ROW;
 const LEAST = fieldOffset('WideNode', 'minX') / 4;
 const GREATEST = fieldOffset('WideNode', 'maxX') / 4;
 const CHILDREN = fieldOffset('WideNode', 'children') / 4;
-const NONE = 0xffffffff;
+export const NONE = 0xffffffff;
 
 /** Throws a `RangeError` when a leaf has more than MOST_IN_LEAF primitives. */
 export function encodeWideBvh(bvh: Bvh): WideBvh {
@@ -40,11 +38,7 @@ export function encodeWideBvh(bvh: Bvh): WideBvh {
   // Each wide node stands for at least one inner node, and a tree that is one leaf needs a node about it.
   const words = new Uint32Array(Math.max(bvh.nodeCount, 1) * NODE_WORDS);
   const { nodeCount, stackNeed } = encoder.encode(bvh, words, new Float32Array(words.buffer));
-  return {
-    words: words.slice(0, nodeCount * NODE_WORDS),
-    stackNeed,
-    sources: encoder.sources.slice(0, nodeCount * WIDTH),
-  };
+  return { words: words.slice(0, nodeCount * NODE_WORDS), stackNeed };
 }
 
 /** Encodes one tree after the other and keeps its arrays. */
@@ -52,10 +46,11 @@ export class WideEncoder {
   /** Of the tree before; at least one, a root without children. */
   nodeCount = 0;
   stackNeed = 0;
-  /** As in `WideBvh`. */
+  /** Which node of the binary tree each of a node's four children is; NONE: there is no such child. */
   sources = new Uint32Array(WIDTH);
   #bvh!: Bvh;
   #words!: Uint32Array;
+  #floats!: Float32Array;
   #named = false;
 
   /**
@@ -67,6 +62,7 @@ export class WideEncoder {
     this.#named = named;
     this.#words = words;
     if (this.sources.length < bvh.nodeCount * WIDTH) this.sources = new Uint32Array(bvh.nodeCount * WIDTH);
+    this.#floats = floats;
     this.nodeCount = 0;
     this.stackNeed = bvh.nodeCount === 0 ? this.#empty() : this.#node(0);
     writeBoxes(this.sources, this.nodeCount, bvh, floats);
@@ -76,7 +72,7 @@ export class WideEncoder {
   #empty(): number {
     this.nodeCount = 1;
     this.sources.fill(NONE, 0, WIDTH);
-    this.#words.fill(0, CHILDREN, NODE_WORDS);
+    for (let k = 0; k < WIDTH; k++) this.#leaveOut(0, k);
     return 0;
   }
 
@@ -87,19 +83,27 @@ export class WideEncoder {
     const count = this.#open(source, node * WIDTH);
     let deepest = 0;
     for (let k = 0; k < WIDTH; k++) {
-      const child = this.sources[node * WIDTH + k]!;
-      let reference = 0;
-      if (k < count) {
-        const primitives = leafCount(bvh, child);
-        if (primitives > 0) reference = this.#leaf(firstPlace(bvh, child), primitives);
-        else {
-          reference = this.nodeCount;
-          deepest = Math.max(deepest, this.#node(child));
-        }
+      if (k >= count) {
+        this.#leaveOut(node, k);
+        continue;
       }
+      const child = this.sources[node * WIDTH + k]!;
+      const primitives = leafCount(bvh, child);
+      const reference = primitives > 0 ? this.#leaf(firstPlace(bvh, child), primitives) : this.nodeCount;
       this.#words[node * NODE_WORDS + CHILDREN + k] = reference;
+      if (primitives === 0) deepest = Math.max(deepest, this.#node(child));
     }
     return count - 1 + deepest;
+  }
+
+  /** Where there is no child. */
+  #leaveOut(node: number, k: number): void {
+    const at = node * NODE_WORDS + k;
+    this.#words[at + CHILDREN] = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      this.#floats[at + LEAST + axis * WIDTH] = FAR;
+      this.#floats[at + GREATEST + axis * WIDTH] = -FAR;
+    }
   }
 
   #leaf(place: number, count: number): number {
@@ -126,12 +130,15 @@ export class WideEncoder {
   }
 
   #largest(at: number, count: number): number {
-    let [found, largest] = [-1, -1];
+    let found = -1;
+    let largest = -1;
     for (let k = 0; k < count; k++) {
       const child = this.sources[at + k]!;
-      if (leafCount(this.#bvh, child) > 0 || halfArea(this.#bvh, child) <= largest) continue;
+      if (leafCount(this.#bvh, child) > 0) continue;
+      const area = halfArea(this.#bvh, child);
+      if (area <= largest) continue;
       found = k;
-      largest = halfArea(this.#bvh, child);
+      largest = area;
     }
     return found;
   }
@@ -142,18 +149,39 @@ export function writeBoxes(sources: Uint32Array, nodeCount: number, bvh: Bvh, fl
   const { bounds } = bvh;
   let most = 0;
   for (let i = 0; bvh.nodeCount > 0 && i < 6; i++) most = Math.max(most, Math.abs(bounds[i]!));
-  const padding = PADDING * most;
-  for (let node = 0; node < nodeCount; node++)
-    for (let k = 0; k < WIDTH; k++) {
-      const source = sources[node * WIDTH + k]!;
-      const at = node * NODE_WORDS + k;
-      const there = source !== NONE;
-      for (let axis = 0; axis < 3; axis++) {
-        floats[at + LEAST + axis * WIDTH] = there ? bounds[6 * source + axis]! - padding : FAR;
-        floats[at + GREATEST + axis * WIDTH] = there ? bounds[6 * source + 3 + axis]! + padding : -FAR;
-      }
-    }
+  writePadded(sources, nodeCount * WIDTH, bounds, PADDING * most, floats);
 }
+
+function writePadded(
+  sources: Uint32Array,
+  slots: number,
+  bounds: Float32Array,
+  padding: number,
+  floats: Float32Array,
+): void {
+  const least = LEAST | 0;
+  const greatest = GREATEST | 0;
+  const words = NODE_WORDS | 0;
+  for (let slot = 0; slot < slots; slot++) {
+    const from = sources[slot]! * 6;
+    // NONE is a number beyond all nodes; the box that no ray enters stands there since it was encoded.
+    if (from >= bounds.length) continue;
+    const at = (slot >> 2) * words + (slot & 3);
+    floats[at + least] = bounds[from]! - padding;
+    floats[at + least + 4] = bounds[from + 1]! - padding;
+    floats[at + least + 8] = bounds[from + 2]! - padding;
+    floats[at + greatest] = bounds[from + 3]! + padding;
+    floats[at + greatest + 4] = bounds[from + 4]! + padding;
+    floats[at + greatest + 8] = bounds[from + 5]! + padding;
+  }
+}
+
+/** Of a node's child; 0: there is none. */
+export const referenceAt = (words: Uint32Array, node: number, child: number): number =>
+  words[node * NODE_WORDS + CHILDREN + child]!;
+export const isLeaf = (reference: number): boolean => reference >= LEAF;
+export const placeOf = (leaf: number): number => leaf & (MOST_PRIMITIVES - 1);
+export const countOf = (leaf: number): number => (leaf >>> COUNT_SHIFT) & MOST_IN_LEAF;
 
 export function leafReference(first: number, count: number): number {
   if (count > MOST_IN_LEAF || first + count > MOST_PRIMITIVES)

@@ -2,8 +2,6 @@
  * What packs meshes, their textures, and trees over many lights, with all that builds trees, comes when the first scene with some does: see
  * scripts/lazy-parts.mjs.
  */
-
-import { isDeformable } from '../scene/deform.ts';
 import { type Mesh, triangleCount } from '../scene/mesh.ts';
 import type { Moment } from '../scene/motion.ts';
 import { meshShapes } from '../scene/placed.ts';
@@ -14,7 +12,6 @@ import type { LightTree } from './light-tree.ts';
 import type * as PackGeometry from './pack-geometry.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
-
 import type { TextureRows } from './pack-textures.ts';
 import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock } from './write-struct.ts';
@@ -30,15 +27,15 @@ export async function loadGeometryPacker(): Promise<Packer> {
 /** Null until it has been loaded. */
 export const geometryPacker = (): Packer | null => packer;
 
-/** Meshes that stand in the scene as they are; those that bend are others at every time. */
-function stillMeshes(scene: Scene): Mesh[] {
+/** Each once. Those that bend get their trees for the form that they have in the scene: posed-mesh.ts. */
+function meshesOf(scene: Scene): Mesh[] {
   const meshes = meshShapes(scene).map(([, { mesh }]) => scene.meshes?.[mesh]?.data);
-  return [...new Set(meshes)].filter((mesh) => mesh !== undefined && !isDeformable(mesh)) as Mesh[];
+  return [...new Set(meshes)].filter((mesh) => mesh !== undefined);
 }
 
 /** Whether nothing of the scene's meshes has to be waited for. */
 export function areMeshesReady(scene: Scene): boolean {
-  const meshes = stillMeshes(scene);
+  const meshes = meshesOf(scene);
   return packer === null ? meshShapes(scene).length === 0 : meshes.every(packer.isPacked);
 }
 
@@ -46,12 +43,12 @@ export function areMeshesReady(scene: Scene): boolean {
 export async function prepareMeshes(scene: Scene, preparation?: Preparation): Promise<void> {
   if (areMeshesReady(scene)) return;
   const { packMeshes } = await loadGeometryPacker();
-  await packMeshes(stillMeshes(scene), preparation);
+  await packMeshes(meshesOf(scene), preparation);
 }
 
 /** Packs them on this thread, as a worker may, and gives them. `onProgress` gets the share that is done, 0 … 1. */
 export async function packHere(scene: Scene, onProgress: (done: number) => void = () => {}) {
-  const meshes = stillMeshes(scene);
+  const meshes = meshesOf(scene);
   if (meshes.length === 0) return [];
   const { packMesh } = await loadGeometryPacker();
   const all = meshes.reduce((sum, mesh) => sum + triangleCount(mesh), 0);

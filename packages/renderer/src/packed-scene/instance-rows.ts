@@ -61,9 +61,10 @@ export class InstanceRows {
     this.changedTo = 0;
     for (let i = 0; i < meshOf.length; i++) {
       const at = i * AFFINE_LENGTH;
-      if (!isSolid(matrices, at)) continue;
       const mesh = meshOf[i]!;
       const same = this.#meshes[slot] === mesh && !mesh.boxChanged && equalAt(matrices, at, this.#matrices, slot * AFFINE_LENGTH); // biome-ignore format: one thought
+      // What a slot has been made of is solid.
+      if (!same && !isSolid(matrices, at)) continue;
       if (!same) {
         moved = true;
         this.#meshes[slot] = mesh;

@@ -29,6 +29,8 @@ export class MeshLamps {
     matrices: Float64Array,
     firstRow: number,
   ): void {
+    // The usual case stays the same object, so that nobody takes it for other lights.
+    if (this.emitters.length === 0 && glows.every((glow) => glow === null)) return;
     const starts = new Map<LampTable, number>();
     const emitters: EmitterValues[] = [];
     this.rows = 0;

@@ -3,10 +3,13 @@ const HALF = 32767;
 
 /** `normals[at]` and the two after it: any length but 0; a vector of length 0 counts as +Z. */
 export function toOctahedral(normals: ArrayLike<number>, at: number): number {
-  const [x, y, z] = [normals[at]!, normals[at + 1]!, normals[at + 2]!];
+  const x = normals[at]!;
+  const y = normals[at + 1]!;
+  const z = normals[at + 2]!;
   const size = Math.abs(x) + Math.abs(y) + Math.abs(z);
   if (!(size > 0)) return code(0, 0);
-  const [u, v] = [x / size, y / size];
+  const u = x / size;
+  const v = y / size;
   if (z >= 0) return code(u, v);
   return code((1 - Math.abs(v)) * (x < 0 ? -1 : 1), (1 - Math.abs(u)) * (y < 0 ? -1 : 1));
 }

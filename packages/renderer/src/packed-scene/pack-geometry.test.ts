@@ -253,3 +253,41 @@ test('another scene gets a geometry of its own; what meshes are made of may chan
     [11, 5],
   ]);
 });
+
+/** All triangles begin at one place, where no tree is better than another. */
+function unfolding(): Scene {
+  const { dough: scene } = scenes;
+  const [[name, { data }]] = Object.entries(scene.meshes!) as [[string, { data: Mesh }]];
+  const folded = { ...data, positions: new Float32Array(data.positions.length) };
+  const morphTargets = [
+    { positions: data.positions },
+    { positions: data.positions.map((x, i) => (i % 3 === 1 ? x : 0)) },
+  ];
+  return { ...scene, meshes: { [name]: { data: { ...folded, morphTargets } } } };
+}
+
+test('a tree that has become a bad one is replaced on the way, by one that stays', () => {
+  const scene = unfolding();
+  const motion = new Motion(scene);
+  const eye: Vec3 = [0, 0, 9];
+  let geometry: PackedGeometry | null = null;
+  const meshes: unknown[] = [];
+  for (let frame = 0; frame < 40; frame++) {
+    const time = 0.5 + frame / 60;
+    geometry = packGeometry(motion.at(time), rowsFrom(0), eye, geometry);
+    meshes.push(geometry.meshes[0]);
+    if (frame % 8 === 7) check(scene, time, eye, geometry);
+  }
+  expect(new Set(meshes).size).toBe(2);
+  expect(new Set(meshes.slice(20)).size).toBe(1);
+});
+
+test('meshes that bend without being torn keep the trees that they have', () => {
+  for (const scene of [scenes.arm, scenes.dough]) {
+    const motion = new Motion(scene);
+    const geometry = packGeometry(motion.at(0), rowsFrom(0), [0, 0, 9]);
+    const [mesh] = geometry.meshes;
+    for (let frame = 0; frame < 60; frame++) packGeometry(motion.at(frame / 15), rowsFrom(0), [0, 0, 9], geometry);
+    expect(geometry.meshes[0]).toBe(mesh);
+  }
+});

@@ -94,14 +94,14 @@ export function packGeometry(
 /** A body and its mesh in the geometry. */
 class PackedBody implements InstancedMesh {
   readonly box = new Float64Array(6);
-  boxChanged = true;
+  boxChanged = false;
   rowChanged = true;
   readonly shared = new Uint32Array(SHARED.length);
   #formRevision = -1;
 
   constructor(
     readonly body: Body,
-    readonly mesh: PackedMesh,
+    public mesh: PackedMesh,
   ) {
     const { min, max } = meshBounds(body.mesh);
     this.box.set([...min, ...max]);
@@ -116,15 +116,18 @@ class PackedBody implements InstancedMesh {
     });
   }
 
-  /** Takes the form that the body has now. */
-  update(): void {
+  /** Takes the form that the body has now. Returns whether that has led to another `mesh`. */
+  update(): boolean {
     const { form, formRevision } = this.body;
     this.boxChanged = form !== null && formRevision !== this.#formRevision;
-    if (!this.boxChanged) return;
+    if (!this.boxChanged) return false;
     this.#formRevision = formRevision;
     const posed = this.mesh as PosedMesh;
     posed.pose(form!);
     for (let i = 0; i < 6; i++) this.box[i] = posed.box[i]!;
+    const renewed = posed.renewed(form!);
+    if (renewed) this.mesh = renewed;
+    return renewed !== null;
   }
 }
 
@@ -132,8 +135,8 @@ class GeometryOfScene implements PackedGeometry {
   readonly movingRows: number;
   readonly moving: Block;
   readonly instances: number;
-  readonly meshes: readonly PackedMesh[];
-  readonly lampTables: number;
+  meshes: readonly PackedMesh[] = [];
+  lampTables = 0;
   readonly changedInstances: [number, number] = [0, 0];
   treeRows = 0;
   revision = 0;
@@ -141,10 +144,11 @@ class GeometryOfScene implements PackedGeometry {
   #time = Number.NaN;
   #bodyRows: BodyRows | null = null;
   readonly #packed: readonly PackedBody[];
+  readonly #bent: readonly PackedBody[];
   /** Of each instance. */
   readonly #meshOf: readonly PackedBody[];
   readonly #instanceRows: InstanceRows;
-  readonly #deepest: number;
+  #deepest = 0;
   readonly #builder = new InstanceTree();
   readonly #encoder = new WideEncoder();
   readonly #lamps = new MeshLamps();
@@ -161,20 +165,20 @@ class GeometryOfScene implements PackedGeometry {
       return shared.get(mesh)!;
     };
     this.#packed = bodies.all.map((body) => new PackedBody(body, meshOf(body)));
+    this.#bent = this.#packed.filter(({ body }) => body.form !== null);
     this.#meshOf = this.#packed.flatMap((packed) => new Array<PackedBody>(packed.body.count).fill(packed));
-    this.meshes = [...new Set(this.#packed.map(({ mesh }) => mesh))];
-    this.#deepest = this.meshes.reduce((most, { stackNeed }) => Math.max(most, stackNeed), 0);
     // Up to twice the room that is needed, so that a few more instances in the next scene move no meshes.
     const room = 2 ** Math.ceil(Math.log2(Math.max(this.#meshOf.length, 1)));
     this.instances = room * NODE_ROWS;
     this.movingRows = this.instances + room * INSTANCE_ROWS;
     this.moving = createBlock(this.movingRows * ROW_BYTES);
-    this.lampTables = this.#placeMeshes();
+    this.#placeMeshes();
     this.#instanceRows = new InstanceRows(this.moving, this.instances * ROW_BYTES, this.#meshOf.length);
   }
 
-  /** Gives the row after them. */
-  #placeMeshes(): number {
+  #placeMeshes(): void {
+    this.meshes = [...new Set(this.#packed.map(({ mesh }) => mesh))];
+    this.#deepest = this.meshes.reduce((most, { stackNeed }) => Math.max(most, stackNeed), 0);
     const starts = new Map<PackedMesh, number>();
     let rows = this.movingRows;
     for (const mesh of this.meshes) {
@@ -193,7 +197,7 @@ class GeometryOfScene implements PackedGeometry {
         vertexFlags: mesh.vertices.flags,
       });
     }
-    return rows;
+    this.lampTables = rows;
   }
 
   get instanceCount(): number {
@@ -214,18 +218,24 @@ class GeometryOfScene implements PackedGeometry {
   update(time: number, bodyRows: BodyRows, eye: Vec3): void {
     if (time !== this.#time) this.#bodies.goTo(time);
     this.#time = time;
-    for (const packed of this.#packed) packed.update();
+    let renewed = false;
+    for (const packed of this.#bent) renewed = packed.update() || renewed;
+    if (renewed) this.#placeMeshes();
     const otherRows = bodyRows !== this.#bodyRows;
     if (otherRows) this.#take(bodyRows);
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
     if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
-    for (const packed of this.#packed) packed.rowChanged = false;
+    this.#forgetChanges();
     if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
     if (news !== 'nothing' || !this.#tree) this.#growTree(news);
     this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;
     this.changedInstances[1] = this.instances + Math.max(rows.changedTo, rows.changedFrom) * INSTANCE_ROWS;
     this.revision++;
+  }
+
+  #forgetChanges(): void {
+    for (const packed of this.#packed) packed.rowChanged = false;
   }
 
   #take(bodyRows: BodyRows): void {

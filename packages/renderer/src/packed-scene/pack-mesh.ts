@@ -4,21 +4,13 @@
  * has.
  */
 
-import { buildBvh, buildInSteps } from '../bvh/build-bvh.ts';
+import { buildInSteps } from '../bvh/build-bvh.ts';
 import type { Bvh } from '../bvh/bvh.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { encodeWideBvh, MOST_IN_LEAF } from './encode-wide-bvh.ts';
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from './layout.ts';
 import { packVertices } from './pack-vertices.ts';
 import type { PackedMesh } from './packed-mesh.ts';
-
-/** A packed mesh with the tree that its words were made of. */
-export interface TreeOfMesh {
-  readonly packed: PackedMesh;
-  readonly bvh: Bvh;
-  /** As in `WideBvh`. */
-  readonly sources: Uint32Array;
-}
 
 const TRIANGLE_WORDS = geometryRows('Triangle') * GEOMETRY_ROW;
 const PLACES = (['a', 'b', 'c'] as const).map((field) => fieldOffset('Triangle', field) / 4);
@@ -54,19 +46,15 @@ export function* packInSteps(mesh: Mesh): Generator<number, PackedMesh, void> {
   const steps = buildInSteps(mesh, RULES);
   for (;;) {
     const { done, value } = steps.next();
-    if (done) return packWithTree(mesh, value).packed;
+    if (done) return packWithTree(mesh, value);
     yield 0.8 * value;
   }
 }
 
-/** The tree that kernels take. */
-export const treeFor = (mesh: Pick<Mesh, 'positions' | 'indices'>): Bvh => buildBvh(mesh, RULES);
-
-export function packWithTree(mesh: Mesh, bvh: Bvh): TreeOfMesh {
-  const { words: nodes, stackNeed, sources } = encodeWideBvh(bvh);
+function packWithTree(mesh: Mesh, bvh: Bvh): PackedMesh {
+  const { words: nodes, stackNeed } = encodeWideBvh(bvh);
   const triangles = trianglesOf(mesh, bvh.order);
-  const packed = { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };
-  return { packed, bvh, sources };
+  return { nodes, triangles, vertices: packVertices(mesh), order: bvh.order, stackNeed, revision: 0 };
 }
 
 function trianglesOf({ positions, indices }: Mesh, order: Uint32Array): Uint32Array<ArrayBuffer> {

@@ -3,7 +3,6 @@
 import { lacksMap } from '../scene/environment.ts';
 import { lampsAsShapes } from '../scene/lamps.ts';
 import type { Moment } from '../scene/motion.ts';
-import { meshShapes } from '../scene/placed.ts';
 import type { Color, Material, MeshShape, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import type { EmitterValues } from './emitter-values.ts';
 import { geometryOf, lightTreeOf, texturesOf } from './geometry-packer.ts';
@@ -46,16 +45,20 @@ export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = 
 }
 
 function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
-  refuseUndrawn(scene);
+  const { reuse } = options;
+  // The same scene again: then nothing but the eye has moved, which meshes are not made of.
+  const before = reuse?.source.surfaces && reuse.source.scene === scene ? reuse : null;
+  if (!before) refuseUndrawn(scene);
   const lamps = lampsAsShapes(scene);
   const { far, near, glows } = planEmitters(scene);
   const packed = packScene(lamps.scene, eye, {
     ...options,
+    keepMeshes: before !== null,
     leastRows: Math.max(far + near, 1),
     moreRows: near > LISTED_EMITTERS ? treeNodes(near) : 0,
     meshes: true,
   });
-  const { table, shapeNames } = packed;
+  const { table, shapeNames, shapeEnds } = packed;
   const rows = new Map(shapeNames.map((name, row) => [name, row]));
   const lights = emittersOf(lamps, eye, (name) => rows.get(name)!);
   const firstOfMesh = placesOf(glows, lights.emitters.length);
@@ -64,27 +67,15 @@ function packRows(scene: Scene, eye: Vec3, options: PackOptions): PackedScene {
     if (emitter !== undefined) return { emitter, oneSided: lights.emitters[emitter]!.oneSided === 1 };
     return firstOfMesh.has(name) ? { emitter: firstOfMesh.get(name)!, oneSided: glows.get(name)!.oneSided } : null;
   };
-  const { shapes } = lamps.scene;
-  const materialOf = (name: string) => lamps.scene.materials[shapes[name]!.material]!;
-  const onMeshes = shapeNames.filter((name) => shapes[name]!.type === 'mesh').map(materialOf);
-  const { textures, rowOf } = texturesOf(scene, onMeshes);
-  const coverOf = ({ mesh }: MeshShape, material: Material) =>
-    (mayBeMissing(material, scene.meshes?.[mesh]?.data) ? rowOf.get(material)! : 0) +
-    (isOneSided(material) ? COVER.isOneSided : 0);
-  shapeNames.forEach((name, row) => {
-    const material = materialOf(name);
-    writeRow(table, 'Surface', row, surfaceValues(material, lampOf(name), rowOf.get(material)));
+  shapeNames.slice(0, shapeEnds[3]).forEach((name, row) => {
+    writeRow(table, 'Surface', row, surfaceValues(materialOf(lamps.scene, name), lampOf(name)));
   });
-  const meshes = meshShapes(lamps.scene);
+  const { bodies, textures } = before ?? packMeshSurfaces(lamps.scene, packed, lampOf, glows);
   return {
     ...packed,
     ...skyOf(scene.sky),
     source: { ...packed.source, scene, surfaces: true },
-    bodies: {
-      first: packed.shapeEnds[3],
-      covers: meshes.map(([name, shape]) => coverOf(shape, materialOf(name))),
-      glows: meshes.map(([name]) => glows.get(name) ?? null),
-    },
+    bodies,
     lights,
     textures,
   };
@@ -121,5 +112,35 @@ function withEmitters(packed: PackedScene, glowing: readonly EmitterValues[], ey
     emitterCount: emitters.length,
     farEmitters: far,
     lightTreeDepth: tree?.depth ?? 0,
+  };
+}
+
+const materialOf = ({ shapes, materials }: Scene, name: string): Material => materials[shapes[name]!.material]!;
+
+/** What meshes are made of, and the textures that it names. */
+function packMeshSurfaces(
+  scene: Scene,
+  { table, shapeNames, shapeEnds }: PackedScene,
+  lampOf: (name: string) => Lamp | null,
+  glows: ReadonlyMap<string, MeshGlow>,
+) {
+  const first = shapeEnds[3];
+  const names = shapeNames.slice(first);
+  const { textures, rowOf } = texturesOf(
+    scene,
+    names.map((name) => materialOf(scene, name)),
+  );
+  const coverOf = (name: string): number => {
+    const material = materialOf(scene, name);
+    const mesh = scene.meshes?.[(scene.shapes[name] as MeshShape).mesh]?.data;
+    return (mayBeMissing(material, mesh) ? rowOf.get(material)! : 0) + (isOneSided(material) ? COVER.isOneSided : 0);
+  };
+  names.forEach((name, i) => {
+    const material = materialOf(scene, name);
+    writeRow(table, 'Surface', first + i, surfaceValues(material, lampOf(name), rowOf.get(material)));
+  });
+  return {
+    bodies: { first, covers: names.map(coverOf), glows: names.map((name) => glows.get(name) ?? null) },
+    textures,
   };
 }

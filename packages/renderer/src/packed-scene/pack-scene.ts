@@ -85,6 +85,8 @@ export interface PackOptions {
   readonly reach?: ViewReach;
   /** Whether meshes get rows too, after all other shapes; without it a scene that has some is refused. */
   readonly meshes?: boolean;
+  /** Whether the rows of meshes in `reuse` are good: they do not depend on the eye. */
+  readonly keepMeshes?: boolean;
   /** Rows that are needed beside shapes and lights, and those after them all. */
   readonly leastRows?: number;
   readonly moreRows?: number;
@@ -92,7 +94,7 @@ export interface PackOptions {
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {
   if (!options.meshes) refuseMeshes(scene);
-  const { reuse, reach = AT_EYE, leastRows = 1, moreRows = 0 } = options;
+  const { reuse, reach = AT_EYE, leastRows = 1, moreRows = 0, keepMeshes = false } = options;
   const named = Object.entries(scene.shapes);
   const sorted = KINDS.map((kind) => named.filter(([, s]) => s.type === kind));
   const lights = sphereLights(scene);
@@ -109,7 +111,9 @@ export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): P
   const ordered = [...sorted.flat(), ...meshes];
   const ids = new Map(named.map(([name], index) => [name, index + 1]));
   ordered.forEach(([name, shape], row) => {
-    if (shape.type !== 'mesh') {
+    if (shape.type === 'mesh') {
+      if (keepMeshes) return;
+    } else {
       const { center, radius, ...extent } = shapeValues(shape, eye);
       put('Bounds', row, { center, radius });
       put('Extent', row, extent);

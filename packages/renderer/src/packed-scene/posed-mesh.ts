@@ -1,30 +1,38 @@
 /**
  * A mesh that joints and weights bend. Its tree is built once, for the form that the scene gives it; for every other form the boxes are
  * fitted to the triangles and written over the old ones. Triangles keep their places, so that the same form is the same words whatever
- * came before it.
+ * came before it. Only where the tree becomes a bad one, as that of triangles which all began at one place, another is built for the form
+ * of the moment, a step in each frame. Rays hit the same triangles in any tree.
  */
-import type { Bvh } from '../bvh/bvh.ts';
+import { type Bvh, sahCost } from '../bvh/bvh.ts';
 import { planRefit, type RefitPlan, refit } from '../bvh/refit.ts';
 import type { Deformed } from '../scene/deform.ts';
 import type { Mesh } from '../scene/mesh.ts';
+import { type DecodedBvh, decodeWideBvh } from './decode-wide-bvh.ts';
 import { writeBoxes } from './encode-wide-bvh.ts';
-import { packWithTree, type TreeOfMesh, treeFor, writePlaces } from './pack-mesh.ts';
+import { packInSteps, packMesh, writePlaces } from './pack-mesh.ts';
 import { type PackedVertices, writeForm } from './pack-vertices.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
-interface Planned extends TreeOfMesh {
-  readonly plan: RefitPlan;
-}
-/** Bodies that share a mesh share its tree. */
-const known = new WeakMap<Mesh, Planned>();
+/** A tree is built anew when it costs so many times what it did at first: docs/motion.md says what meshes come to. */
+const WORN = 2;
+/** The new one is taken if it costs at most this share of the other. */
+const WORTH = 0.9;
 
-function treeOf(mesh: Mesh): Planned {
-  let tree = known.get(mesh);
-  if (!tree) {
-    const bvh = treeFor(mesh);
-    known.set(mesh, (tree = { ...packWithTree(mesh, bvh), plan: planRefit(bvh, mesh) }));
+/** What follows from a packed mesh: its tree, and the vertices of each leaf. */
+interface Plan extends DecodedBvh {
+  readonly vertices: RefitPlan;
+}
+/** Bodies that share a mesh share it. */
+const known = new WeakMap<PackedMesh, Plan>();
+
+function planOf(packed: PackedMesh, mesh: Mesh): Plan {
+  let plan = known.get(packed);
+  if (!plan) {
+    const decoded = decodeWideBvh(packed.nodes, packed.order);
+    known.set(packed, (plan = { ...decoded, vertices: planRefit(decoded.bvh, mesh) }));
   }
-  return tree;
+  return plan;
 }
 
 export class PosedMesh implements PackedMesh {
@@ -36,31 +44,62 @@ export class PosedMesh implements PackedMesh {
   revision = 0;
   /** With bounds of its own. */
   readonly bvh: Bvh;
-  readonly #tree: Planned;
+  readonly #plan: Plan;
   readonly #nodeFloats: Float32Array;
   readonly #triangleFloats: Float32Array;
 
-  constructor(mesh: Mesh) {
-    const tree = treeOf(mesh);
-    this.#tree = tree;
-    this.nodes = tree.packed.nodes.slice();
-    this.triangles = tree.packed.triangles.slice();
-    this.vertices = { ...tree.packed.vertices, words: tree.packed.vertices.words.slice() };
-    this.order = tree.packed.order;
-    this.stackNeed = tree.packed.stackNeed;
-    this.bvh = { ...tree.bvh, bounds: tree.bvh.bounds.slice() };
+  readonly #mesh: Mesh;
+  /** What the tree cost when it was built. */
+  #firstCost: number;
+  #cost = 0;
+  /** The next one, and the form that its tree is built for. */
+  #building: { readonly steps: Generator<number, PackedMesh, void>; readonly positions: Float32Array } | null = null;
+
+  /** `packed`: for the mesh in the form of `positions`. */
+  constructor(mesh: Mesh, packed = packMesh(mesh), positions = mesh.positions) {
+    this.#mesh = mesh;
+    this.#plan = planOf(packed, mesh);
+    this.nodes = packed.nodes.slice();
+    this.triangles = packed.triangles.slice();
+    this.vertices = { ...packed.vertices, words: packed.vertices.words.slice() };
+    this.order = packed.order;
+    this.stackNeed = packed.stackNeed;
+    this.bvh = { ...this.#plan.bvh, bounds: this.#plan.bvh.bounds.slice() };
     this.#nodeFloats = new Float32Array(this.nodes.buffer);
     this.#triangleFloats = new Float32Array(this.triangles.buffer);
+    refit(this.bvh, positions, this.#plan.vertices);
+    this.#firstCost = sahCost(this.bvh);
   }
 
   /** Takes another form. Throws a RangeError when a place in it is not finite. */
   pose(form: Deformed): void {
-    const { plan, sources } = this.#tree;
-    refit(this.bvh, form.positions, plan);
+    const { vertices, sources } = this.#plan;
+    refit(this.bvh, form.positions, vertices);
     writeBoxes(sources, sources.length / 4, this.bvh, this.#nodeFloats);
     writePlaces(this.triangles, this.#triangleFloats, form.positions);
     writeForm(this.vertices, form);
+    this.#cost = sahCost(this.bvh);
     this.revision++;
+  }
+
+  /** Call it after `pose`: gives another mesh in the same form once there is one with a better tree, and else null. */
+  renewed(form: Deformed): PosedMesh | null {
+    if (!this.#building && this.#cost <= WORN * this.#firstCost) return null;
+    this.#building ??= this.#startBuilding(form.positions.slice());
+    const { done, value } = this.#building.steps.next();
+    if (!done) return null;
+    const { positions } = this.#building;
+    this.#building = null;
+    const next = new PosedMesh(this.#mesh, value, positions);
+    next.pose(form);
+    if (next.#cost <= WORTH * this.#cost) return next;
+    // Forms like this one have no better tree.
+    this.#firstCost = this.#cost;
+    return null;
+  }
+
+  #startBuilding(positions: Float32Array) {
+    return { steps: packInSteps({ ...this.#mesh, positions }), positions };
   }
 
   /** The box around its triangles, six numbers: least x, y, z, greatest x, y, z. */

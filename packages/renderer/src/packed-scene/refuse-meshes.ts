@@ -6,7 +6,14 @@ export class UntraceableSceneError extends Error {
   override readonly name = 'UntraceableSceneError';
 }
 
-export const hasMeshes = ({ shapes }: Scene): boolean => Object.values(shapes).some(({ type }) => type === 'mesh');
+/** Asked in every frame; a scene may have a thousand shapes, and it does not change. */
+const known = new WeakMap<Scene['shapes'], boolean>();
+
+export function hasMeshes({ shapes }: Scene): boolean {
+  let found = known.get(shapes);
+  if (found === undefined) known.set(shapes, (found = Object.values(shapes).some(({ type }) => type === 'mesh')));
+  return found;
+}
 
 export function refuseMeshes({ shapes }: Scene): void {
   const mesh = Object.entries(shapes).find(([, { type }]) => type === 'mesh');

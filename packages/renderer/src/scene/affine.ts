@@ -1,6 +1,7 @@
 /**
  * Affine maps as the first three rows of a 4 × 4 matrix for column vectors, row by row: 12 numbers from a place of an array on. Plain
- * functions that write where they are told, so that a thousand matrices cost no object.
+ * functions that write where they are told, so that a thousand matrices cost no object; what frames call writes each number out, as an
+ * engine does not always see through a list that is taken apart at once.
  */
 import type { Quaternion } from './nodes.ts';
 import type { Vec3 } from './scene.ts';
@@ -24,13 +25,24 @@ export function composeAffine(
   s: Numbers,
   si: number,
 ): void {
-  const [x, y, z, w] = [q[qi]!, q[qi + 1]!, q[qi + 2]!, q[qi + 3]!];
+  const x = q[qi]!;
+  const y = q[qi + 1]!;
+  const z = q[qi + 2]!;
+  const w = q[qi + 3]!;
   const square = x * x + y * y + z * z + w * w;
   const two = square > 0 ? 2 / square : 0;
-  const [xx, yy, zz] = [x * x * two, y * y * two, z * z * two];
-  const [xy, xz, yz] = [x * y * two, x * z * two, y * z * two];
-  const [wx, wy, wz] = [w * x * two, w * y * two, w * z * two];
-  const [sx, sy, sz] = [s[si]!, s[si + 1]!, s[si + 2]!];
+  const xx = x * x * two;
+  const yy = y * y * two;
+  const zz = z * z * two;
+  const xy = x * y * two;
+  const xz = x * z * two;
+  const yz = y * z * two;
+  const wx = w * x * two;
+  const wy = w * y * two;
+  const wz = w * z * two;
+  const sx = s[si]!;
+  const sy = s[si + 1]!;
+  const sz = s[si + 2]!;
   out[at] = (1 - yy - zz) * sx;
   out[at + 1] = (xy - wz) * sy;
   out[at + 2] = (xz + wy) * sz;
@@ -54,6 +66,29 @@ export function multiplyAffine(out: WritableNumbers, at: number, a: Numbers, ai:
       const moved = column === 3 ? a[r + 3]! : 0;
       out[at + 4 * row + column] = a[r]! * b0 + a[r + 1]! * b1 + a[r + 2]! * b2 + moved;
     }
+  }
+}
+
+/**
+ * The same for what is multiplied by the thousand in a frame: one kind of array alone, or an engine makes an object of every number that it
+ * reads.
+ */
+export function multiplyMatrices(
+  out: Float64Array,
+  at: number,
+  a: Float64Array,
+  ai: number,
+  b: Float64Array,
+  bi: number,
+): void {
+  for (let column = 0; column < 4; column++) {
+    const x = b[bi + column]!;
+    const y = b[bi + 4 + column]!;
+    const z = b[bi + 8 + column]!;
+    const w = column === 3 ? 1 : 0;
+    out[at + column] = a[ai]! * x + a[ai + 1]! * y + a[ai + 2]! * z + a[ai + 3]! * w;
+    out[at + 4 + column] = a[ai + 4]! * x + a[ai + 5]! * y + a[ai + 6]! * z + a[ai + 7]! * w;
+    out[at + 8 + column] = a[ai + 8]! * x + a[ai + 9]! * y + a[ai + 10]! * z + a[ai + 11]! * w;
   }
 }
 
@@ -96,11 +131,19 @@ export function determinant(m: Numbers, at = 0): number {
 
 /** Whether it keeps three dimensions, so that there is a way back. */
 export function isSolid(m: Numbers, at = 0): boolean {
-  const [a, b, c] = [m[at]!, m[at + 1]!, m[at + 2]!];
-  const [d, e, f] = [m[at + 4]!, m[at + 5]!, m[at + 6]!];
-  const [g, h, i] = [m[at + 8]!, m[at + 9]!, m[at + 10]!];
-  const [x, y, z] = [Math.sqrt(a * a + d * d + g * g), Math.sqrt(b * b + e * e + h * h), Math.sqrt(c * c + f * f + i * i)]; // biome-ignore format: columns
-  if (!(Math.min(x, y, z) >= SHORTEST)) return false;
+  const a = m[at]!;
+  const b = m[at + 1]!;
+  const c = m[at + 2]!;
+  const d = m[at + 4]!;
+  const e = m[at + 5]!;
+  const f = m[at + 6]!;
+  const g = m[at + 8]!;
+  const h = m[at + 9]!;
+  const i = m[at + 10]!;
+  const x = Math.sqrt(a * a + d * d + g * g);
+  const y = Math.sqrt(b * b + e * e + h * h);
+  const z = Math.sqrt(c * c + f * f + i * i);
+  if (!(x >= SHORTEST && y >= SHORTEST && z >= SHORTEST)) return false;
   const volume = (a / x) * (e * i - f * h) + (b / x) * (f * g - d * i) + (c / x) * (d * h - e * g);
   return Math.abs(volume) >= SMALLEST_SINE * y * z;
 }
@@ -146,7 +189,10 @@ export function slerp(
 
 /** Gives a quaternion length 1; one of no length, or with what is no number, becomes no turn. */
 export function normalizeQuaternion(q: WritableNumbers, at: number): void {
-  const [x, y, z, w] = [q[at]!, q[at + 1]!, q[at + 2]!, q[at + 3]!];
+  const x = q[at]!;
+  const y = q[at + 1]!;
+  const z = q[at + 2]!;
+  const w = q[at + 3]!;
   const square = x * x + y * y + z * z + w * w;
   const good = square > 0 && square < Number.POSITIVE_INFINITY;
   const f = good ? 1 / Math.sqrt(square) : 0;

@@ -2,7 +2,7 @@
  * The meshes of a scene where they are at a time, in arrays that are written again and again: a thousand of them that move cost no object
  * a frame. `posedSceneAt` gives the same as plain data that stays.
  */
-import { AFFINE_LENGTH, copyAffine, IDENTITY, multiplyAffine, type WritableNumbers } from './affine.ts';
+import { AFFINE_LENGTH, IDENTITY, multiplyAffine, multiplyMatrices } from './affine.ts';
 import { type CompiledAnimation, compileAnimation } from './animation.ts';
 import { type Deformed, deform, isDeformable, jointMatrices, makeDeformed } from './deform.ts';
 import { compileTrack, evaluateTrack } from './keyframes.ts';
@@ -10,8 +10,7 @@ import type { Mesh } from './mesh.ts';
 import { type NodeTransforms, nodeTransforms, playingClip } from './node-transforms.ts';
 import type { Skin } from './nodes.ts';
 import { meshShapes, placementOf } from './placed.ts';
-import { type PlacementTarget, placementTarget, withTracks } from './placement-target.ts';
-import { parsePointer } from './pointer.ts';
+import { isOfWeights, type PlacementTarget, placementTarget, withTracks } from './placement-target.ts';
 import { clipTime, evaluateSampled, widthOf } from './sampled-track.ts';
 import type { MeshShape, Scene } from './scene.ts';
 import { SMALLEST_SCALE } from './well-formed.ts';
@@ -77,13 +76,13 @@ class MovingBody implements Body {
     if (this.parts) composeParts(this.parts, this.shape.matrix, this.own, this.#local);
     for (let k = 0; k < this.count; k++) {
       const at = (this.first + k) * AFFINE_LENGTH;
-      if (skin !== undefined) copyAffine(matrices, at, IDENTITY);
+      if (skin !== undefined) matrices.set(IDENTITY, at);
       else if (instances) {
         for (let i = 0; i < AFFINE_LENGTH; i++) this.#local[i] = instances[k * AFFINE_LENGTH + i]!;
-        multiplyAffine(matrices, at, this.#local, 0, this.own, 0);
-      } else copyAffine(matrices, at, this.own);
+        multiplyMatrices(matrices, at, this.#local, 0, this.own, 0);
+      } else matrices.set(this.own, at);
       if (skin === undefined && this.node >= 0)
-        multiplyAffine(matrices, at, world, this.node * AFFINE_LENGTH, matrices, at);
+        multiplyMatrices(matrices, at, world, this.node * AFFINE_LENGTH, matrices, at);
     }
   }
 
@@ -149,11 +148,6 @@ export class Bodies {
   }
 }
 
-const isOfWeights = ({ target }: { readonly target: string }): boolean => {
-  const [section, , part] = parsePointer(target) ?? [];
-  return section === 'nodes' && part === 'weights';
-};
-
 function channelsOf(scene: Scene, bodies: ReadonlyMap<string, MovingBody>): ((time: number) => void)[] {
   const channels: ((time: number) => void)[] = [];
   const partsOf = (target: string): { target: PlacementTarget; parts: Float64Array } | null => {
@@ -212,7 +206,7 @@ function composeParts(
   out: Float64Array,
   local: Float64Array,
 ): void {
-  const to: WritableNumbers = matrix ? local : out;
+  const to = matrix ? local : out;
   const [cx, cy, cz] = [Math.cos(parts[3]! * RADIANS), Math.cos(parts[4]! * RADIANS), Math.cos(parts[5]! * RADIANS)];
   const [sx, sy, sz] = [Math.sin(parts[3]! * RADIANS), Math.sin(parts[4]! * RADIANS), Math.sin(parts[5]! * RADIANS)];
   const [x, y, z] = [mended(parts[6]!), mended(parts[7]!), mended(parts[8]!)];

@@ -104,7 +104,9 @@ function normalizeAll({ morphTargets = [] }: Mesh, weights: readonly number[], {
 
 function normalizeEach(vectors: Float32Array, stride: number): void {
   for (let at = 0; at < vectors.length; at += stride) {
-    const [x, y, z] = [vectors[at]!, vectors[at + 1]!, vectors[at + 2]!];
+    const x = vectors[at]!;
+    const y = vectors[at + 1]!;
+    const z = vectors[at + 2]!;
     const square = x * x + y * y + z * z;
     if (!(square > 0)) continue;
     const f = 1 / Math.sqrt(square);

@@ -2,7 +2,7 @@
 import { type CompiledAnimation, compileAnimation } from './animation.ts';
 import { type NodeTransforms, nodeTransforms, worldOf } from './node-transforms.ts';
 import { placedScene } from './placed.ts';
-import { placementTarget, withTracks } from './placement-target.ts';
+import { isOfWeights, placementTarget, withTracks } from './placement-target.ts';
 import type { Scene } from './scene.ts';
 
 /** The scene at one time. */
@@ -27,7 +27,7 @@ export function stillMoment(scene: Scene): Moment {
 export class Motion {
   readonly #scene: Scene;
   readonly #transforms: NodeTransforms;
-  /** All but placements of nodes and meshes. */
+  /** All but placements of nodes and meshes, and the forms of these. */
   readonly #rest: CompiledAnimation;
   /** Whether a node that moves carries anything but meshes. */
   readonly #carries: boolean;
@@ -37,7 +37,9 @@ export class Motion {
     compileAnimation(scene); // or throws when a track points at nothing
     this.#scene = scene;
     this.#transforms = nodeTransforms(scene);
-    this.#rest = compileAnimation(withTracks(scene, ({ target }) => placementTarget(scene, target) === null));
+    const movesMore = (track: { readonly target: string }) =>
+      placementTarget(scene, track.target) === null && !isOfWeights(track);
+    this.#rest = compileAnimation(withTracks(scene, movesMore));
     const { names, moving } = this.#transforms;
     const moves = new Set(Array.from(moving, (node) => names[node]!));
     this.#carries = carried(scene).some((node) => moves.has(node));

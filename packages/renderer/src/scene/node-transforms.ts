@@ -1,5 +1,5 @@
 /** Where the nodes of a scene are at any time. */
-import { AFFINE_LENGTH, composeAffine, copyAffine, IDENTITY, multiplyAffine } from './affine.ts';
+import { AFFINE_LENGTH, composeAffine, copyAffine, IDENTITY, multiplyMatrices } from './affine.ts';
 import { compileTrack, evaluateTrack } from './keyframes.ts';
 import { type Clip, inOrder, type NodeFault, type SceneNode } from './nodes.ts';
 import { parsePointer } from './pointer.ts';
@@ -40,7 +40,7 @@ const PARTS = { translation: { at: 0, width: 3 }, rotation: { at: 3, width: 4 },
 /** Translation, rotation and scale of one node, one after the other. */
 const LOCAL_LENGTH = 10;
 
-/** Sets numbers of `locals` from a time on. */
+/** Sets numbers of `locals`. `time`: the scene's, or that within the clip. */
 type Channel = (time: number, locals: Float64Array) => void;
 
 function prepare(scene: SceneOfNodes): NodeTransforms {
@@ -53,13 +53,16 @@ function prepare(scene: SceneOfNodes): NodeTransforms {
   const place = placer(nodes, parents, locals);
   const still = new Float64Array(names.length * AFFINE_LENGTH);
   for (let node = 0; node < names.length; node++) place(still, node);
-  const { channels, driven } = channelsOf(scene, indexOf);
+  const { channels, ofClip, driven } = channelsOf(scene, indexOf);
+  const clip = playingClip(scene);
   const moving = movingNodes(parents, driven);
   const at = (time: number, out = new Float64Array(still.length)): Float64Array => {
     if (!Number.isFinite(time))
       throw new RangeError(`The scene's time must be a finite number of seconds, not ${time}.`);
     out.set(still);
     for (const channel of channels) channel(time, locals);
+    const within = clip ? clipTime(clip, time) : 0;
+    for (const channel of ofClip) channel(within, locals);
     for (let k = 0; k < moving.length; k++) place(out, moving[k]!);
     return out;
   };
@@ -86,8 +89,8 @@ function placer(nodes: readonly SceneNode[], parents: Int32Array, locals: Float6
     const matrix = fixed[node];
     if (matrix) copyAffine(local, 0, matrix);
     else composeAffine(local, 0, locals, from, locals, from + 3, locals, from + 7);
-    if (parent < 0) copyAffine(out, at, local);
-    else multiplyAffine(out, at, out, parent * AFFINE_LENGTH, local, 0);
+    if (parent < 0) out.set(local, at);
+    else multiplyMatrices(out, at, out, parent * AFFINE_LENGTH, local, 0);
   };
 }
 
@@ -100,6 +103,7 @@ function movingNodes(parents: Int32Array, driven: ReadonlySet<number>): Uint32Ar
 
 function channelsOf(scene: SceneOfNodes, indexOf: ReadonlyMap<string, number>) {
   const channels: Channel[] = [];
+  const ofClip: Channel[] = [];
   const driven = new Set<number>();
   const placeOf = (target: string): { at: number; width: number } | null => {
     const [section, name = '', part = '', component, ...more] = parsePointer(target) ?? [];
@@ -126,9 +130,9 @@ function channelsOf(scene: SceneOfNodes, indexOf: ReadonlyMap<string, number>) {
     const place = placeOf(track.target);
     if (place === null || track.times.length === 0) continue;
     const [width, rotation] = [widthOf(track), isRotation(track)];
-    channels.push((time, locals) => evaluateSampled(track, width, rotation, clipTime(clip!, time), locals, place.at));
+    ofClip.push((within, locals) => evaluateSampled(track, width, rotation, within, locals, place.at));
   }
-  return { channels, driven };
+  return { channels, ofClip, driven };
 }
 
 function wordsOf({ node, fault }: NodeFault): string {

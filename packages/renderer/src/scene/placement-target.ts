@@ -29,6 +29,12 @@ export function placementTarget(
   };
 }
 
+/** Whether a track moves the weights of a node: what its meshes look like. */
+export function isOfWeights({ target }: { readonly target: string }): boolean {
+  const [section, , part] = parsePointer(target) ?? [];
+  return section === 'nodes' && part === 'weights';
+}
+
 /** The scene with no other tracks than these. */
 export function withTracks(scene: Scene, isMeant: (track: { readonly target: string }) => boolean): Scene {
   const { animation, clips, clip } = scene;
