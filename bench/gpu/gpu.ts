@@ -29,10 +29,11 @@ const WARM_UP = 500;
 const MITSUBA_ERROR: Readonly<Record<string, readonly [number, number]>> = {
   C1: [0.0158, 0.004],
   V1_hc: [0.111, 0.0278],
+  M1_hc: [0.0245, 0.0065],
   S1: [0.169, 0.0446],
 };
 /** What Mitsuba's cuda variant reached on an H100, million samples a second. */
-const MITSUBA_SPEED: Readonly<Record<string, number>> = { C1: 247, S1: 108, V1_hc: 295 };
+const MITSUBA_SPEED: Readonly<Record<string, number>> = { C1: 247, S1: 108, V1_hc: 295, M1_hc: 372 };
 /** Samples a pixel and batch, so that a block's combined error is at most 0.5 %. */
 const PROOF_SAMPLES = 64;
 
