@@ -296,11 +296,11 @@ describe('lights and cameras', () => {
   test('too many lights are a problem that says so', async () => {
     const file = triangleFile((f) => {
       f.json.extensions = { KHR_lights_punctual: { lights: [{ type: 'point' }] } };
-      for (let i = 0; i < 40; i++)
+      for (let i = 0; i < 4100; i++)
         f.json.scenes[0].nodes.push(f.add('nodes', { extensions: { KHR_lights_punctual: { light: 0 } } }));
     });
     const result = await importGltf(file.glb());
-    expect(result.ok || result.problems[0]!.message).toContain('40 lights');
+    expect(result.ok || result.problems[0]!.message).toContain('4100 lights');
   });
 
   test('the first camera is the scene’s, looking at the middle of things; others can be chosen', async () => {
