@@ -251,7 +251,7 @@ test('a scene opens with its map of the sky when both files come together, and s
   const input = page.locator('#scene-file');
   await input.setInputFiles([file('sky.json', scene)]);
   const dialog = page.getByRole('dialog', { name: /sky\.json/ });
-  await expect(dialog).toContainText('sky.npy together with the scene');
+  await expect(dialog).toContainText('open sky.npy together with sky.json');
   await page.keyboard.press('Escape');
   const map = writeNpy(fromInterleaved(2, 1, ['R', 'G', 'B'], [1, 2, 3, 4, 5, 6]));
   await input.setInputFiles([file('sky.npy', map), file('sky.json', scene)]);
