@@ -32,7 +32,7 @@ for (const backend of backends) {
     }
   });
 
-  test(`200 switches of scenes that move leave nothing behind (${backend})`, async ({ page }) => {
+  test(`100 switches of scenes that move leave nothing behind (${backend})`, async ({ page }) => {
     test.setTimeout(300_000);
     await openHarness(page);
     const footprint = async (switches: number) => {
@@ -46,7 +46,7 @@ for (const backend of backends) {
     };
     // So many that the browser has compiled what it is going to.
     const { heap, ...before } = await footprint(40);
-    const after = await footprint(200);
+    const after = await footprint(100);
     console.log(`  ${backend}: heap ${heap} → ${after.heap}`);
     expect(after).toMatchObject(before);
     expect(after.heap - heap, 'growth of the JS heap, bytes').toBeLessThan(500_000);
