@@ -8,7 +8,7 @@ import {
 import { goodScene } from '../../packages/renderer/src/scene-file/broken/good-scene.ts';
 import { backends, expect, test } from './fixtures.ts';
 import { hookGpu, hooks } from './gpu-hooks.ts';
-import { expectPicture, expectState, fewSamples, quick, rendererState } from './studio.ts';
+import { expectPicture, expectState, fewSamples, quick, rendererState, soon } from './studio.ts';
 
 /** Broken scenes as the text of a file; what only an object can hold has none. */
 function brokenFiles(): { name: string; text: string }[] {
@@ -100,7 +100,7 @@ for (const backend of backends)
         () => window.mirrorball.renderer!.scene === (window as unknown as { sceneBefore: unknown }).sceneBefore,
       );
     expect(await same(), 'it is the same scene').toBe(true);
-    expect((await hooks(page)).draws, 'frames went on').toBeGreaterThan(draws);
+    await soon(async () => (await hooks(page)).draws, 'frames went on').toBeGreaterThan(draws);
     await expectState(page, (state) => state.time > time && state.playing, true);
     await expectPicture(page);
   });
