@@ -73,6 +73,7 @@ for (const backend of backends)
     await hookGpu(page);
     await openStudio({ backend, query: { ...quick, size: 64, paused: 0 } });
     await expectPicture(page);
+    await rendererState(page); // There is one a moment after its first picture.
     await page.evaluate(() => Object.assign(window, { sceneBefore: window.mirrorball.renderer!.scene }));
     const { draws } = await hooks(page);
     const { time } = await rendererState(page);
