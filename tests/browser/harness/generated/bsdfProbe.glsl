@@ -134,6 +134,7 @@ struct Frame {
     uint lightTree;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;

@@ -57,6 +57,7 @@ struct Frame {
     uint lightTree;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Emitter {
     vec3 position;

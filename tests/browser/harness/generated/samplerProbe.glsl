@@ -48,6 +48,7 @@ struct Frame {
     uint lightTree;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Sampler {
     uint key;

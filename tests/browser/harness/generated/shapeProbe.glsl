@@ -62,6 +62,7 @@ struct Frame {
     uint lightTree;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Extent {
     vec4 a;

@@ -92,6 +92,7 @@ struct Frame {
     uint lightTree;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -2150,30 +2151,31 @@ void main() {
     vec4 fragment = gl_FragCoord;
     Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
-    uvec2 pixel_3 = uvec2(fragment.xy);
-    uint _e5 = frame.sampleIndex;
-    Path _e6 = startPath(pixel_3, _e5);
-    p = _e6;
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uint _e9 = frame.sampleIndex;
+    Path _e10 = startPath((_e5 + texel), _e9);
+    p = _e10;
     while(true) {
         extendPath(p);
-        Path _e8 = p;
-        bool _e9 = isOver(_e8);
-        if (_e9) {
+        Path _e12 = p;
+        bool _e13 = isOver(_e12);
+        if (_e13) {
             break;
         }
     }
-    uint _e18 = frame.sampleIndex;
-    if ((_e18 > 0u)) {
-        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
-        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
-        film = Film(_e23, _e26);
+    uint _e22 = frame.sampleIndex;
+    if ((_e22 > 0u)) {
+        vec4 _e27 = texelFetch(previousFilm, ivec2(texel), 0);
+        vec4 _e30 = texelFetch(previousSquares, ivec2(texel), 0);
+        film = Film(_e27, _e30);
     }
-    vec4 _e29 = film.sums;
-    vec3 _e31 = p.radiance;
-    vec4 _e36 = film.squares;
-    vec3 _e38 = p.radiance;
-    vec3 _e40 = p.radiance;
-    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
+    vec4 _e33 = film.sums;
+    vec3 _e35 = p.radiance;
+    vec4 _e40 = film.squares;
+    vec3 _e42 = p.radiance;
+    vec3 _e44 = p.radiance;
+    Film _tmp_return = Film((_e33 + vec4(_e35, 1.0)), (_e40 + vec4((_e42 * _e44), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

@@ -7,8 +7,8 @@ struct Film {
 
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
-  let pixel = vec2u(fragment.xy);
-  var p = startPath(pixel, frame.sampleIndex);
+  let texel = vec2u(fragment.xy);
+  var p = startPath(frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -17,7 +17,7 @@ struct Film {
   }
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
-    film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
+    film = Film(textureLoad(previousFilm, texel, 0), textureLoad(previousSquares, texel, 0));
   }
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
 }
@@ -25,8 +25,8 @@ struct Film {
 // A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
 // pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
 // fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
-// First column and row, columns and rows of the part of the film that is traced.
-@group(0) @binding(7) var<uniform> region: vec4u;
+// First row, columns and rows of the part of the film that is traced.
+@group(0) @binding(7) var<uniform> region: vec3u;
 
 @group(0) @binding(8) var film: texture_storage_2d<rgba32float, write>;
 
@@ -52,8 +52,9 @@ var<workgroup> squares: array<vec3f, 128>;
   let tile = frame.tile;
   let place = thread / shares;
   let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
-  let pixel = region.xy + inRegion;
-  let inside = all(inRegion < region.zw);
+  let texel = vec2u(inRegion.x, region.x + inRegion.y);
+  let pixel = frame.origin + texel;
+  let inside = all(inRegion < region.yz);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
@@ -77,8 +78,8 @@ var<workgroup> squares: array<vec3f, 128>;
   var sum = vec4f(0.0);
   var square = vec4f(0.0);
   if (adds & (frame.sampleIndex > 0u)) {
-    sum = textureLoad(previousFilm, pixel, 0);
-    square = textureLoad(previousSquares, pixel, 0);
+    sum = textureLoad(previousFilm, texel, 0);
+    square = textureLoad(previousSquares, texel, 0);
   }
   let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
   for (var g = 0u; g < groups; g++) {
@@ -100,8 +101,8 @@ var<workgroup> squares: array<vec3f, 128>;
   if (!adds) {
     return;
   }
-  textureStore(film, pixel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
-  textureStore(filmSquares, pixel, square);
+  textureStore(film, texel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
+  textureStore(filmSquares, texel, square);
 }
 
 fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
@@ -2112,11 +2113,11 @@ fn skipGroup(s: ptr<function, Sampler>) {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -2132,7 +2133,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -2180,4 +2181,6 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
