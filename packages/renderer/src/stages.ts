@@ -279,6 +279,7 @@ export class Stages {
     const { camera, settings, area } = this.#shot!;
     const held = area ? { ...this.#picture, origin: [area.x, area.y] as const } : this.#picture;
     packFrame(this.#frameBlock, held, camera, this.#packed!, settings, this.film.nextSample, count);
+    writeStruct(this.#frameBlock, 'Frame', 0, { rowHeight: 1 / this.#table!.height });
     if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);
   }
