@@ -278,6 +278,7 @@ export class Stages {
   #writeFrame(count: number): void {
     const { camera, settings } = this.#shot!;
     packFrame(this.#frameBlock, this.film, camera, this.#packed!, settings, this.film.nextSample, count);
+    writeStruct(this.#frameBlock, 'Frame', 0, { rowHeight: 1 / this.#table!.height });
     if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);
   }

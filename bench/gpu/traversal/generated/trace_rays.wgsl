@@ -682,6 +682,8 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin

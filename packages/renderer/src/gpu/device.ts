@@ -27,6 +27,15 @@ export interface ComputeSource {
   readonly entry: string;
 }
 
+/**
+ * What a pass reads. `nearest`: number of the binding of a sampler that takes the texel nearest to a point, when WGSL reads the texture
+ * through one; GLSL never does.
+ */
+export type PassBinding =
+  | { readonly block: string }
+  | { readonly texture: string; readonly nearest?: number }
+  | { readonly data: string };
+
 /** A shader program and what it reads, in both languages. Names of textures, blocks and data are those of the WGSL source. */
 export interface PassSource {
   readonly label: string;
@@ -35,7 +44,7 @@ export interface PassSource {
   readonly entries: { readonly vertex: string; readonly fragment: string };
   readonly glsl: { readonly vertex: string; readonly fragment: string };
   /** In the order of their binding numbers in group 0. */
-  readonly bindings: readonly ({ readonly block: string } | { readonly texture: string } | { readonly data: string })[];
+  readonly bindings: readonly PassBinding[];
   readonly target: 'film' | 'canvas';
   /** What the switches (`override` in the WGSL) are in this program; those that the module does not have are ignored. */
   readonly switches?: Readonly<Record<string, boolean>>;

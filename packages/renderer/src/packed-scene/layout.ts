@@ -257,6 +257,7 @@ export const STRUCTS = {
     instanceCount: field('u32', 'instances of meshes'),
     farEmitters: field('u32', 'emitters that are infinitely far: they come first'),
     lightTree: field('u32', 'row of the root of the light tree'),
+    rowHeight: field('f32', 'of the scene table, the whole table being 1'),
     lightTreeDepth: field('u32', 'levels of it; 0: there is none, and all emitters are looked at'),
     lampTables: field('u32', 'row of the geometry where the tables of lamps begin'),
   },
@@ -392,6 +393,11 @@ export function tableColumn(name: TableStruct): number {
 /** Texels in a row of the scene table. */
 export const TABLE_WIDTH = TABLE_STRUCTS.reduce((sum, s) => sum + structSize(s) / 16, 0);
 
+/** Number of the binding of `nearest`, the sampler through which WGSL reads the scene table: shading/table_texel.wesl. */
+export const NEAREST_BINDING = 15;
+/** How passes are told of the scene table. */
+export const SCENE_TABLE = { texture: 'sceneTable', nearest: NEAREST_BINDING } as const;
+
 const FETCHED = [...TABLE_STRUCTS, ...WHOLE_ROWS];
 
 const GENERATED = '// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.\n';
@@ -403,17 +409,16 @@ export function structsWgsl(): string {
     const lines = Object.entries(fields).map(([key, f]) => `  // ${f.doc}\n  ${key}: ${typeName(f.type)},`);
     return `struct ${name} {\n${lines.join('\n')}\n}\n`;
   };
-  return `${GENERATED}\n${Object.entries(STRUCTS)
+  return `${GENERATED}\n// Texels in a row of the scene table.\nconst tableWidth = ${TABLE_WIDTH}.0;\n\n${Object.entries(
+    STRUCTS,
+  )
     .map(([k, v]) => one([k, v as Fields]))
     .join('\n')}`;
 }
 
 function fetchFunction(name: TableStruct): string {
   const texels = structSize(name) / 16;
-  const loads = Array.from(
-    { length: texels },
-    (_, t) => `  let t${t} = textureLoad(sceneTable, vec2u(${tableColumn(name) + t}u, i), 0);`,
-  );
+  const loads = Array.from({ length: texels }, (_, t) => `  let t${t} = tableTexel(${tableColumn(name) + t}u, i);`);
   const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
     const offset = placement(name).offsets[key]!;
     const first = (offset % 16) / 4;
@@ -469,6 +474,6 @@ export function fetchTexturesWgsl(): string {
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */
 export function fetchWgsl(): string {
-  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${FETCHED.join(', ')}};\n`;
+  const imports = `import package::shading::table_texel::tableTexel;\nimport package::shading::layout::{${FETCHED.join(', ')}};\n`;
   return `${GENERATED}${imports}\n${FETCHED.map(fetchFunction).join('\n')}`;
 }

@@ -132,6 +132,7 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
 };
@@ -168,13 +169,18 @@ layout(std140) uniform FrameBlock { Frame frame; };
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Surface fetchSurface(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(9u, i)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(10u, i)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i)), 0);
-    return Surface(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i);
+    vec4 _e4 = tableTexel(10u, i);
+    vec4 _e6 = tableTexel(11u, i);
+    vec4 _e8 = tableTexel(12u, i);
+    vec4 _e10 = tableTexel(13u, i);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 uint kindOf(uint code) {
@@ -194,14 +200,14 @@ bool isLayered(uint code_2, float eta) {
 }
 
 Layers fetchLayers(uint i_1) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
-    return Layers(t0_1.xyz, t0_1.w, t1_1.xyz, t1_1.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+    vec4 _e2 = tableTexel(0u, i_1);
+    vec4 _e4 = tableTexel(1u, i_1);
+    vec4 _e6 = tableTexel(2u, i_1);
+    vec4 _e8 = tableTexel(3u, i_1);
+    vec4 _e10 = tableTexel(4u, i_1);
+    vec4 _e12 = tableTexel(5u, i_1);
+    vec4 _e14 = tableTexel(6u, i_1);
+    return Layers(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xy, _e8.z, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w, _e14.x, _e14.y, _e14.z, _e14.w);
 }
 
 Layers layersOf(uint code_3, float eta_1) {

@@ -50,6 +50,7 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
 };

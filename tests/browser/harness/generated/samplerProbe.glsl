@@ -46,6 +46,7 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
 };

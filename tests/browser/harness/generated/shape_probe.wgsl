@@ -79,7 +79,7 @@ fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -121,7 +121,6 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -162,8 +161,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -185,7 +184,9 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   return v + q.w * t + cross(q.xyz, t);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -195,49 +196,14 @@ struct Extent {
 }
 
 
-fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
-  let inverse = safeReciprocal(direction, origin);
-  let middle = -origin * inverse;
-  let reach = halfSize * abs(inverse);
-  let enter = middle - reach;
-  let leave = middle + reach;
-  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
-}
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
-fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
-  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
-  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
-}
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
 
-// Where a ray enters and leaves the space between each pair of faces.
-struct Slabs {
-  enter: vec3f,
-  leave: vec3f,
-  // Where it enters and leaves the box, when near <= far.
-  near: f32,
-  far: f32,
-}
-
-
-fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
-  let extent = fetchExtent(i);
-  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
-  return select(t, miss, i == ray.start.leaves);
-}
-
-fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
-  let normal = cross(reciprocalU, reciprocalV);
-  let speed = dot(direction, normal);
-  let toCenter = center - origin;
-  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
-  let p = t * direction - toCenter;
-  let reach = 0.5 + quadOverlap;
-  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
-  return select(miss, t, (t > tMin) & (t < miss) & within);
-}
-
-// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
-const quadOverlap = 1e-6;
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
@@ -308,12 +274,58 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
 }
 
+
+fn boxSlabs(origin: vec3f, direction: vec3f, halfSize: vec3f) -> Slabs {
+  let inverse = safeReciprocal(direction, origin);
+  let middle = -origin * inverse;
+  let reach = halfSize * abs(inverse);
+  let enter = middle - reach;
+  let leave = middle + reach;
+  return Slabs(enter, leave, max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+fn safeReciprocal(d: vec3f, origin: vec3f) -> vec3f {
+  let tiny = select(vec3f(1e-18), vec3f(-1e-18), origin > vec3f(0.0));
+  return 1.0 / select(d, tiny, abs(d) < vec3f(1e-18));
+}
+
+// Where a ray enters and leaves the space between each pair of faces.
+struct Slabs {
+  enter: vec3f,
+  leave: vec3f,
+  // Where it enters and leaves the box, when near <= far.
+  near: f32,
+  far: f32,
+}
+
+
+fn hitQuad(i: u32, bounds: Bounds, ray: Ray) -> f32 {
+  let extent = fetchExtent(i);
+  let t = intersectQuad(ray.start.point, ray.direction, bounds.center, extent.a.xyz, extent.b.xyz, ray.start.tMin);
+  return select(t, miss, i == ray.start.leaves);
+}
+
+fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: vec3f, reciprocalV: vec3f, tMin: f32) -> f32 {
+  let normal = cross(reciprocalU, reciprocalV);
+  let speed = dot(direction, normal);
+  let toCenter = center - origin;
+  let t = dot(toCenter, normal) / select(speed, 1e-30, speed == 0.0);
+  let p = t * direction - toCenter;
+  let reach = 0.5 + quadOverlap;
+  let within = max(abs(dot(p, reciprocalU)), abs(dot(p, reciprocalV))) <= reach;
+  return select(miss, t, (t > tMin) & (t < miss) & within);
+}
+
+// Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
+const quadOverlap = 1e-6;
 
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);

@@ -79,8 +79,13 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
     inputs.push({ buffer: {} });
     for (let i = 0; i < layers; i++) inputs.push({ storageTexture: { format: FILM_FORMAT } });
   }
-  return { label, entries: inputs.map((entry, binding) => ({ binding, visibility, ...entry })) };
+  const entries: GPUBindGroupLayoutEntry[] = inputs.map((entry, binding) => ({ binding, visibility, ...entry }));
+  for (const binding of samplersOf(bindings)) entries.push({ binding, visibility, sampler: { type: 'non-filtering' } });
+  return { label, entries };
 }
+
+const samplersOf = (bindings: PassSource['bindings']): number[] =>
+  bindings.flatMap((b) => ('texture' in b && b.nearest !== undefined ? [b.nearest] : []));
 
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
   film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
@@ -100,6 +105,7 @@ class WebGpuDevice implements Device {
   readonly #modules = new Map<string, GPUShaderModule>();
   /** For compute passes: which part of the film is theirs. */
   #region: UniformBuffer | null = null;
+  #nearest: GPUSampler | null = null;
   #closed = false;
 
   constructor(
@@ -248,7 +254,7 @@ class WebGpuDevice implements Device {
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
-    const { source, pipeline, layout } = pass as WebGpuPass;
+    const { source, pipeline } = pass as WebGpuPass;
     if (source.compute) {
       this.#dispatch(pass as WebGpuPass, target as FilmTexture, resources, region!);
       return;
@@ -260,8 +266,8 @@ class WebGpuDevice implements Device {
       colorAttachments: views.map((view) => ({ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' })),
     });
     renderPass.setPipeline(pipeline as GPURenderPipeline);
-    const entries = resources.map((r, binding) => ({ binding, resource: (r as unknown as GpuResource).binding }));
-    renderPass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+    const inputs = resources.map((resource) => (resource as unknown as GpuResource).binding);
+    renderPass.setBindGroup(0, this.#group(pass as WebGpuPass, inputs));
     if (region) {
       renderPass.setViewport(0, 0, region.width, region.height, 0, 1);
       const { firstColumn = 0, columnCount = region.width } = region;
@@ -273,21 +279,28 @@ class WebGpuDevice implements Device {
   }
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
-    const { pipeline, layout } = pass;
+    const { pipeline } = pass;
     const { firstColumn = 0, firstRow, columnCount = region.width, rowCount, tile = [8, 8] } = region;
     this.#region ??= this.createUniforms(16);
     this.#region.write(new Uint32Array([firstColumn, firstRow, columnCount, rowCount]).buffer);
     const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
-    const all = [...inputs, ...viewsOf(film)];
-    const entries = all.map((resource, binding) => ({ binding, resource }));
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const computePass = encoder.beginComputePass();
     computePass.setPipeline(pipeline as GPUComputePipeline);
-    computePass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+    computePass.setBindGroup(0, this.#group(pass, [...inputs, ...viewsOf(film)]));
     const [width, height] = tile;
     computePass.dispatchWorkgroups(Math.ceil(columnCount / width), Math.ceil(rowCount / height));
     computePass.end();
     this.#device.queue.submit([encoder.finish()]);
+  }
+
+  #group({ source, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
+    const entries = inputs.map((resource, binding) => ({ binding, resource }));
+    for (const binding of samplersOf(source.bindings)) {
+      this.#nearest ??= this.#device.createSampler({ label: 'nearest' });
+      entries.push({ binding, resource: this.#nearest });
+    }
+    return this.#device.createBindGroup({ label: source.label, layout, entries });
   }
 
   #canvasView(): GPUTextureView {

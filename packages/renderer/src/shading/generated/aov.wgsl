@@ -320,6 +320,8 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
@@ -493,7 +495,7 @@ fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -519,9 +521,10 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -529,6 +532,15 @@ struct Bounds {
   radius: f32,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
   let b = fetchBounds(i);
@@ -541,8 +553,8 @@ fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -706,11 +718,11 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = tableTexel(9u, i);
+  let t1 = tableTexel(10u, i);
+  let t2 = tableTexel(11u, i);
+  let t3 = tableTexel(12u, i);
+  let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -820,8 +832,8 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
 const least0 = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t0 = tableTexel(3u, i);
+  let t1 = tableTexel(4u, i);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 

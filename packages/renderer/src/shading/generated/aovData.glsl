@@ -86,6 +86,7 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
 };
@@ -414,9 +415,14 @@ uint numberOfNext(Sampler s_2) {
     return _e15;
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -449,9 +455,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -708,12 +714,12 @@ vec3 normalAt(RayPair p_6, float t_1, uint i_11) {
 }
 
 Surface fetchSurface(uint i_12) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_12)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_12)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_12)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_12)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_12)), 0);
-    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i_12);
+    vec4 _e4 = tableTexel(10u, i_12);
+    vec4 _e6 = tableTexel(11u, i_12);
+    vec4 _e8 = tableTexel(12u, i_12);
+    vec4 _e10 = tableTexel(13u, i_12);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
@@ -781,9 +787,9 @@ vec3 albedoOf(Surface s_4, bool fromBack) {
 }
 
 Material fetchMaterial(uint i_13) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_13)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_13)), 0);
-    return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
+    vec4 _e2 = tableTexel(3u, i_13);
+    vec4 _e4 = tableTexel(4u, i_13);
+    return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
 }
 
 void main() {

@@ -322,6 +322,8 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
@@ -498,7 +500,7 @@ fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -524,9 +526,10 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -534,6 +537,15 @@ struct Bounds {
   radius: f32,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
   let b = fetchBounds(i);
@@ -546,8 +558,8 @@ fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -1315,11 +1327,11 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = tableTexel(9u, i);
+  let t1 = tableTexel(10u, i);
+  let t2 = tableTexel(11u, i);
+  let t3 = tableTexel(12u, i);
+  let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -1405,13 +1417,13 @@ fn isLayered(code: u32, eta: f32) -> bool {
 }
 
 fn fetchLayers(i: u32) -> Layers0 {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  let t3 = tableTexel(3u, i);
+  let t4 = tableTexel(4u, i);
+  let t5 = tableTexel(5u, i);
+  let t6 = tableTexel(6u, i);
   return Layers0(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
 }
 
@@ -1765,8 +1777,8 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
 const least0 = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t0 = tableTexel(3u, i);
+  let t1 = tableTexel(4u, i);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 

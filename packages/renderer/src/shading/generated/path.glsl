@@ -90,6 +90,7 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
 };
@@ -602,9 +603,14 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -637,9 +643,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -876,12 +882,12 @@ vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
 }
 
 Surface fetchSurface(uint i_12) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_12)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_12)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_12)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_12)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_12)), 0);
-    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i_12);
+    vec4 _e4 = tableTexel(10u, i_12);
+    vec4 _e6 = tableTexel(11u, i_12);
+    vec4 _e8 = tableTexel(12u, i_12);
+    vec4 _e10 = tableTexel(13u, i_12);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
@@ -943,13 +949,13 @@ bool isThin(uint code_5) {
 }
 
 Emitter fetchEmitter(uint i_13) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i_13)), 0);
-    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
+    vec4 _e2 = tableTexel(14u, i_13);
+    vec4 _e4 = tableTexel(15u, i_13);
+    vec4 _e6 = tableTexel(16u, i_13);
+    vec4 _e8 = tableTexel(17u, i_13);
+    vec4 _e10 = tableTexel(18u, i_13);
+    vec4 _e12 = tableTexel(19u, i_13);
+    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
 int emitterOf(float code_6) {
@@ -1016,13 +1022,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_9) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_9.z, direction_9.y)), vec2(abs(direction_9.x), sine_1));
     float turn = (pick((direction_9.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_9.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float column_1 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
     float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
-    float row = floor(fromPole);
+    float row_1 = floor(fromPole);
     bool isLower = (direction_9.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
-    float within_1 = (fromPole - row);
-    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_1.y - row_1), row_1));
+    float within_1 = (fromPole - row_1);
+    vec2 at_1 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
     return _e67;

@@ -396,12 +396,12 @@ fn toLocal(b: Basis, v: vec3f) -> vec3f {
 override hasGlass = false;
 
 fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(19u, i), 0);
+  let t0 = tableTexel(14u, i);
+  let t1 = tableTexel(15u, i);
+  let t2 = tableTexel(16u, i);
+  let t3 = tableTexel(17u, i);
+  let t4 = tableTexel(18u, i);
+  let t5 = tableTexel(19u, i);
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
 
@@ -844,11 +844,11 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = tableTexel(9u, i);
+  let t1 = tableTexel(10u, i);
+  let t2 = tableTexel(11u, i);
+  let t3 = tableTexel(12u, i);
+  let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -883,17 +883,28 @@ fn isLayered(code: u32, eta: f32) -> bool {
 }
 
 fn fetchLayers(i: u32) -> Layers {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  let t3 = tableTexel(3u, i);
+  let t4 = tableTexel(4u, i);
+  let t5 = tableTexel(5u, i);
+  let t6 = tableTexel(6u, i);
   return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
 }
 
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
+
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn isMetallicRoughness(code: u32) -> bool {
   return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
@@ -1396,7 +1407,7 @@ fn tangentAbout(normal: vec3f) -> vec3f {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -1412,8 +1423,8 @@ override hasBoxes = true;
 override hasSpheres = true;
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -1495,7 +1506,6 @@ fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -1996,18 +2006,18 @@ struct TreeChoice {
 
 
 fn fetchLightNode(i: u32) -> LightNode {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  let t7 = textureLoad(sceneTable, vec2u(7u, i), 0);
-  let t8 = textureLoad(sceneTable, vec2u(8u, i), 0);
-  let t9 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t10 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t11 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  let t3 = tableTexel(3u, i);
+  let t4 = tableTexel(4u, i);
+  let t5 = tableTexel(5u, i);
+  let t6 = tableTexel(6u, i);
+  let t7 = tableTexel(7u, i);
+  let t8 = tableTexel(8u, i);
+  let t9 = tableTexel(9u, i);
+  let t10 = tableTexel(10u, i);
+  let t11 = tableTexel(11u, i);
   return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
 }
 
@@ -3830,6 +3840,8 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin

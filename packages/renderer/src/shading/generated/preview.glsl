@@ -50,6 +50,7 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
 };
@@ -183,15 +184,20 @@ float hitSphere(uint i_1, Bounds bounds, Ray ray_2) {
     return pick((i_1 == ray_2.start.leaves), 1e30, _e13);
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i_2) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i_2)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i_2);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 bool isTurned(vec4 q) {
@@ -419,17 +425,17 @@ Start onSurface(vec3 point_1, uint shape_1, bool seenFromInside) {
 }
 
 Material fetchMaterial(uint i_12) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(3u, i_12)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_12)), 0);
-    return Material(t0_2.xyz, t0_2.w, t1_1.x, t1_1.y, t1_1.z, t1_1.w);
+    vec4 _e2 = tableTexel(3u, i_12);
+    vec4 _e4 = tableTexel(4u, i_12);
+    return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
 }
 
 Light fetchLight(uint i_13) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(5u, i_13)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(6u, i_13)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_13)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_13)), 0);
-    return Light(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w);
+    vec4 _e2 = tableTexel(5u, i_13);
+    vec4 _e4 = tableTexel(6u, i_13);
+    vec4 _e6 = tableTexel(7u, i_13);
+    vec4 _e8 = tableTexel(8u, i_13);
+    return Light(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w);
 }
 
 void main() {

@@ -136,13 +136,13 @@ fn isFlat(i: u32) -> bool {
 }
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t0 = tableTexel(3u, i);
+  let t1 = tableTexel(4u, i);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -155,8 +155,8 @@ fn isPlane(i: u32) -> bool {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -183,9 +183,10 @@ fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -193,6 +194,15 @@ struct Bounds {
   radius: f32,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -258,10 +268,10 @@ struct Material {
 
 
 fn fetchLight(i: u32) -> Light {
-  let t0 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(7u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  let t0 = tableTexel(5u, i);
+  let t1 = tableTexel(6u, i);
+  let t2 = tableTexel(7u, i);
+  let t3 = tableTexel(8u, i);
   return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
 }
 
@@ -443,6 +453,8 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
