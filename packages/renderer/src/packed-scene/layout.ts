@@ -59,7 +59,7 @@ export const STRUCTS = {
     ),
     code: field(
       'f32',
-      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none',
+      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none',
     ),
     emission: field('vec3f', 'radiance sent out'),
     reflectivity: field('f32', 'share of the perfect mirror layer over the base'),

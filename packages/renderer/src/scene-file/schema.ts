@@ -151,6 +151,7 @@ const materialFields = object('a material: an object', {
   thin: v.optional(flag('whether it is a pane without an inside'), false),
   emission: v.optional(color('the radiance that the surface sends out', BRIGHTEST), [0, 0, 0]),
   energyCompensation: v.optional(flag('whether light lost by single scattering is given back'), false),
+  masking: v.optional(choice('how facets hide each other', ['correlated', 'separable'])),
   ...layers,
 });
 /** What a material has when its file says nothing. */

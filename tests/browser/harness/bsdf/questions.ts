@@ -69,7 +69,12 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
   surfaces.forEach((s, row) => {
     writeStruct(block, 'Surface', row * rowBytes + tableColumn('Surface') * 16, {
       baseColor: s.baseColor,
-      code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0) + (isSmooth(s) ? 32 : 0),
+      code:
+        KINDS.indexOf(s.type) +
+        (s.thin ? 4 : 0) +
+        (s.energyCompensation ? 8 : 0) +
+        (isSmooth(s) ? 32 : 0) +
+        (s.masking === 'separable' ? 64 : 0),
       reflectivity: s.reflectivity,
       // Of metallicRoughness it says where its layers are: there are none.
       eta: s.type === 'dielectric' ? grey(s.ior) : s.type === 'conductor' ? s.eta : grey(0),

@@ -749,7 +749,7 @@ fn kindOf(code: u32) -> u32 {
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none
   code: f32,
   // radiance sent out
   emission: vec3f,

@@ -960,7 +960,7 @@ Emitter fetchEmitter(uint i_13) {
 }
 
 int emitterOf(float code_6) {
-    return ((int(code_6) >> 6u) - 1);
+    return ((int(code_6) >> 7u) - 1);
 }
 
 Emitter emitterAt(uint i_14, Emitter only) {
@@ -1694,22 +1694,22 @@ float stretched(vec3 w_1, float alpha_1) {
 
 Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_9 = uint(s_11.code);
-    bool _e5 = isConductor(code_9);
-    bool _e6 = isDielectric(code_9);
+    uint code_10 = uint(s_11.code);
+    bool _e5 = isConductor(code_10);
+    bool _e6 = isDielectric(code_10);
     o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasMetallicRoughness;
     if (_e17) {
         float _e20 = o.share;
         float _e24 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
-        bool _e25 = isMetallicRoughness(code_9);
+        bool _e25 = isMetallicRoughness(code_10);
         o.share = pick(_e25, _e24, _e20);
     }
     const bool _e28 = hasGlass;
     if (_e28) {
-        bool _e33 = isThin(code_9);
+        bool _e33 = isThin(code_10);
         float _e34 = indexRatio(s_11.eta.x, wo_1.z, _e33);
-        bool _e35 = isDielectric(code_9);
+        bool _e35 = isDielectric(code_10);
         o.ratio = pick(_e35, _e34, 1.0);
     }
     const bool _e39 = hasConductors;
@@ -1717,7 +1717,7 @@ Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     const bool _e44 = hasGlass;
     if (pick(pick(_e39, true, _e41), true, _e44)) {
         float _e48 = reflectionBound(wo_1, s_11.alpha);
-        bool _e49 = isDielectric(code_9);
+        bool _e49 = isDielectric(code_10);
         o.bound = pick(_e49, 1.0, _e48);
         float _e54 = stretched(wo_1, s_11.alpha);
         o.stretched = _e54;
@@ -1797,7 +1797,7 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
 
 vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_10 = uint(s_12.code);
+    uint code_11 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
@@ -1808,15 +1808,15 @@ vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
-        bool _e21 = isConductor(code_10);
+        bool _e21 = isConductor(code_11);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_10);
+        bool _e26 = isThin(code_11);
         float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_10);
+        bool _e29 = isDielectric(code_11);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -1848,9 +1848,9 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_13.code);
-        bool _e29 = isDielectric(code_11);
-        bool _e30 = isSmooth(code_11);
+        uint code_12 = uint(s_13.code);
+        bool _e29 = isDielectric(code_12);
+        bool _e30 = isSmooth(code_12);
         vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_21.xy);
         float oh = max(dot(wo_5, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
@@ -1860,7 +1860,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
         weight = (_e38 / vec3(o_2.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_11);
+            bool _e56 = isThin(code_12);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
             wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
@@ -1905,6 +1905,10 @@ float facetDensity(vec3 h_2, float alpha_4) {
     return (0.31830987 / (((alpha_4 * alpha_4) * slope) * slope));
 }
 
+bool hidesApart(uint code_9) {
+    return ((code_9 & 64u) != 0u);
+}
+
 float singleScatteringAlbedo(float cosine_8, float alpha_5) {
     float x_19 = (cosine_8 / (cosine_8 + alpha_5));
     vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
@@ -1913,9 +1917,9 @@ float singleScatteringAlbedo(float cosine_8, float alpha_5) {
 }
 
 vec3 compensation(Surface s_14, float cosine_9) {
-    uint code_12 = uint(s_14.code);
-    bool _e8 = isDielectric(code_12);
-    bool asked = pick(((code_12 & 8u) != 0u), !(_e8), false);
+    uint code_13 = uint(s_14.code);
+    bool _e8 = isDielectric(code_13);
+    bool asked = pick(((code_13 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_9, s_14.alpha);
     vec3 _e17 = facetReflectance(s_14, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -1934,23 +1938,25 @@ FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
     float ih = dot(wi_1, h_7);
     float zo = abs(wo_6.z);
     float zi = abs(wi_1.z);
-    bool faces_1 = pick((((oh_1 * h_7.z) * wo_6.z) >= 0.0), (((ih * h_7.z) * wi_1.z) >= 0.0), false);
-    float _e52 = facetDensity(h_7, s_15.alpha);
-    float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_15, abs(oh_1), o_3.ratio);
-    passes = pick(crossing_1, (vec3(1.0) - _e60), _e60);
+    bool faces_1 = pick(!(crossing_1), true, pick((((oh_1 * h_7.z) * wo_6.z) >= 0.0), (((ih * h_7.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_7, s_15.alpha);
+    float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_15, abs(oh_1), o_3.ratio);
+    passes = pick(crossing_1, (vec3(1.0) - _e62), _e62);
     float _e69 = stretched(wi_1, s_15.alpha);
-    float masked = (zi / max(((zi * o_3.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_15, zo);
-        passes = (_e87 * _e88);
+    float apart = ((0.5 * (zo + o_3.stretched)) * (zi + _e69));
+    bool _e82 = hidesApart(uint(s_15.code));
+    float masked = (zi / max(pick(_e82, apart, ((zi * o_3.stretched) + (zo * _e69))), 1e-20));
+    float _e88 = passes.x;
+    float chosen_1 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
+    const bool _e98 = hasCompensation;
+    if (_e98) {
+        vec3 _e99 = passes;
+        vec3 _e100 = compensation(s_15, zo);
+        passes = (_e99 * _e100);
     }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
+    vec3 _e102 = passes;
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
 }
 
 vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
@@ -1964,24 +1970,24 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_13 = uint(s_16.code);
+        uint code_14 = uint(s_16.code);
         FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_13);
+            bool _e43 = isMetallicRoughness(code_14);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_13);
+        bool _e52 = isSmooth(code_14);
         vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_13);
+        uint _e62 = kindOf(code_14);
         value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_13);
-        bool _e68 = isDielectric(code_13);
+        bool _e67 = isSmooth(code_14);
+        bool _e68 = isDielectric(code_14);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_16.reflectivity);

@@ -1963,7 +1963,7 @@ Emitter fetchEmitter(uint i_18) {
 }
 
 int emitterOf(float code_9) {
-    return ((int(code_9) >> 6u) - 1);
+    return ((int(code_9) >> 7u) - 1);
 }
 
 uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
@@ -3156,9 +3156,9 @@ float stretched(vec3 w_1, float alpha_3) {
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_11 = uint(s_15.code);
-    bool _e5 = isConductor(code_11);
-    bool _e6 = isDielectric(code_11);
+    uint code_12 = uint(s_15.code);
+    bool _e5 = isConductor(code_12);
+    bool _e6 = isDielectric(code_12);
     o_4 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasLayers;
     if (_e17) {
@@ -3173,14 +3173,14 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     if (_e28) {
         float _e31 = o_4.share;
         float _e35 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
-        bool _e36 = isMetallicRoughness(code_11);
+        bool _e36 = isMetallicRoughness(code_12);
         o_4.share = pick(_e36, _e35, _e31);
     }
     const bool _e39 = hasGlass;
     if (_e39) {
-        bool _e44 = isThin(code_11);
+        bool _e44 = isThin(code_12);
         float _e45 = indexRatio(s_15.eta.x, wo_1.z, _e44);
-        bool _e46 = isDielectric(code_11);
+        bool _e46 = isDielectric(code_12);
         o_4.ratio = pick(_e46, _e45, 1.0);
     }
     const bool _e50 = hasConductors;
@@ -3188,7 +3188,7 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     const bool _e55 = hasGlass;
     if (pick(pick(_e50, true, _e52), true, _e55)) {
         float _e59 = reflectionBound(wo_1, s_15.alpha);
-        bool _e60 = isDielectric(code_11);
+        bool _e60 = isDielectric(code_12);
         o_4.bound = pick(_e60, 1.0, _e59);
         float _e65 = stretched(wo_1, s_15.alpha);
         o_4.stretched = _e65;
@@ -3264,7 +3264,7 @@ float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
 
 vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     vec3 reflectance = vec3(0.0);
-    uint code_12 = uint(s_16.code);
+    uint code_13 = uint(s_16.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
@@ -3275,15 +3275,15 @@ vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
-        bool _e21 = isConductor(code_12);
+        bool _e21 = isConductor(code_13);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_12);
+        bool _e26 = isThin(code_13);
         float _e27 = glassReflectance(cosine_15, ratio_4, _e26);
-        bool _e29 = isDielectric(code_12);
+        bool _e29 = isDielectric(code_13);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -3407,9 +3407,9 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_13 = uint(s_19.code);
-        bool _e29 = isDielectric(code_13);
-        bool _e30 = isSmooth(code_13);
+        uint code_14 = uint(s_19.code);
+        bool _e29 = isDielectric(code_14);
+        bool _e30 = isSmooth(code_14);
         vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
@@ -3419,7 +3419,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
         weight = (_e38 / vec3(o_9.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_13);
+            bool _e56 = isThin(code_14);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_10, _e33, o_9.ratio);
             wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
@@ -3473,10 +3473,14 @@ float facetDensity(vec3 h_3, float alpha_9) {
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
+bool hidesApart(uint code_11) {
+    return ((code_11 & 64u) != 0u);
+}
+
 vec3 compensation(Surface s_20, float cosine_16) {
-    uint code_14 = uint(s_20.code);
-    bool _e8 = isDielectric(code_14);
-    bool asked_1 = pick(((code_14 & 8u) != 0u), !(_e8), false);
+    uint code_15 = uint(s_20.code);
+    bool _e8 = isDielectric(code_15);
+    bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_16, s_20.alpha);
     vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -3495,23 +3499,25 @@ FacetLobe evaluateFacets(Surface s_21, Outgoing o_10, vec3 wi_1) {
     float ih = dot(wi_1, h_10);
     float zo = abs(wo_11.z);
     float zi_1 = abs(wi_1.z);
-    bool faces_1 = pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false);
-    float _e52 = facetDensity(h_10, s_21.alpha);
-    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
-    passes = pick(crossing_3, (vec3(1.0) - _e60), _e60);
+    bool faces_1 = pick(!(crossing_3), true, pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_10, s_21.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
+    passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
     float _e69 = stretched(wi_1, s_21.alpha);
-    float masked = (zi_1 / max(((zi_1 * o_10.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_3 = (pick(_e6, _e76, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_21, zo);
-        passes = (_e87 * _e88);
+    float apart = ((0.5 * (zo + o_10.stretched)) * (zi_1 + _e69));
+    bool _e82 = hidesApart(uint(s_21.code));
+    float masked = (zi_1 / max(pick(_e82, apart, ((zi_1 * o_10.stretched) + (zo * _e69))), 1e-20));
+    float _e88 = passes.x;
+    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
+    const bool _e98 = hasCompensation;
+    if (_e98) {
+        vec3 _e99 = passes;
+        vec3 _e100 = compensation(s_21, zo);
+        passes = (_e99 * _e100);
     }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
+    vec3 _e102 = passes;
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
 }
 
 vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
@@ -3525,24 +3531,24 @@ vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_15 = uint(s_22.code);
+        uint code_16 = uint(s_22.code);
         FacetLobe _e32 = evaluateFacets(s_22, o_11, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_22.baseColor, s_22.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_15);
+            bool _e43 = isMetallicRoughness(code_16);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_15);
+        bool _e52 = isSmooth(code_16);
         vec4 rough_1 = pick(_e52, vec4(0.0), vec4(_e32.value, (o_11.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_15);
+        uint _e62 = kindOf(code_16);
         value = pick((_e62 == diffuse0_), _e61, (rough_1 + (vec4(_e54, (1.0 - o_11.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_15);
-        bool _e68 = isDielectric(code_15);
+        bool _e67 = isSmooth(code_16);
+        bool _e68 = isDielectric(code_16);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_22.reflectivity);

@@ -1048,7 +1048,7 @@ const isUnlit = 1u;
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none
   code: f32,
   // radiance sent out
   emission: vec3f,
@@ -1559,7 +1559,7 @@ struct Emitter {
 
 // Index of the emitter that a shape is, from -1 for none.
 fn emitterOf(code: f32) -> i32 {
-  return (i32(code) >> 6u) - 1;
+  return (i32(code) >> 7u) - 1;
 }
 
 // Meshes that shine, and so many lights that a tree chooses among them.
@@ -3136,12 +3136,15 @@ fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let ih = dot(wi, h);
   let zo = abs(wo.z);
   let zi = abs(wi.z);
-  // Facets do not turn their back on one direction while the surface does not.
-  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  // Facets do not turn their back on one direction while the surface does not. Those that reflect never do: along the surface only the
+  // rounded lengths of wo and wi would say so.
+  let faces = !crossing | ((oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0));
   let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
   let f = facetReflectance(s, abs(oh), o.ratio);
   var passes = select(f, 1.0 - f, crossing);
-  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
+  let incoming = stretched(wi, s.alpha);
+  let apart = 0.5 * (zo + o.stretched) * (zi + incoming);
+  let masked = zi / max(select(zi * o.stretched + zo * incoming, apart, hidesApart(u32(s.code))), 1e-20);
   let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
   if (hasCompensation) {
     passes *= compensation(s, zo);
@@ -3157,6 +3160,11 @@ fn facetDensity(h: vec3f, alpha: f32) -> f32 {
   // At least 1 for a unit vector; opposite directions along the surface have none.
   let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
   return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Whether facets are hidden from both directions as often as by chance: Walter et al. 2007, equation 23.
+fn hidesApart(code: u32) -> bool {
+  return (code & 64u) != 0u;
 }
 
 // The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
