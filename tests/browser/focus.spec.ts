@@ -74,3 +74,20 @@ test('a still by the CPU says that it traces no paths', async ({ page, openStudi
   await choose(page, '渲染方法', '经典光线追踪');
   await expect(notice).toBeHidden();
 });
+
+test('a scene made for paths says what classic ray tracing leaves out; what is no failure goes by itself', async ({
+  page,
+  openStudio,
+}) => {
+  await openStudio({ query: { ...query, backend: 'webgl2', integrator: 'classic', seed: 1 } });
+  const notice = page.locator('.notice[data-subject=path]');
+  await expect(notice).toContainText('made for path tracing');
+  // Not while it is pointed at; then its time is let go by at once.
+  await notice.hover();
+  const state = () => notice.evaluate((element) => element.getAnimations().map(({ playState }) => playState));
+  await soon(state).toEqual(['paused']);
+  await page.mouse.move(5, 400);
+  await soon(state).toEqual(['running']);
+  await notice.evaluate((element) => element.getAnimations()[0]!.finish());
+  await expect(notice).toBeHidden();
+});

@@ -1,6 +1,17 @@
 import { seriousProblems } from './axe.ts';
 import { expect, test } from './fixtures.ts';
-import { choose, coarse, expectPicture, fewSamples, group, rendererState, scenes, soon, unfold } from './studio.ts';
+import {
+  choose,
+  coarse,
+  expectPicture,
+  expectState,
+  fewSamples,
+  group,
+  rendererState,
+  scenes,
+  soon,
+  unfold,
+} from './studio.ts';
 
 const address = { backend: 'webgl2', query: { ...coarse, paused: 1 } } as const;
 
@@ -75,7 +86,12 @@ test.describe('on a phone on its side', () => {
     await expect(page.getByRole('slider', { name: '反射次数' })).toBeHidden();
     const status = page.getByRole('region', { name: '上一帧的渲染数据' });
     const folded = (await status.boundingBox())!.height;
+    // Playing must not need the panel.
+    await page.getByRole('button', { name: '播放' }).tap();
+    await expectState(page, (state) => state.playing, true);
+    await page.getByRole('button', { name: '暂停' }).tap();
     await page.getByRole('button', { name: '展开面板' }).tap();
+    await page.getByRole('slider', { name: '反射次数' }).scrollIntoViewIfNeeded();
     await expect(page.getByRole('slider', { name: '反射次数' })).toBeInViewport();
     const box = (await status.boundingBox())!;
     expect(box.height).toBe(folded);
@@ -96,6 +112,8 @@ test.describe('on a phone', () => {
       const slider = page.getByRole('slider', { name: 'Reflections' });
       await expect(slider, 'the panel is folded at first').toBeHidden();
       await page.getByRole('button', { name: 'Show controls' }).tap();
+      await expect(group(page, 'Scene')).toBeInViewport();
+      await slider.scrollIntoViewIfNeeded();
       await expect(slider).toBeInViewport();
       await group(page, 'Scene').getByRole('radio', { name: 'Mirror blocks' }).tap();
       await expect(page.getByRole('img', { name: 'Mirror blocks' })).toBeVisible();

@@ -62,8 +62,15 @@ for (const backend of backends)
       await choose(page, 'Samples per light', '9');
       await expectState(page, (state) => state.settings.lightSamples, 9);
       await choose(page, 'Samples per light', 'Other');
-      await page.getByRole('spinbutton', { name: 'Samples per light, 1 to 256' }).fill('5');
+      const samples = page.getByRole('spinbutton', { name: 'Samples per light: 1 to 256' });
+      await samples.fill('5');
       await expectState(page, (state) => state.settings.lightSamples, 5);
+      const told = page.getByText('Samples per light: 1 to 256');
+      await samples.fill('257');
+      await expect(told).toBeVisible();
+      await samples.blur();
+      await expect(samples).toHaveValue('5');
+      await expect(told).toBeHidden();
       const before = await lookAtPicture(page);
       await page.getByRole('slider', { name: 'Exposure' }).fill('-3');
       await expectState(page, (state) => state.settings.exposure, -3);
@@ -128,6 +135,17 @@ for (const backend of backends)
       await expect(group(page, 'Samples per light')).toHaveAccessibleDescription(/1 · 9 · 64/);
       await expect(group(page, 'Samples per light').getByRole('radio').first()).toBeDisabled();
       await expectState(page, (state) => state.settings.comparison?.panels.map((p) => p.lightSamples), [1, 9, 64]);
+      const show = page.getByRole('combobox', { name: 'Show' });
+      await show.selectOption('Normals');
+      await expectState(page, (state) => state.settings.comparison, null);
+      await expect(group(page, 'Side by side')).toHaveAccessibleDescription(
+        'Compares pictures: choose to show the picture first.',
+      );
+      await page.keyboard.press('c');
+      const why = page.locator('.notice[data-subject=compare]');
+      await expect(why).toBeVisible();
+      await show.selectOption('Picture');
+      await expect(why).toBeHidden();
       await choose(page, 'Side by side', 'Off');
       await expectState(page, (state) => state.settings.comparison, null);
     });

@@ -90,8 +90,15 @@ export function changeReflections(by: number): void {
   state.reflections.value = Math.min(Math.max(state.reflections.peek() + by, 0), 64);
 }
 
+/** Whether nothing can be compared now; then it is told why. */
+export function tellCannotCompare(): boolean {
+  const why = state.cannotCompare.peek();
+  if (why) notify('compare', (t) => t[why]);
+  return why !== null;
+}
+
 export function nextComparison(): void {
-  if (state.integrator.peek() !== 'classic') return;
+  if (tellCannotCompare()) return;
   const at = comparisonModes.indexOf(state.comparisonMode.peek());
   state.comparisonMode.value = comparisonModes[(at + 1) % comparisonModes.length]!;
 }

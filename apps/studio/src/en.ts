@@ -73,12 +73,13 @@ export const en = {
   integratorNames: { classic: 'Classic ray tracing', path: 'Path tracing' },
   maxDepth: 'Path segments',
   noLimit: 'No limit',
-  onlyClassic: 'Only classic ray tracing uses this',
+  compareClassic: 'Compares settings of classic ray tracing: choose that method first.',
+  comparePicture: 'Compares pictures: choose to show the picture first.',
   classicHasNoMeshes: 'Classic ray tracing draws no triangles, so a model is always path traced.',
   reflections: 'Reflections',
   lightSamples: 'Samples per light',
   lightSamplesCustom: 'Other',
-  lightSamplesNumber: 'Samples per light, 1 to 256',
+  lightSamplesNumber: 'Samples per light: 1 to 256',
   exposure: 'Exposure',
   stops: (n: string) => `${n} stops`,
   toneMapping: 'Tone mapping',
@@ -126,6 +127,8 @@ export const en = {
   noticeNothingInFocus: 'There is nothing there to focus on.',
   noticeCpuShowsClassic:
     'Path tracing needs WebGPU or WebGL2. This still shows the scene by classic ray tracing instead: without indirect light, and with all materials matte or mirrors.',
+  noticeMadeForPaths:
+    'This scene is made for path tracing: classic ray tracing leaves out its glass, its metals and most of its light.',
   stillShowsPicture: 'A CPU still shows the picture only.',
   resetView: 'Reset view',
   fullScreen: 'Full screen',
@@ -178,7 +181,7 @@ export const en = {
   noticeNothing: (reason: string) => `No picture can be drawn here: ${reason}`,
   noticeSceneFailed: (reason: string) => `The scene could not be shown: ${reason}`,
   noticeParameters: (problems: string) => `Ignored values in the page’s address: ${problems}`,
-  noticeUnknownParameters: (names: string) => `Unknown parameters in the page’s address: ${names}`,
+  noticeUnknownParameters: (names: string) => `Ignored, as unknown or repeated, in the page’s address: ${names}`,
   noticeError: (reason: string) => `Something went wrong: ${reason}`,
 
   keysTitle: 'Keys',

@@ -22,9 +22,18 @@ const keyRows = (t: Dictionary): readonly (readonly [readonly string[], string])
 
 /** Every key and gesture. */
 export function Help() {
+  const open = helpOpen.value;
+  return (
+    <Dialog id="help" title={dictionary.value.help} open={open} onClose={() => (helpOpen.value = false)}>
+      {open && <HelpBody />}
+    </Dialog>
+  );
+}
+
+function HelpBody() {
   const t = dictionary.value;
   return (
-    <Dialog id="help" title={t.help} open={helpOpen.value} onClose={() => (helpOpen.value = false)}>
+    <>
       <h3>{t.keysTitle}</h3>
       <dl class="keys">
         {keyRows(t).map(([keys, what]) => (
@@ -47,6 +56,6 @@ export function Help() {
           </div>
         ))}
       </dl>
-    </Dialog>
+    </>
   );
 }

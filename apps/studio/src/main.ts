@@ -1,6 +1,6 @@
 import { batch } from '@preact/signals';
 import type { Renderer, Scene } from 'mirrorball';
-import { takeScene } from './actions.ts';
+import { takeScene, tellCannotCompare } from './actions.ts';
 import { mountApp } from './app.tsx';
 import { builtInScene, sceneIds } from './built-in-scenes.ts';
 import { dictionary, startLanguage } from './i18n.ts';
@@ -83,6 +83,7 @@ function takeParameters(given: UrlParameters): void {
     state.controlsShown.value = given.ui;
     state.panelOpen.value = given.ui && !state.isPhone.value && innerHeight > LOW_PAGE;
   });
+  if (given.compare && given.compare !== 'off') tellCannotCompare();
   const { problems, unknown } = given;
   if (problems.length + unknown.length === 0) return;
   notify('parameters', (t) => {

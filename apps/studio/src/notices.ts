@@ -4,9 +4,13 @@ import type { Dictionary } from './i18n.ts';
 /** A sentence over the picture. It is a function of the dictionary, so that it follows the language. */
 export interface Notice {
   /** One notice a subject: a newer one takes the place of the older. */
-  readonly subject: 'backend' | 'cpu' | 'device' | 'file' | 'focus' | 'parameters' | 'error' | 'path';
+  readonly subject: 'backend' | 'cpu' | 'device' | 'file' | 'focus' | 'parameters' | 'error' | 'path' | 'compare';
   readonly text: (dictionary: Dictionary) => string;
 }
+
+/** What is not about a failure goes by itself after a while: it may be read, and need not be kept. */
+export const isBrief = (subject: Notice['subject']): boolean =>
+  ['cpu', 'focus', 'parameters', 'path', 'compare'].includes(subject);
 
 export const notices = signal<readonly Notice[]>([]);
 

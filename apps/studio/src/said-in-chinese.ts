@@ -1,7 +1,8 @@
-/** What readers of files tell, in Chinese. The tables for it come when there is something to tell; until then it is in English. */
+/** What is seldom said, in Chinese: the list of keys, some notices, and what readers of files tell. It comes when it is asked for; until then it is in English. */
 import { signal } from '@preact/signals';
 import type { Problem, ReportEntry } from 'mirrorball';
 import type * as Tables from './chinese-tables.ts';
+import { en } from './en.ts';
 
 const tables = signal<typeof Tables | null>(null);
 
@@ -17,3 +18,4 @@ function loaded(): typeof Tables | null {
 
 export const problemText = (problem: Problem): string => loaded()?.problemInChinese(problem) ?? problem.message;
 export const reportText = (entry: ReportEntry): string => loaded()?.reportInChinese(entry) ?? entry.message;
+export const seldom = (): typeof Tables.seldomInChinese => loaded()?.seldomInChinese ?? en;

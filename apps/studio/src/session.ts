@@ -3,8 +3,10 @@ import { type Backend, type Camera, createRenderer, type FrameStats, focusOf, ty
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { createCanvas, describePicture } from './stage.ts';
 import {
+  cannotCompare,
   compiling,
   integrator,
+  isStill,
   lens,
   playing,
   renderer,
@@ -180,8 +182,13 @@ export function followState(): void {
     notify('cpu', (t) => (chosenCpu ? t.noticeCpuChosen : t.noticeCpuAlone));
   });
   effect(() => {
-    if (renderer.value?.backend !== 'cpu' || integrator.value !== 'path') return dismiss('path');
-    notify('path', (t) => t.noticeCpuShowsClassic);
+    const paths = integrator.value === 'path';
+    if (paths && isStill.value) notify('path', (t) => t.noticeCpuShowsClassic);
+    else if (!paths && shown.value?.scene.render.integrator === 'path') notify('path', (t) => t.noticeMadeForPaths);
+    else dismiss('path');
+  });
+  effect(() => {
+    if (cannotCompare.value === null) dismiss('compare');
   });
 }
 

@@ -115,10 +115,13 @@ const framing = computed(() => {
   return framingFor({ width, height, top, right: width * (1 - visibleShare.value), bottom });
 });
 
-/** What is compared now: only what the classic integrator knows can be. */
-export const comparing = computed<ComparisonMode>(() =>
-  integrator.value === 'classic' ? comparisonMode.value : 'off',
-);
+/** Why nothing can be compared now, by the text that says so: only pictures can be, by what the classic integrator knows. */
+export const cannotCompare = computed<'compareClassic' | 'comparePicture' | null>(() => {
+  if (integrator.value !== 'classic') return 'compareClassic';
+  return shownView.value === 'picture' || isStill.value ? null : 'comparePicture';
+});
+/** What is compared now. */
+export const comparing = computed<ComparisonMode>(() => (cannotCompare.value ? 'off' : comparisonMode.value));
 
 /** What the renderer is to be set to. */
 export const wantedSettings = computed<Omit<RendererSettings, 'maxSamples' | 'pixelFilter' | 'independentSamples'>>(

@@ -57,6 +57,11 @@ test('what cannot be understood is left out and named', () => {
   ]);
 });
 
+test('what stands there twice counts once, and is named', () => {
+  const { reflections, unknown } = readParameters('?reflections=3&seed=1&reflections=9&seed=1', scenes);
+  expect([reflections, unknown]).toEqual([3, ['reflections=9', 'seed=1']]);
+});
+
 test('parameters that there are not are named, and not without end', () => {
   expect(readParameters('?reflection=10&scene=nope&size', scenes).unknown).toEqual(['reflection=10']);
   const many = Array.from({ length: 1000 }, (_, k) => `x${k}=${'y'.repeat(100)}`).join('&');

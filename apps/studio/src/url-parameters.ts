@@ -43,7 +43,7 @@ export interface UrlParameters {
   readonly lang: string | null;
   /** Such as "reflections=100 (0 … 64)". */
   readonly problems: readonly string[];
-  /** Parameters that there are not, such as "reflection=10". */
+  /** Parameters that there are not, such as "reflection=10", and those that are there once more. */
   readonly unknown: readonly string[];
 }
 
@@ -97,9 +97,10 @@ class Reader {
     return null;
   }
 
-  /** The first few parameters that nobody has asked for. */
+  /** The first few parameters that nobody has asked for, and those that are there again: the first one counts. */
   unknown(): string[] {
-    const strangers = [...this.query].filter(([name]) => !this.known.has(name));
+    const seen = new Set<string>();
+    const strangers = [...this.query].filter(([name]) => !this.known.has(name) || seen.size === seen.add(name).size);
     return strangers.slice(0, MOST_UNKNOWN).map(([name, text]) => `${name}=${text}`.slice(0, 40));
   }
 }

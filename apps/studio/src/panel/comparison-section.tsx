@@ -1,7 +1,7 @@
 import type { ComparisonMode } from '../comparison.ts';
 import { Choice, type Option } from '../controls/choice.tsx';
 import { dictionary } from '../i18n.ts';
-import { comparisonMode, integrator } from '../state.ts';
+import { cannotCompare, comparisonMode } from '../state.ts';
 import { Section } from './section.tsx';
 
 export function ComparisonSection() {
@@ -19,7 +19,7 @@ export function ComparisonSection() {
         options={options}
         value={comparisonMode.value}
         onChange={(mode) => (comparisonMode.value = mode)}
-        idle={integrator.value === 'classic' ? null : t.onlyClassic}
+        idle={cannotCompare.value && t[cannotCompare.value]}
         stacked
       />
     </Section>

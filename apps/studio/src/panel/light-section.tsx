@@ -25,7 +25,6 @@ export function LightSection() {
   const t = dictionary.value;
   return (
     <Section id="light" title={t.light}>
-      {integrator.value === 'classic' ? <ClassicControls /> : <PathControls />}
       <Choice
         id="integrator"
         label={t.integrator}
@@ -34,6 +33,7 @@ export function LightSection() {
         onChange={(kind) => (integrator.value = kind)}
         idle={hasTriangles.value && !isStill.value ? t.classicHasNoMeshes : null}
       />
+      {integrator.value === 'classic' ? <ClassicControls /> : <PathControls />}
       <Slider
         id="exposure"
         label={t.exposure}
@@ -98,9 +98,17 @@ function LightSamples() {
     wishesOther.value = value === 0;
     if (value > 0) lightSamples.value = value;
   };
+  /** What stands in the field and cannot be taken. */
+  const refused = useSignal<string | null>(null);
   const typed = (input: HTMLInputElement): void => {
     const value = input.valueAsNumber;
-    if (Number.isInteger(value) && value >= 1 && value <= 256) lightSamples.value = value;
+    const good = Number.isInteger(value) && value >= 1 && value <= 256;
+    refused.value = good ? null : input.value;
+    if (good) lightSamples.value = value;
+  };
+  const left = (input: HTMLInputElement): void => {
+    input.value = String(lightSamples.value);
+    refused.value = null;
   };
   return (
     <div class="with-number">
@@ -121,10 +129,16 @@ function LightSamples() {
           max={256}
           step={1}
           aria-label={t.lightSamplesNumber}
-          value={lightSamples.value}
+          value={refused.value ?? lightSamples.value}
           onInput={(event) => typed(event.currentTarget)}
-          onBlur={(event) => (event.currentTarget.value = String(lightSamples.value))}
+          aria-invalid={refused.value !== null}
+          onBlur={(event) => left(event.currentTarget)}
         />
+      )}
+      {other && !idle && (
+        <p class="idle" role="status">
+          {refused.value !== null && t.lightSamplesNumber}
+        </p>
       )}
     </div>
   );

@@ -3,7 +3,7 @@ import { Button } from '../controls/button.tsx';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { isStill, playing, shown, speed, time } from '../state.ts';
+import { isStill, panelOpen, playing, shown, speed, time } from '../state.ts';
 import { Section } from './section.tsx';
 
 const speeds = [0.25, 0.5, 1, 2, 4].map((value) => ({ value, label: `${value}×` }));
@@ -28,7 +28,8 @@ export function MotionSection() {
   return (
     <Section id="motion" title={t.motion}>
       <div class="transport">
-        <PlayButton />
+        {/* Folded, the panel has it in its head. */}
+        {panelOpen.value && <PlayButton />}
         <Button id="step" icon="step" name={t.step} onClick={stepTime} />
         <Slider
           id="time"

@@ -31,11 +31,11 @@ export function Panel() {
       <div id="panel-body" class="panel-body" hidden={!open}>
         <SceneSection />
         <ModelSection />
-        <LightSection />
-        <EnvironmentSection />
-        <ComparisonSection />
         <MotionSection />
+        <LightSection />
+        <ComparisonSection />
         <ViewSection />
+        <EnvironmentSection />
         <QualitySection />
         <PageSection />
       </div>
@@ -58,6 +58,7 @@ function CardHead() {
         controls="panel-body"
         onClick={toggle}
       />
+      {!open && <PlayButton />}
     </header>
   );
 }
