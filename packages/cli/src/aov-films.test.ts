@@ -1,5 +1,7 @@
+import type { FilmJob, FilmTracer } from 'mirrorball/headless';
 import { expect, test } from 'vitest';
-import { firstOf } from './aov-films.ts';
+import { AccumulatedFilm } from './accumulated-film.ts';
+import { aovSamples, firstOf, traceAovs } from './aov-films.ts';
 import { aovFile, checkAovs, checkErrorKnown, mayBeHalf } from './aov-pictures.ts';
 
 test('the first samples of some ranges', () => {
@@ -14,6 +16,28 @@ test('the first samples of some ranges', () => {
     { first: 8, last: 9 },
   ]);
   expect(firstOf(ranges, 99)).toEqual(ranges);
+});
+
+test('progress is counted in the samples of all films together, and never goes back', async () => {
+  const film = new AccumulatedFilm(1);
+  for (const first of [0, 32]) film.put(first, Float32Array.of(1, 1, 1, 32));
+  const told: number[] = [];
+  const tracer = {
+    description: '',
+    begin: async () => {},
+    trace: async (...[, count, onto, options]: Parameters<FilmTracer['trace']>) => {
+      options?.onProgress?.(count / 2);
+      return Float32Array.of(1, 1, 1, (onto?.[3] ?? 0) + count, 0, 0, 0, 0).subarray(0, 4);
+    },
+    dispose: () => {},
+  };
+  const names = ['depth', 'albedo', 'indirect'] as const;
+  const job = { settings: { integrator: 'path', maxDepth: -1 } } as FilmJob;
+  const progress = { update: (samples: number) => void told.push(samples), stop: () => {} };
+  await traceAovs(names, tracer, job, film, new AbortController().signal, progress);
+  expect(told).toEqual([...told].sort((a, b) => a - b));
+  expect([aovSamples(names, film), told.at(-1)]).toEqual([192, 192]);
+  expect(aovSamples(['samples'], film)).toBe(0);
 });
 
 test('a file of its own for each, and frames keep their number', () => {

@@ -27,6 +27,15 @@ export function firstOf(ranges: readonly SampleRange[], most: number): SampleRan
   return kept;
 }
 
+const wants = (names: readonly AovName[], source: string): boolean =>
+  names.some((name) => AOVS[name].source === source);
+
+/** Samples that all films of these AOVs take together: what their progress is counted in. */
+export function aovSamples(names: readonly AovName[], { samples }: AccumulatedFilm): number {
+  const firstHits = (['features', 'data'] as const).filter((source) => wants(names, source)).length;
+  return firstHits * Math.min(samples, MOST_FIRST_HITS) + (wants(names, 'direct') ? samples : 0);
+}
+
 /** Null when it was interrupted. `job` is that of the picture, `film` what came of it. */
 export async function traceAovs(
   names: readonly AovName[],
@@ -36,22 +45,30 @@ export async function traceAovs(
   interrupted: AbortSignal,
   progress: Progress,
 ): Promise<AovFilms | null> {
-  const wants = (source: string): boolean => names.some((name) => AOVS[name].source === source);
+  // Of the films before.
+  let done = 0;
+  const onward: Progress = { ...progress, update: (samples) => progress.update(done + samples, null) };
   const firstHits = async (content: 'features' | 'data'): Promise<FilmSums | null> => {
-    if (!wants(content) || interrupted.aborted) return null;
+    if (!wants(names, content) || interrupted.aborted) return null;
     await tracer.begin({ ...job, content });
     let sums: FilmSums | null = null;
-    for (const { first, last } of firstOf(film.ranges, MOST_FIRST_HITS))
-      sums = await tracer.trace(first, last - first + 1, sums, { signal: interrupted });
+    for (const { first, last } of firstOf(film.ranges, MOST_FIRST_HITS)) {
+      const count = last - first + 1;
+      sums = await tracer.trace(first, count, sums, {
+        signal: interrupted,
+        onProgress: (samples) => onward.update(samples, null),
+      });
+      done += count;
+    }
     return sums;
   };
   const features = await firstHits('features');
   const data = await firstHits('data');
   let direct: AccumulatedFilm | null = null;
-  if (wants('direct') && !interrupted.aborted) {
+  if (wants(names, 'direct') && !interrupted.aborted) {
     direct = new AccumulatedFilm(film.pixels);
     await tracer.begin({ ...job, settings: directSettings(job.settings) });
-    for (const wanted of film.ranges) await runFilm(tracer, direct, { wanted }, interrupted, progress);
+    for (const wanted of film.ranges) await runFilm(tracer, direct, { wanted }, interrupted, onward);
   }
   return interrupted.aborted ? null : { features, data, direct };
 }

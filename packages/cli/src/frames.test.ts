@@ -12,11 +12,13 @@ test("a frame's number goes where the name says, or before the ending", () => {
 });
 
 test('times', () => {
-  expect(framesOf({ time: 1.5, fps: 24, output: 'x.exr' })).toEqual([{ time: 1.5, output: 'x.exr', name: 'x.exr' }]);
+  expect(framesOf({ time: 1.5, fps: 24, output: 'x.exr' })).toEqual([
+    { time: 1.5, output: 'x.exr', number: null, name: 'x.exr' },
+  ]);
   const frames = framesOf({ time: 1, fps: 4, frames: { first: 2, last: 4 }, output: 'x.exr' });
-  expect(frames.map(({ time, output }) => [time, output])).toEqual([
-    [1.5, 'x.0002.exr'],
-    [1.75, 'x.0003.exr'],
-    [2, 'x.0004.exr'],
+  expect(frames.map(({ time, output, number }) => [time, output, number])).toEqual([
+    [1.5, 'x.0002.exr', 2],
+    [1.75, 'x.0003.exr', 3],
+    [2, 'x.0004.exr', 4],
   ]);
 });

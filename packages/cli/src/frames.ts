@@ -6,6 +6,8 @@ export interface Frame {
   readonly time: number;
   /** Undefined when nothing is to be written. */
   readonly output: string | undefined;
+  /** Null: the one picture of a run without frames. */
+  readonly number: number | null;
   /** How messages call it. */
   readonly name: string;
 }
@@ -36,10 +38,10 @@ export function framesOf(options: {
   readonly output?: string;
 }): Frame[] {
   const { time, fps, frames, output } = options;
-  if (!frames) return [{ time, output, name: output ?? 'picture' }];
+  if (!frames) return [{ time, output, number: null, name: output ?? 'picture' }];
   return Array.from({ length: frames.last - frames.first + 1 }, (_, index) => {
     const frame = frames.first + index;
     const file = output && frameFile(output, frame, frames.last);
-    return { time: time + frame / fps, output: file, name: file ?? `frame ${frame}` };
+    return { time: time + frame / fps, output: file, number: frame, name: file ?? `frame ${frame}` };
   });
 }

@@ -33,6 +33,7 @@ export async function doctor(terminal: Terminal): Promise<void> {
     if (advice) terminal.result(`            ${advice}`);
   }
   const best = findings.find(({ ok, name }) => ok && name !== 'cpu');
+  terminal.event('choice', { backend: best?.name ?? null });
   terminal.result(best ? `\nRenders will use ${best.name}.` : '\nOnly --backend cpu works here, and it is slow.');
   if (!best) throw new CommandError(EXIT.noDevice, 'No graphics device was found.');
 }

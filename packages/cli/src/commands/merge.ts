@@ -2,7 +2,7 @@
 import type { FilmArea, FilmJob, FilmTracer } from 'mirrorball/headless';
 import { posedSceneAt } from 'mirrorball/scene';
 import { parseScene } from 'mirrorball/scene-file';
-import { traceAovs } from '../aov-films.ts';
+import { aovSamples, traceAovs } from '../aov-films.ts';
 import { checkAovs, type WithAovs } from '../aov-pictures.ts';
 import type { MergeOptions } from '../arguments.ts';
 import { openBackend } from '../backends/open-backend.ts';
@@ -154,7 +154,7 @@ async function aovsOf(
   { output, aov }: MergeOptions,
   terminal: Terminal,
 ): Promise<WithAovs> {
-  const progress = startProgress(terminal, { picture: `${output}, AOVs`, held: 0, wanted: film.samples });
+  const progress = startProgress(terminal, { picture: `${output}, AOVs`, held: 0, wanted: aovSamples(aov!, film) });
   try {
     const films = await traceAovs(aov!, tracer, job, film, new AbortController().signal, progress);
     return { names: aov!, films: films!, job };

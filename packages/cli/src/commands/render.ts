@@ -6,7 +6,7 @@ import type { FilmArea, FilmJob, FilmSettings } from 'mirrorball/headless';
 import { posedSceneAt, type Scene } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
 import { AccumulatedFilm } from '../accumulated-film.ts';
-import { type AovFilms, traceAovs } from '../aov-films.ts';
+import { type AovFilms, aovSamples, traceAovs } from '../aov-films.ts';
 import { checkAovs, checkErrorKnown, type WithAovs } from '../aov-pictures.ts';
 import type { RenderOptions } from '../arguments.ts';
 import { type Backend, openBackend } from '../backends/open-backend.ts';
@@ -97,7 +97,14 @@ const partFileOf = (output: string): string => (isPart(output) ? output : `${out
 const isFinished = (frame: Frame): frame is Frame & { readonly output: string } =>
   frame.output !== undefined && existsSync(frame.output) && !existsSync(partFileOf(frame.output));
 
-async function renderFrame(run: Run, frame: Frame): Promise<void> {
+/** Each event of a frame has its number. */
+const tellingNumber = (terminal: Terminal, { number }: Frame): Terminal =>
+  number === null
+    ? terminal
+    : { ...terminal, event: (event, fields) => terminal.event(event, { ...fields, frame: number }) };
+
+async function renderFrame(all: Run, frame: Frame): Promise<void> {
+  const run = { ...all, terminal: tellingNumber(all.terminal, frame) };
   const { options, terminal, interruption, finished } = run;
   interruption.check('Nothing was begun.');
   const kept = finished.get(frame.name);
@@ -256,7 +263,7 @@ async function aovsOf(
   const progress = startProgress(terminal, {
     picture: `${frame.name}, AOVs`,
     held: 0,
-    wanted: film.samples,
+    wanted: aovSamples(options.aov, film),
   });
   try {
     return (await traceAovs(options.aov, tracer, job, film, interruption.signal, progress)) ?? 'interrupted';
