@@ -15,7 +15,7 @@ export function convertMaterial(m: NeutralMaterial): Partial<Material> {
     case 'dielectric':
       return { type: 'dielectric', baseColor: WHITE, ior: m.ior, roughness: 0 };
     case 'rough_dielectric':
-      return { type: 'dielectric', baseColor: WHITE, ior: m.ior, roughness: roughnessOf(m) };
+      return { type: 'dielectric', baseColor: WHITE, ior: m.ior, ...facetsOf(m) };
     case 'blend':
       return blend(m);
     case 'gltf_metallic_roughness':
@@ -30,22 +30,23 @@ type Of<Type extends NeutralMaterial['type']> = Extract<NeutralMaterial, { type:
 const WHITE = [1, 1, 1] as const;
 
 /** glTF's alpha = roughness². */
-function roughnessOf({ alpha, masking }: { alpha: number; masking: string }): number {
-  if (masking !== 'height_correlated') throw new Refusal(`${masking} masking: ours is height-correlated`);
+function facetsOf({ alpha, masking }: { alpha: number; masking: string }): Pick<Material, 'roughness' | 'masking'> {
   if (!(alpha >= 0 && alpha <= 1)) throw new Refusal(`alpha ${alpha}: ours is 0 to 1`);
-  return Math.sqrt(alpha);
+  return { roughness: Math.sqrt(alpha), ...(masking === 'separable' ? { masking } : {}) };
 }
 
 function roughConductor(m: Of<'rough_conductor'>): Partial<Material> {
   if (m.distribution !== 'ggx') throw new Refusal(`the distribution ${m.distribution}: ours is GGX`);
-  const roughness = roughnessOf(m);
+  const facets = facetsOf(m);
   const given = [m.reflectance, m.f0, m.eta && m.k].filter((x) => x !== undefined);
   if (given.length !== 1 || (m.eta === undefined) !== (m.k === undefined))
     throw new Refusal('a rough conductor needs either "reflectance", or "f0", or both "eta" and "k"');
   // Schlick's Fresnel between f0 and 1 is glTF's metal.
-  if (m.f0) return { type: 'metallicRoughness', metallic: 1, baseColor: m.f0, roughness };
-  if (m.reflectance) return { type: 'conductor', baseColor: m.reflectance, roughness };
-  return { type: 'conductor', baseColor: WHITE, roughness, conductor: { eta: m.eta!, k: m.k! } };
+  if (m.f0 && facets.masking)
+    throw new Refusal("separable masking with Schlick's Fresnel: glTF's metal is height-correlated");
+  if (m.f0) return { type: 'metallicRoughness', metallic: 1, baseColor: m.f0, ...facets };
+  if (m.reflectance) return { type: 'conductor', baseColor: m.reflectance, ...facets };
+  return { type: 'conductor', baseColor: WHITE, ...facets, conductor: { eta: m.eta!, k: m.k! } };
 }
 
 /**

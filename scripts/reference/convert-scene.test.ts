@@ -68,6 +68,16 @@ describe('materials', () => {
     const glass = { type: 'rough_dielectric', ior: 1.5, alpha: 0.09, masking: 'height_correlated' };
     expect(material(glass)).toMatchObject({ type: 'dielectric', ior: 1.5, roughness: 0.3, baseColor: [1, 1, 1] });
   });
+  test('separable masking stays', () => {
+    const apart = { masking: 'separable', alpha: 0.25 };
+    expect(material({ ...ggx, ...apart, reflectance: [1, 1, 1] })).toMatchObject({
+      roughness: 0.5,
+      masking: 'separable',
+    });
+    const frosted = material({ type: 'rough_dielectric', ior: 1.5, ...apart });
+    expect(frosted).toMatchObject({ roughness: 0.5, masking: 'separable' });
+    expect(material({ ...ggx, reflectance: [1, 1, 1] }).masking).toBeUndefined();
+  });
   test('eta and k stay, with no tint', () => {
     const m = material({ ...ggx, eta: [0.1, 0.4, 1.4], k: [4, 2.4, 1.6] });
     expect(m.conductor).toEqual({ eta: [0.1, 0.4, 1.4], k: [4, 2.4, 1.6] });
@@ -96,7 +106,7 @@ describe('materials', () => {
   });
 
   test.each([
-    ['separable masking', { ...ggx, masking: 'separable', reflectance: [1, 1, 1] }, /separable masking/],
+    ['separable masking of a Schlick metal', { ...ggx, masking: 'separable', f0: [1, 1, 1] }, /separable masking/],
     ['Beckmann', { ...ggx, distribution: 'beckmann', reflectance: [1, 1, 1] }, /beckmann/],
     ['no Fresnel', ggx, /either "reflectance"/],
     ['two kinds of Fresnel', { ...ggx, reflectance: [1, 1, 1], eta: [1, 1, 1], k: [1, 1, 1] }, /either "reflectance"/],
@@ -169,6 +179,20 @@ describe('meshes', () => {
     expect(shapes).toEqual([['mesh 1', 'a'], ['mesh 2', 'a'], ['mesh 3', 'a 2'], ['mesh 4', 'a']]); // biome-ignore format: short
     expect(writeScene(scene)).toContain('"mesh 3": { "type": "mesh", "mesh": "a 2", "material": "m" }');
   });
+});
+
+describe('boxes with shear', () => {
+  const shear = [[1, 0.5, 0, 3], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]]; // biome-ignore format: a matrix
+  const box = { type: 'box', min: [0, 0, 0], max: [1, 2, 1], material: 'm', transform: shear };
+  test('are six parallelograms', () => {
+    const shapes = Object.values(converted({ primitives: [BALL, box] }).shapes).slice(1);
+    expect(shapes).toHaveLength(6);
+    expect(shapes).toContainEqual({ type: 'quad', corner: [3, 0, 0], u: [1, 2, 0], v: [0, 0, 2], material: 'm' });
+    expect(shapes).toContainEqual({ type: 'quad', corner: [4, 0, 0], u: [1, 2, 0], v: [0, 0, 2], material: 'm' });
+    expect(shapes).toContainEqual({ type: 'quad', corner: [4, 2, 0], u: [0, 0, 2], v: [1, 0, 0], material: 'm' });
+  });
+  test('of glass are refused: they have an inside', () =>
+    expect(problems({ primitives: [box], materials: { m: { type: 'dielectric', ior: 1.5 } } })).toMatch(/shear/));
 });
 
 test.each([

@@ -4,8 +4,14 @@ import type { Color, Scene } from '../../packages/renderer/src/scene/scene.ts';
 import { parseScene } from '../../packages/renderer/src/scene-file/index.ts';
 import { convertMaterial } from './convert-material.ts';
 import { Meshes } from './meshes.ts';
-import { type NeutralLight, type NeutralPrimitive, type NeutralScene, neutralScene } from './neutral-scene.ts';
-import { matrixOf, placeBox, placeQuad, placeSphere, Refusal } from './transform.ts';
+import {
+  type NeutralLight,
+  type NeutralPrimitive,
+  type NeutralScene,
+  neutralScene,
+  type Triple,
+} from './neutral-scene.ts';
+import { isSheared, matrixOf, placeBox, placeQuad, placeSphere, Refusal } from './transform.ts';
 
 export interface Converted {
   readonly scene: Scene;
@@ -130,12 +136,26 @@ function shapesOf({ primitives, materials }: NeutralScene, meshes: Meshes, probl
       throw new Refusal('a dielectric quad: a solid body has an inside');
     return convertShape(p, meshes);
   };
-  return convertAll(numbered(primitives.flatMap(withoutInstances)), 'primitives', convert, problems);
+  const single = primitives.flatMap(withoutInstances);
+  const placed = single.flatMap((p) => (p.type === 'box' && isSheared(p) && !transparent(p.material) ? sidesOf(p) : p));
+  return convertAll(numbered(placed), 'primitives', convert, problems);
 }
 
+type NeutralBox = Extract<NeutralPrimitive, { type: 'box' }>;
 type SinglePrimitive =
   | Exclude<NeutralPrimitive, { type: 'instances' }>
   | { readonly type: 'fault'; readonly why: string };
+
+/** Six parallelograms, which stay such under any transform. What has no inside may be made of them. */
+function sidesOf({ min, max, material, transform }: NeutralBox): SinglePrimitive[] {
+  return [0, 1, 2].flatMap((across) =>
+    [min, max].map((end): SinglePrimitive => {
+      const side = (axis: number) => min.map((low, c) => (c === axis ? max[c]! - low : 0)) as Triple;
+      const corner = min.map((low, c) => (c === across ? end[c]! : low)) as Triple;
+      return { type: 'quad', corner, u: side((across + 1) % 3), v: side((across + 2) % 3), material, transform };
+    }),
+  );
+}
 
 /** Each item as a mesh of its own, in their order. */
 function withoutInstances(p: NeutralPrimitive): SinglePrimitive | SinglePrimitive[] {

@@ -53,8 +53,7 @@ export function placeQuad(corner: Triple, u: Triple, v: Triple, transform?: Matr
 export function placeSphere(center: Triple, radius: number, transform?: Matrix) {
   const m = affine(transform);
   if (m === IDENTITY) return { center, radius };
-  const edges = edgesOf(m, [1, 1, 1], 'a sphere under a transform with shear');
-  const [x, y, z] = edges.map(length) as Triple;
+  const [x, y, z] = edgesOf(m, [1, 1, 1], 'a sphere under a transform with shear').map(length) as Triple;
   if (Math.max(x, y, z) - Math.min(x, y, z) > RIGHT * x)
     throw new Refusal('a sphere scaled differently along its axes (an ellipsoid)');
   return { center: tidyTriple(moved(m, center)), radius: tidy(radius * Math.cbrt(x * y * z)) };
@@ -65,23 +64,33 @@ export function placeBox(min: Triple, max: Triple, transform?: Matrix) {
   const m = affine(transform);
   const middle = min.map((low, c) => (low + max[c]!) / 2) as Triple;
   const sides = min.map((low, c) => max[c]! - low) as Triple;
-  const edges = edgesOf(m, sides, 'a box under a transform with shear');
-  const rotation = m === IDENTITY ? [0, 0, 0] : eulerAngles(edges);
-  return { center: tidyTriple(moved(m, middle)), size: tidyTriple(edges.map(length)), rotation: tidyTriple(rotation) };
+  const axes = edgesOf(m, sides, 'a box under a transform with shear');
+  const rotation = m === IDENTITY ? [0, 0, 0] : eulerAngles(axes);
+  return { center: tidyTriple(moved(m, middle)), size: tidyTriple(axes.map(length)), rotation: tidyTriple(rotation) };
 }
 
+/** Whether the transform takes a box's right angles away. */
+export function isSheared({ min, max, transform }: { min: Triple; max: Triple; transform?: Matrix }): boolean {
+  const [a, b, c] = edges(affine(transform), min.map((low, i) => max[i]! - low) as Triple);
+  return crooked(a, b) || crooked(b, c) || crooked(c, a);
+}
+
+const crooked = (p: Triple, q: Triple) => Math.abs(dot(p, q)) > RIGHT * length(p) * length(q);
+
 /** Where the matrix takes the three axes, in these lengths. */
+const edges = (m: Matrix, lengths: Triple): [Triple, Triple, Triple] =>
+  lengths.map((l, c) => turned(m, [0, 1, 2].map((axis) => (axis === c ? l : 0)) as Triple)) as [Triple, Triple, Triple];
+
+/** The same, if they are at right angles. */
 function edgesOf(m: Matrix, lengths: Triple, what: string): [Triple, Triple, Triple] {
-  const edges = lengths.map((l, c) => turned(m, [0, 1, 2].map((axis) => (axis === c ? l : 0)) as Triple));
-  const [a, b, c] = edges as [Triple, Triple, Triple];
-  const crooked = (p: Triple, q: Triple) => Math.abs(dot(p, q)) > RIGHT * length(p) * length(q);
+  const [a, b, c] = edges(m, lengths);
   if (crooked(a, b) || crooked(b, c) || crooked(c, a)) throw new Refusal(what);
   return [a, b, c];
 }
 
 /** Degrees about X, then Y, then Z of the frame with these axes. A box has no hands, so a left-handed frame may lose one. */
-function eulerAngles(edges: readonly [Triple, Triple, Triple]): Triple {
-  const [x, y, w] = edges.map((e) => scaled(e, 1 / length(e))) as [Triple, Triple, Triple];
+function eulerAngles(axes: readonly [Triple, Triple, Triple]): Triple {
+  const [x, y, w] = axes.map((e) => scaled(e, 1 / length(e))) as [Triple, Triple, Triple];
   const z = dot(cross(x, y), w) < 0 ? scaled(w, -1) : w;
   const level = Math.hypot(x[0], x[1]);
   const aboutY = Math.atan2(-x[2], level);

@@ -19,13 +19,22 @@ export class DeviceError extends Error {
 }
 
 /**
- * The same work as a compute pass: after the bindings come the region (first column and row, columns and rows, as vec4u) and the layers
- * of the film as storage textures.
+ * The same work as a compute pass: after the bindings come the region (first row, columns and rows, as vec3u) and the layers of the film
+ * as storage textures.
  */
 export interface ComputeSource {
   readonly wgsl: string;
   readonly entry: string;
 }
+
+/**
+ * What a pass reads. `nearest`: number of the binding of a sampler that takes the texel nearest to a point, when WGSL reads the texture
+ * through one; GLSL never does.
+ */
+export type PassBinding =
+  | { readonly block: string }
+  | { readonly texture: string; readonly nearest?: number }
+  | { readonly data: string };
 
 /** A shader program and what it reads, in both languages. Names of textures, blocks and data are those of the WGSL source. */
 export interface PassSource {
@@ -35,7 +44,7 @@ export interface PassSource {
   readonly entries: { readonly vertex: string; readonly fragment: string };
   readonly glsl: { readonly vertex: string; readonly fragment: string };
   /** In the order of their binding numbers in group 0. */
-  readonly bindings: readonly ({ readonly block: string } | { readonly texture: string } | { readonly data: string })[];
+  readonly bindings: readonly PassBinding[];
   readonly target: 'film' | 'canvas';
   /** What the switches (`override` in the WGSL) are in this program; those that the module does not have are ignored. */
   readonly switches?: Readonly<Record<string, boolean>>;
@@ -89,13 +98,10 @@ export interface Region {
   readonly height: number;
   readonly firstRow: number;
   readonly rowCount: number;
-  /** Which columns; all when left out. */
-  readonly firstColumn?: number;
-  readonly columnCount?: number;
   /** For compute passes: pixels of a workgroup. */
   readonly tile?: readonly [width: number, height: number];
 }
-/** A rectangle of film pixels, (x, y) its top left corner. */
+/** A rectangle of pixels, (x, y) its top left corner. */
 export interface FilmArea {
   readonly x: number;
   readonly y: number;
@@ -134,10 +140,10 @@ export interface Device {
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
   /** Resolves when all that was drawn so far is done. */
   finished(): Promise<void>;
-  /** RGBA float32 of the first columns and rows of a layer, or of those from (x, y) on, row 0 first. */
-  read(layer: FloatTexture, width: number, height: number, x?: number, y?: number): Promise<Float32Array<ArrayBuffer>>;
-  /** The other way: puts RGBA float32 texels into a layer of a film. */
-  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, area: FilmArea): void;
+  /** RGBA float32 of the first columns and rows of a layer, row 0 first. */
+  read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;
+  /** The other way: puts RGBA float32 texels into the first columns and rows of a layer of a film. */
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, width: number, height: number): void;
   /** Makes all layers of a film zero. */
   clear(film: FilmTexture): void;
   /** Resolves with the reason when the device is lost, not when it is destroyed on purpose. */

@@ -59,7 +59,7 @@ export const STRUCTS = {
     ),
     code: field(
       'f32',
-      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none',
+      'kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none',
     ),
     emission: field('vec3f', 'radiance sent out'),
     reflectivity: field('f32', 'share of the perfect mirror layer over the base'),
@@ -219,9 +219,9 @@ export const STRUCTS = {
   },
   Frame: {
     right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
-    width: field('f32', 'film pixels'),
+    width: field('f32', 'of the whole picture, pixels'),
     up: field('vec3f', 'camera u times half the height of what is seen'),
-    height: field('f32', 'film pixels'),
+    height: field('f32', 'of the whole picture, pixels'),
     forward: field('vec3f', 'camera f'),
     lightCount: field('u32', 'lights in use'),
     horizon: field('vec3f', 'sky colour at the horizon; in paths the map of the sky is multiplied by it'),
@@ -229,7 +229,7 @@ export const STRUCTS = {
     zenith: field('vec3f', 'sky colour overhead; likewise'),
     seed: field('u32', 'of the random numbers'),
     jitter: field('vec2f', 'position inside the pixel, 0 to 1'),
-    dividers: field('vec2f', 'film columns where the second and third panel begin'),
+    dividers: field('vec2f', 'columns of the picture where the second and third panel begin'),
     shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
     occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
     seenLightEnd: field('u32', 'index past the last light that camera and mirrors see'),
@@ -257,8 +257,10 @@ export const STRUCTS = {
     instanceCount: field('u32', 'instances of meshes'),
     farEmitters: field('u32', 'emitters that are infinitely far: they come first'),
     lightTree: field('u32', 'row of the root of the light tree'),
+    rowHeight: field('f32', 'of the scene table, the whole table being 1'),
     lightTreeDepth: field('u32', 'levels of it; 0: there is none, and all emitters are looked at'),
     lampTables: field('u32', 'row of the geometry where the tables of lamps begin'),
+    origin: field('vec2u', 'column and row of the picture that the first texel of the film holds'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),
@@ -392,6 +394,11 @@ export function tableColumn(name: TableStruct): number {
 /** Texels in a row of the scene table. */
 export const TABLE_WIDTH = TABLE_STRUCTS.reduce((sum, s) => sum + structSize(s) / 16, 0);
 
+/** Number of the binding of `nearest`, the sampler through which WGSL reads the scene table: shading/table_texel.wesl. */
+export const NEAREST_BINDING = 15;
+/** How passes are told of the scene table. */
+export const SCENE_TABLE = { texture: 'sceneTable', nearest: NEAREST_BINDING } as const;
+
 const FETCHED = [...TABLE_STRUCTS, ...WHOLE_ROWS];
 
 const GENERATED = '// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.\n';
@@ -403,17 +410,16 @@ export function structsWgsl(): string {
     const lines = Object.entries(fields).map(([key, f]) => `  // ${f.doc}\n  ${key}: ${typeName(f.type)},`);
     return `struct ${name} {\n${lines.join('\n')}\n}\n`;
   };
-  return `${GENERATED}\n${Object.entries(STRUCTS)
+  return `${GENERATED}\n// Texels in a row of the scene table.\nconst tableWidth = ${TABLE_WIDTH}.0;\n\n${Object.entries(
+    STRUCTS,
+  )
     .map(([k, v]) => one([k, v as Fields]))
     .join('\n')}`;
 }
 
 function fetchFunction(name: TableStruct): string {
   const texels = structSize(name) / 16;
-  const loads = Array.from(
-    { length: texels },
-    (_, t) => `  let t${t} = textureLoad(sceneTable, vec2u(${tableColumn(name) + t}u, i), 0);`,
-  );
+  const loads = Array.from({ length: texels }, (_, t) => `  let t${t} = tableTexel(${tableColumn(name) + t}u, i);`);
   const parts = Object.entries(STRUCTS[name] as Fields).map(([key, { type }]) => {
     const offset = placement(name).offsets[key]!;
     const first = (offset % 16) / 4;
@@ -469,6 +475,6 @@ export function fetchTexturesWgsl(): string {
 
 /** The functions that read the scene table, the content of `shading/scene_table.wesl`. */
 export function fetchWgsl(): string {
-  const imports = `import package::shading::bindings::sceneTable;\nimport package::shading::layout::{${FETCHED.join(', ')}};\n`;
+  const imports = `import package::shading::table_texel::tableTexel;\nimport package::shading::layout::{${FETCHED.join(', ')}};\n`;
   return `${GENERATED}${imports}\n${FETCHED.map(fetchFunction).join('\n')}`;
 }

@@ -9,7 +9,9 @@ const THIN = 4;
 const COMPENSATED = 8;
 const ONE_SIDED = 16;
 const SMOOTH = 32;
-const EMITTER = 64;
+/** metals and glass only: glTF's material is correlated. */
+const SEPARABLE = 64;
+const EMITTER = 128;
 
 /** Narrower than this a highlight is a mirror's: 32-bit floats no longer hold a facet's slope well enough for a density. */
 const LEAST_ALPHA = 1e-3;
@@ -27,9 +29,12 @@ export interface Lamp {
  * `layers`: row of the table with the material's layers; 0: it has none.
  */
 export function surfaceValues(m: Material, lamp: Lamp | null, textures = 0, layers = 0): StructValues<'Surface'> {
+  // What single scattering loses is known of correlated masking.
+  const separable = m.masking === 'separable' && (m.type === 'conductor' || m.type === 'dielectric');
   const flags =
     (m.thin ? THIN : 0) +
-    (m.energyCompensation ? COMPENSATED : 0) +
+    (m.energyCompensation && !separable ? COMPENSATED : 0) +
+    (separable ? SEPARABLE : 0) +
     (lamp?.oneSided ? ONE_SIDED : 0) +
     (isSmooth(m) ? SMOOTH : 0);
   const emitter = lamp ? EMITTER * (lamp.emitter + 1) : 0;

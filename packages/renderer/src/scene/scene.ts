@@ -89,7 +89,11 @@ export interface Material extends MaterialLayers {
   readonly emission: Color;
   /** Rough metals and `metallicRoughness`: give back the light that single scattering loses (Turquin 2019). */
   readonly energyCompensation: boolean;
+  /** Rough `conductor` and `dielectric`: which facets are hidden from which direction. Default: `correlated`. */
+  readonly masking?: Masking;
 }
+/** Smith's masking of both directions: by facets of one height (Heitz 2014, equation 99), or of each by itself, G₁(ωi) G₁(ωo) (Walter 2007). */
+export type Masking = 'correlated' | 'separable';
 export type MaterialType = 'diffuse' | 'metallicRoughness' | 'conductor' | 'dielectric';
 
 /** What a node may carry. */

@@ -20,7 +20,7 @@ const colorOf = (random: Random, most: number): Color => {
 
 function randomSurface(random: Random): BsdfSurface {
   const type = pick(random, ['diffuse', 'metallicRoughness', 'conductor', 'dielectric'] as const);
-  return surface({
+  const s = surface({
     type,
     baseColor: colorOf(random, 1),
     reflectivity: pick(random, [0, 0, 0, random(), 1]),
@@ -32,6 +32,9 @@ function randomSurface(random: Random): BsdfSurface {
     thin: random() < 0.2,
     energyCompensation: random() < 0.3,
   });
+  // By what means nothing there. glTF's material knows one masking only.
+  const apart = (type === 'conductor' && s.thin) || (type === 'dielectric' && s.energyCompensation);
+  return { ...s, masking: apart ? 'separable' : 'correlated' };
 }
 
 export const randomSurfaces = (random: Random, count: number): BsdfSurface[] =>

@@ -2,7 +2,12 @@
 import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
-import { structSize, TABLE_WIDTH, tableColumn } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import {
+  SCENE_TABLE,
+  structSize,
+  TABLE_WIDTH,
+  tableColumn,
+} from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { type Block, createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { isSmooth } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import { type BsdfSurface, grey, mapColor } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
@@ -33,7 +38,7 @@ const PROBE: PassSource = {
   wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
   entries: { vertex: 'fullScreen', fragment: 'bsdfProbe' },
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
-  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'questions' }],
+  bindings: [{ block: 'Frame' }, SCENE_TABLE, { texture: 'questions' }],
   target: 'film',
   switches: ALL_SWITCHES,
 };
@@ -64,7 +69,12 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
   surfaces.forEach((s, row) => {
     writeStruct(block, 'Surface', row * rowBytes + tableColumn('Surface') * 16, {
       baseColor: s.baseColor,
-      code: KINDS.indexOf(s.type) + (s.thin ? 4 : 0) + (s.energyCompensation ? 8 : 0) + (isSmooth(s) ? 32 : 0),
+      code:
+        KINDS.indexOf(s.type) +
+        (s.thin ? 4 : 0) +
+        (s.energyCompensation ? 8 : 0) +
+        (isSmooth(s) ? 32 : 0) +
+        (s.masking === 'separable' ? 64 : 0),
       reflectivity: s.reflectivity,
       // Of metallicRoughness it says where its layers are: there are none.
       eta: s.type === 'dielectric' ? grey(s.ior) : s.type === 'conductor' ? s.eta : grey(0),
@@ -90,7 +100,7 @@ export async function askTable(device: Device, scene: Block, questions: readonly
   const frame = device.createUniforms(structSize('Frame'));
   // As where there are lights: the direction of a question is the one to a light.
   const values = createBlock(structSize('Frame'));
-  writeStruct(values, 'Frame', 0, { emitterCount: 1 });
+  writeStruct(values, 'Frame', 0, { emitterCount: 1, rowHeight: 1 / rows });
   frame.write(values.bytes);
   const table = device.createTable(TABLE_WIDTH, rows);
   table.write(scene.f32, rows);

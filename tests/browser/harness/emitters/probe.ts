@@ -4,12 +4,12 @@ import type { Device, Pass, PassSource } from '../../../../packages/renderer/src
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { loadGeometryPacker } from '../../../../packages/renderer/src/packed-scene/geometry-packer.ts';
-import { structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import { SCENE_TABLE, structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import type { PackedEnvironment } from '../../../../packages/renderer/src/packed-scene/pack-environment.ts';
 import { packFrame } from '../../../../packages/renderer/src/packed-scene/pack-frame.ts';
 import type { PackedGeometry } from '../../../../packages/renderer/src/packed-scene/pack-geometry.ts';
 import { packPathScene } from '../../../../packages/renderer/src/packed-scene/pack-path-scene.ts';
-import { createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { stillMoment } from '../../../../packages/renderer/src/scene/motion.ts';
 import type { Scene, Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
@@ -52,7 +52,7 @@ const PROBE: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [
     { block: 'Frame' },
-    { texture: 'sceneTable' },
+    SCENE_TABLE,
     { texture: 'questions' },
     { texture: 'unused' },
     { texture: 'environment' },
@@ -76,6 +76,7 @@ function packLights(scene: Scene): PackedLights {
   const block = createBlock(structSize('Frame'));
   const settings = { ...DEFAULT_SETTINGS, seed: 0 };
   packFrame(block, { width: SIDE, height: SIDE }, scene.camera, packed, settings, 0);
+  writeStruct(block, 'Frame', 0, { rowHeight: 1 / packed.rows });
   return {
     table: packed.table.f32,
     rows: packed.rows,

@@ -132,8 +132,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;
@@ -168,13 +170,18 @@ layout(std140) uniform FrameBlock { Frame frame; };
 
 layout(location = 0) out vec4 _fs2p_location0;
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Surface fetchSurface(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(9u, i)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(10u, i)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i)), 0);
-    return Surface(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i);
+    vec4 _e4 = tableTexel(10u, i);
+    vec4 _e6 = tableTexel(11u, i);
+    vec4 _e8 = tableTexel(12u, i);
+    vec4 _e10 = tableTexel(13u, i);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 uint kindOf(uint code) {
@@ -194,14 +201,14 @@ bool isLayered(uint code_2, float eta) {
 }
 
 Layers fetchLayers(uint i_1) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
-    return Layers(t0_1.xyz, t0_1.w, t1_1.xyz, t1_1.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+    vec4 _e2 = tableTexel(0u, i_1);
+    vec4 _e4 = tableTexel(1u, i_1);
+    vec4 _e6 = tableTexel(2u, i_1);
+    vec4 _e8 = tableTexel(3u, i_1);
+    vec4 _e10 = tableTexel(4u, i_1);
+    vec4 _e12 = tableTexel(5u, i_1);
+    vec4 _e14 = tableTexel(6u, i_1);
+    return Layers(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xy, _e8.z, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w, _e14.x, _e14.y, _e14.z, _e14.w);
 }
 
 Layers layersOf(uint code_3, float eta_1) {
@@ -489,9 +496,9 @@ float stretched(vec3 w, float alpha_3) {
 
 Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
     Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_8 = uint(s_2.code);
-    bool _e5 = isConductor(code_8);
-    bool _e6 = isDielectric(code_8);
+    uint code_9 = uint(s_2.code);
+    bool _e5 = isConductor(code_9);
+    bool _e6 = isDielectric(code_9);
     o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasLayers;
     if (_e17) {
@@ -506,14 +513,14 @@ Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
     if (_e28) {
         float _e31 = o_2.share;
         float _e35 = specularShare(s_2.baseColor, s_2.metallic, wo_1.z);
-        bool _e36 = isMetallicRoughness(code_8);
+        bool _e36 = isMetallicRoughness(code_9);
         o_2.share = pick(_e36, _e35, _e31);
     }
     const bool _e39 = hasGlass;
     if (_e39) {
-        bool _e44 = isThin(code_8);
+        bool _e44 = isThin(code_9);
         float _e45 = indexRatio(s_2.eta.x, wo_1.z, _e44);
-        bool _e46 = isDielectric(code_8);
+        bool _e46 = isDielectric(code_9);
         o_2.ratio = pick(_e46, _e45, 1.0);
     }
     const bool _e50 = hasConductors;
@@ -521,7 +528,7 @@ Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
     const bool _e55 = hasGlass;
     if (pick(pick(_e50, true, _e52), true, _e55)) {
         float _e59 = reflectionBound(wo_1, s_2.alpha);
-        bool _e60 = isDielectric(code_8);
+        bool _e60 = isDielectric(code_9);
         o_2.bound = pick(_e60, 1.0, _e59);
         float _e65 = stretched(wo_1, s_2.alpha);
         o_2.stretched = _e65;
@@ -601,7 +608,7 @@ float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
 
 vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
     vec3 reflectance = vec3(0.0);
-    uint code_9 = uint(s_3.code);
+    uint code_10 = uint(s_3.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_3.baseColor, s_3.metallic);
@@ -612,15 +619,15 @@ vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_3.baseColor, s_3.eta, s_3.k, cosine_14);
-        bool _e21 = isConductor(code_9);
+        bool _e21 = isConductor(code_10);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_9);
+        bool _e26 = isThin(code_10);
         float _e27 = glassReflectance(cosine_14, ratio_4, _e26);
-        bool _e29 = isDielectric(code_9);
+        bool _e29 = isDielectric(code_10);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -744,9 +751,9 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_10 = uint(s_6.code);
-        bool _e29 = isDielectric(code_10);
-        bool _e30 = isSmooth(code_10);
+        uint code_11 = uint(s_6.code);
+        bool _e29 = isDielectric(code_11);
+        bool _e30 = isSmooth(code_11);
         vec3 _e33 = sampleFacet(s_6.alpha, _e30, o_7, u_5.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_6, oh_1, o_7.ratio);
@@ -756,7 +763,7 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
         weight = (_e38 / vec3(o_7.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_10);
+            bool _e56 = isThin(code_11);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_10, _e33, o_7.ratio);
             wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
@@ -810,10 +817,14 @@ float facetDensity(vec3 h_1, float alpha_9) {
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
+bool hidesApart(uint code_8) {
+    return ((code_8 & 64u) != 0u);
+}
+
 vec3 compensation(Surface s_7, float cosine_15) {
-    uint code_11 = uint(s_7.code);
-    bool _e8 = isDielectric(code_11);
-    bool asked_1 = pick(((code_11 & 8u) != 0u), !(_e8), false);
+    uint code_12 = uint(s_7.code);
+    bool _e8 = isDielectric(code_12);
+    bool asked_1 = pick(((code_12 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_15, s_7.alpha);
     vec3 _e17 = facetReflectance(s_7, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -832,23 +843,25 @@ FacetLobe evaluateFacets(Surface s_8, Outgoing o_8, vec3 wi_1) {
     float ih = dot(wi_1, h_6);
     float zo = abs(wo_11.z);
     float zi_1 = abs(wi_1.z);
-    bool faces = pick((((oh_2 * h_6.z) * wo_11.z) >= 0.0), (((ih * h_6.z) * wi_1.z) >= 0.0), false);
-    float _e52 = facetDensity(h_6, s_8.alpha);
-    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_8, abs(oh_2), o_8.ratio);
-    passes = pick(crossing_3, (vec3(1.0) - _e60), _e60);
+    bool faces = pick(!(crossing_3), true, pick((((oh_2 * h_6.z) * wo_11.z) >= 0.0), (((ih * h_6.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_6, s_8.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_8, abs(oh_2), o_8.ratio);
+    passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
     float _e69 = stretched(wi_1, s_8.alpha);
-    float masked = (zi_1 / max(((zi_1 * o_8.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing_3, (o_8.ratio * o_8.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_8, zo);
-        passes = (_e87 * _e88);
+    float apart = ((0.5 * (zo + o_8.stretched)) * (zi_1 + _e69));
+    bool _e82 = hidesApart(uint(s_8.code));
+    float masked = (zi_1 / max(pick(_e82, apart, ((zi_1 * o_8.stretched) + (zo * _e69))), 1e-20));
+    float _e88 = passes.x;
+    float chosen_1 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_8.ratio * o_8.ratio), 1.0));
+    const bool _e98 = hasCompensation;
+    if (_e98) {
+        vec3 _e99 = passes;
+        vec3 _e100 = compensation(s_8, zo);
+        passes = (_e99 * _e100);
     }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_8.bound * zo) + o_8.stretched)), abs(oh_2));
+    vec3 _e102 = passes;
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_1) / ((o_8.bound * zo) + o_8.stretched)), abs(oh_2));
 }
 
 vec4 evaluateBsdf(Surface s_9, Outgoing o_9, vec3 wi_2) {
@@ -862,24 +875,24 @@ vec4 evaluateBsdf(Surface s_9, Outgoing o_9, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_12 = uint(s_9.code);
+        uint code_13 = uint(s_9.code);
         FacetLobe _e32 = evaluateFacets(s_9, o_9, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_9.baseColor, s_9.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_12);
+            bool _e43 = isMetallicRoughness(code_13);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_12);
+        bool _e52 = isSmooth(code_13);
         vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_9.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_12);
+        uint _e62 = kindOf(code_13);
         value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_9.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_12);
-        bool _e68 = isDielectric(code_12);
+        bool _e67 = isSmooth(code_13);
+        bool _e68 = isDielectric(code_13);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_9.reflectivity);

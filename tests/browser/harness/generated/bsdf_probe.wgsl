@@ -31,11 +31,11 @@ const sampledDirection = 1u;
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = tableTexel(9u, i);
+  let t1 = tableTexel(10u, i);
+  let t2 = tableTexel(11u, i);
+  let t3 = tableTexel(12u, i);
+  let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -155,12 +155,14 @@ fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
   return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none
   code: f32,
   // radiance sent out
   emission: vec3f,
@@ -178,6 +180,95 @@ struct Surface {
   absorption: vec3f,
   // row of its MaterialTextures among the texels
   textures: f32,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // of the whole picture, pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // of the whole picture, pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // columns of the picture where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
+  // threads that share the samples of a pixel
+  shares: u32,
+  // pixels of a workgroup
+  tile: vec2u,
+  // instances of meshes
+  instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 
@@ -236,13 +327,13 @@ fn isLayered(code: u32, eta: f32) -> bool {
 }
 
 fn fetchLayers(i: u32) -> Layers {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  let t3 = tableTexel(3u, i);
+  let t4 = tableTexel(4u, i);
+  let t5 = tableTexel(5u, i);
+  let t6 = tableTexel(6u, i);
   return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
 }
 
@@ -836,8 +927,6 @@ fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
-
 // rgb: f |cos wi|; a: the density with which sampleLayered gives wi. Delta lobes give 0.
 fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
   let l = o.layers;
@@ -947,80 +1036,6 @@ fn shadowingExponent(x: f32, alpha: f32) -> f32 {
   return a / (1.0 + b * pow(x, c)) + d * x + e;
 }
 
-struct Frame {
-  // camera r times half the width of what is seen: camera.wesl
-  right: vec3f,
-  // film pixels
-  width: f32,
-  // camera u times half the height of what is seen
-  up: vec3f,
-  // film pixels
-  height: f32,
-  // camera f
-  forward: vec3f,
-  // lights in use
-  lightCount: u32,
-  // sky colour at the horizon; in paths the map of the sky is multiplied by it
-  horizon: vec3f,
-  // film sample, from 0
-  sampleIndex: u32,
-  // sky colour overhead; likewise
-  zenith: vec3f,
-  // of the random numbers
-  seed: u32,
-  // position inside the pixel, 0 to 1
-  jitter: vec2f,
-  // film columns where the second and third panel begin
-  dividers: vec2f,
-  // index past the last sphere, box, quad and plane
-  shapeEnds: vec4u,
-  // index past the last shape that may stand between a light and a point
-  occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
-  // emitters of the path integrator
-  emitterCount: u32,
-  // path segments from the camera on; 0xffffffff: no limit
-  maxDepth: u32,
-  // per panel: max reflections, light samples, unused, unused
-  panels: array<vec4u, 3>,
-  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
-  filterPieces: array<vec4f, 16>,
-  // 1: independent random numbers instead of the Sobol sequence
-  independent: u32,
-  // position in PROJECTIONS
-  projection: u32,
-  // radius of the lens, metres
-  aperture: f32,
-  // from the eye to the plane that is sharp, metres
-  focusDistance: f32,
-  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
-  planesCutView: u32,
-  // how far the map of the sky is turned about +Y, 0 to 1
-  environmentTurn: f32,
-  // columns and rows of the map of the sky
-  environmentSize: vec2f,
-  // film samples that this call adds, from sampleIndex on; 1 where passes draw
-  sampleCount: u32,
-  // row of the first instance of a mesh; the tree over them begins in row 0
-  instances: u32,
-  // threads that share the samples of a pixel
-  shares: u32,
-  // pixels of a workgroup
-  tile: vec2u,
-  // instances of meshes
-  instanceCount: u32,
-  // emitters that are infinitely far: they come first
-  farEmitters: u32,
-  // row of the root of the light tree
-  lightTree: u32,
-  // levels of it; 0: there is none, and all emitters are looked at
-  lightTreeDepth: u32,
-  // row of the geometry where the tables of lamps begin
-  lampTables: u32,
-}
-
-
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;
   let isGlass = isDielectric(u32(s.code));
@@ -1032,12 +1047,15 @@ fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let ih = dot(wi, h);
   let zo = abs(wo.z);
   let zi = abs(wi.z);
-  // Facets do not turn their back on one direction while the surface does not.
-  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  // Facets do not turn their back on one direction while the surface does not. Those that reflect never do: along the surface only the
+  // rounded lengths of wo and wi would say so.
+  let faces = !crossing | ((oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0));
   let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
   let f = facetReflectance(s, abs(oh), o.ratio);
   var passes = select(f, 1.0 - f, crossing);
-  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
+  let incoming = stretched(wi, s.alpha);
+  let apart = 0.5 * (zo + o.stretched) * (zi + incoming);
+  let masked = zi / max(select(zi * o.stretched + zo * incoming, apart, hidesApart(u32(s.code))), 1e-20);
   let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
   if (hasCompensation) {
     passes *= compensation(s, zo);
@@ -1053,6 +1071,11 @@ fn facetDensity(h: vec3f, alpha: f32) -> f32 {
   // At least 1 for a unit vector; opposite directions along the surface have none.
   let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
   return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Whether facets are hidden from both directions as often as by chance: Walter et al. 2007, equation 23.
+fn hidesApart(code: u32) -> bool {
+  return (code & 64u) != 0u;
 }
 
 // The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula

@@ -55,8 +55,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Emitter {
     vec3 position;
@@ -462,30 +464,35 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     return _e158;
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Emitter fetchEmitter(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(14u, i)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(15u, i)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(16u, i)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(17u, i)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(18u, i)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i)), 0);
-    return Emitter(t0_.xyz, t0_.w, t1_.xyz, t1_.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.x, t4_.y, t4_.z, t4_.w, t5_.x, t5_.y, t5_.z, t5_.w);
+    vec4 _e2 = tableTexel(14u, i);
+    vec4 _e4 = tableTexel(15u, i);
+    vec4 _e6 = tableTexel(16u, i);
+    vec4 _e8 = tableTexel(17u, i);
+    vec4 _e10 = tableTexel(18u, i);
+    vec4 _e12 = tableTexel(19u, i);
+    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
 LightNode fetchLightNode(uint i_1) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_1)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_1)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_1)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_1)), 0);
-    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(5u, i_1)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_1)), 0);
-    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_1)), 0);
-    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_1)), 0);
-    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_1)), 0);
-    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_1)), 0);
-    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_1)), 0);
-    return LightNode(t0_1.xyzw, t1_1.xyzw, t2_1.xyzw, t3_1.xyzw, t4_1.xyzw, t5_1.xyzw, t6_.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
+    vec4 _e2 = tableTexel(0u, i_1);
+    vec4 _e4 = tableTexel(1u, i_1);
+    vec4 _e6 = tableTexel(2u, i_1);
+    vec4 _e8 = tableTexel(3u, i_1);
+    vec4 _e10 = tableTexel(4u, i_1);
+    vec4 _e12 = tableTexel(5u, i_1);
+    vec4 _e14 = tableTexel(6u, i_1);
+    vec4 _e16 = tableTexel(7u, i_1);
+    vec4 _e18 = tableTexel(8u, i_1);
+    vec4 _e20 = tableTexel(9u, i_1);
+    vec4 _e22 = tableTexel(10u, i_1);
+    vec4 _e24 = tableTexel(11u, i_1);
+    return LightNode(_e2.xyzw, _e4.xyzw, _e6.xyzw, _e8.xyzw, _e10.xyzw, _e12.xyzw, _e14.xyzw, _e16.xyzw, _e18.xyzw, _e20.xyzw, _e22.xyzw, _e24.xyzw);
 }
 
 vec4 sineOf(vec4 cosine) {
@@ -812,9 +819,9 @@ LightSample sampleQuad(Emitter e_6, vec3 point_8, vec2 u_5) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_2.xyzw, t1_2.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q_2, vec3 v_1) {
@@ -883,8 +890,8 @@ uvec4 geometryRow(uint i_4) {
     return _e8;
 }
 
-LampTriangle fetchLampTriangle(uint row) {
-    uvec4 _e3 = geometryRow((row + 0u));
+LampTriangle fetchLampTriangle(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
@@ -902,33 +909,33 @@ uint mixBits(uint x_3) {
 ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
     uint _e4 = frame.lampTables;
     uint first = (_e4 + uint(e_10.table));
-    uint column = min(uint((u_8.x * e_10.triangles)), (uint(e_10.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first + column));
+    uint column_1 = min(uint((u_8.x * e_10.triangles)), (uint(e_10.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first + column_1));
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
-    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column)) + fine_2), 0.0, 0.99999994);
+    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
     bool own_2 = (x_10 < _e18.own);
     float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first + column) + place_4) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first + column_1) + place_4) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_4, density, vec2(min(rest_2, 1.0), u_8.y));
 }
 
-Instance fetchInstance(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    uvec4 _e12 = geometryRow((row_1 + 3u));
-    uvec4 _e15 = geometryRow((row_1 + 4u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
-}
-
-Triangle fetchTriangle(uint row_2) {
+Instance fetchInstance(uint row_2) {
     uvec4 _e3 = geometryRow((row_2 + 0u));
     uvec4 _e6 = geometryRow((row_2 + 1u));
     uvec4 _e9 = geometryRow((row_2 + 2u));
+    uvec4 _e12 = geometryRow((row_2 + 3u));
+    uvec4 _e15 = geometryRow((row_2 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
+}
+
+Triangle fetchTriangle(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    uvec4 _e6 = geometryRow((row_3 + 1u));
+    uvec4 _e9 = geometryRow((row_3 + 2u));
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
@@ -994,8 +1001,8 @@ vec4 fetchEntries(Table t_1, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_26 = (t_1.first + pair);
-    uint row_8 = (i_26 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_8 * width_2)), row_8)), 0);
+    uint row_9 = (i_26 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_9 * width_2)), row_9)), 0);
     return _e15;
 }
 
@@ -1205,8 +1212,8 @@ LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_16) {
 }
 
 Bounds fetchBounds(uint i_6) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(0u, i_6)), 0);
-    return Bounds(t0_3.xyz, t0_3.w);
+    vec4 _e2 = tableTexel(0u, i_6);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius, float tMin, bool startsInside) {
@@ -1305,8 +1312,8 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_11) {
     return _e17;
 }
 
-vec4 planes(uint row_3, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_3);
+vec4 planes(uint row_4, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_4);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
@@ -1367,18 +1374,18 @@ uvec4 texelRow(uint i_12) {
     return _e8;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_4) {
-    uvec4 _e3 = texelRow((row_4 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_5) {
+    uvec4 _e3 = texelRow((row_5 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+Vertex fetchVertex(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_6) {
-    uvec4 _e3 = geometryRow((row_6 + 0u));
+VertexMore fetchVertexMore(uint row_7) {
+    uvec4 _e3 = geometryRow((row_7 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -1386,10 +1393,10 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
-TextureUse fetchTextureUse(uint row_7) {
-    uvec4 _e3 = texelRow((row_7 + 0u));
-    uvec4 _e6 = texelRow((row_7 + 1u));
-    uvec4 _e9 = texelRow((row_7 + 2u));
+TextureUse fetchTextureUse(uint row_8) {
+    uvec4 _e3 = texelRow((row_8 + 0u));
+    uvec4 _e6 = texelRow((row_8 + 1u));
+    uvec4 _e9 = texelRow((row_8 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
@@ -1459,8 +1466,8 @@ bool isThere(uint instance, uint place, vec2 weights, uint number) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_9 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_9);
+    uint row_10 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_10);
     vec3 share_3 = vec3(((1.0 - weights.x) - weights.y), weights);
     uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
     opacity = _e19.opacity;
@@ -1483,7 +1490,7 @@ bool isThere(uint instance, uint place, vec2 weights, uint number) {
         opacity = (_e92 * dot(share_3, vec3(_e94.y, _e97.y, _e100.y)));
     }
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_9 + materialTexturesRows));
+        TextureUse _e112 = fetchTextureUse((row_10 + materialTexturesRows));
         float _e113 = opacity;
         vec4 _e114 = uv_1;
         vec4 _e116 = uv_1;
@@ -1547,15 +1554,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec4 _e87 = enterChildren(node_2, _e85, _e86);
                 bool a_4 = (_e87.x < _e87.z);
                 bool b_4 = (_e87.y < _e87.w);
-                vec2 t0_4 = pick(a_4, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                vec2 t0_ = pick(a_4, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
                 uvec2 r0_ = pick(a_4, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
-                vec2 t1_3 = pick(b_4, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                vec2 t1_ = pick(b_4, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_4, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_2 = (t0_4.x < t1_3.x);
-                bool d_3 = (t0_4.y < t1_3.y);
-                vec2 ta = pick(c_2, vec2(t1_3.x, t0_4.x), vec2(t0_4.x, t1_3.x));
+                bool c_2 = (t0_.x < t1_.x);
+                bool d_3 = (t0_.y < t1_.y);
+                vec2 ta = pick(c_2, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
                 uvec2 ra = pick(c_2, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                vec2 tb = pick(d_3, vec2(t1_3.y, t0_4.y), vec2(t0_4.y, t1_3.y));
+                vec2 tb = pick(d_3, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_3, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e_25 = (ta.y < tb.x);
                 vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
@@ -1940,8 +1947,8 @@ float boxPdf(Emitter e_19, vec3 point_17, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_10 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_10);
+    uint row_11 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_11);
     float _e26 = areaPdf((e_20.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
     return _e26;
 }
@@ -2134,13 +2141,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_17) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_17.z, direction_17.y)), vec2(abs(direction_17.x), sine_5));
     float turn_2 = (pick((direction_17.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_17.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
+    float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_11 = floor(fromPole_1);
+    float row_12 = floor(fromPole_1);
     bool isLower_1 = (direction_17.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_1), pick(isLower_1, (size_6.y - row_11), row_11));
-    float within_3 = (fromPole_1 - row_11);
-    vec2 at_4 = vec2((column_1 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
+    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_12), row_12));
+    float within_3 = (fromPole_1 - row_12);
+    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
     return _e67;

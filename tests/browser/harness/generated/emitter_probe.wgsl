@@ -182,12 +182,12 @@ fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
 }
 
 fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(19u, i), 0);
+  let t0 = tableTexel(14u, i);
+  let t1 = tableTexel(15u, i);
+  let t2 = tableTexel(16u, i);
+  let t3 = tableTexel(17u, i);
+  let t4 = tableTexel(18u, i);
+  let t5 = tableTexel(19u, i);
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
 
@@ -217,11 +217,11 @@ override hasManyLights = true;
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -237,7 +237,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -281,10 +281,14 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 
@@ -441,18 +445,18 @@ struct TreeChoice {
 
 
 fn fetchLightNode(i: u32) -> LightNode {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(2u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(4u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t6 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  let t7 = textureLoad(sceneTable, vec2u(7u, i), 0);
-  let t8 = textureLoad(sceneTable, vec2u(8u, i), 0);
-  let t9 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t10 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t11 = textureLoad(sceneTable, vec2u(11u, i), 0);
+  let t0 = tableTexel(0u, i);
+  let t1 = tableTexel(1u, i);
+  let t2 = tableTexel(2u, i);
+  let t3 = tableTexel(3u, i);
+  let t4 = tableTexel(4u, i);
+  let t5 = tableTexel(5u, i);
+  let t6 = tableTexel(6u, i);
+  let t7 = tableTexel(7u, i);
+  let t8 = tableTexel(8u, i);
+  let t9 = tableTexel(9u, i);
+  let t10 = tableTexel(10u, i);
+  let t11 = tableTexel(11u, i);
   return LightNode(t0.xyzw, t1.xyzw, t2.xyzw, t3.xyzw, t4.xyzw, t5.xyzw, t6.xyzw, t7.xyzw, t8.xyzw, t9.xyzw, t10.xyzw, t11.xyzw);
 }
 
@@ -486,7 +490,9 @@ fn shareOfTree(total: f32, far: f32) -> f32 {
   return select(select(share, 1.0, far <= 0.0), 0.0, total <= 0.0);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
 struct LightNode {
   // of each child the centre of a sphere about its lights, eye-relative
@@ -515,6 +521,15 @@ struct LightNode {
   emitters: vec4f,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn sineOf(cosine: vec4f) -> vec4f {
   return sqrt(max(1.0 - cosine * cosine, vec4f(0.0)));
@@ -739,7 +754,7 @@ fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -765,7 +780,6 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -785,8 +799,8 @@ fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 

@@ -60,8 +60,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Extent {
     vec4 a;
@@ -134,10 +136,15 @@ bool isBox(uint i_2) {
     return pick((i_2 >= _e4), (i_2 < _e9), false);
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Extent fetchExtent(uint i_3) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 bool isTurned(vec4 q) {
@@ -246,8 +253,8 @@ float hitShape(uint i_8, Bounds bounds_4, Ray ray_4) {
 }
 
 Bounds fetchBounds(uint i_9) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(0u, i_9)), 0);
-    return Bounds(t0_1.xyz, t0_1.w);
+    vec4 _e2 = tableTexel(0u, i_9);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 bool isPlane(uint i_10) {

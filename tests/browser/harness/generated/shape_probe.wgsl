@@ -79,7 +79,7 @@ fn hitShape(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -121,7 +121,6 @@ fn hitPlane(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   return select(t, miss, i == ray.start.leaves);
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -162,8 +161,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -185,13 +184,104 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   return v + q.w * t + cross(q.xyz, t);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
   a: vec4f,
   // box: half its size; quad: reciprocal of its v edge
   b: vec4f,
+}
+
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+struct Frame {
+  // camera r times half the width of what is seen: camera.wesl
+  right: vec3f,
+  // of the whole picture, pixels
+  width: f32,
+  // camera u times half the height of what is seen
+  up: vec3f,
+  // of the whole picture, pixels
+  height: f32,
+  // camera f
+  forward: vec3f,
+  // lights in use
+  lightCount: u32,
+  // sky colour at the horizon; in paths the map of the sky is multiplied by it
+  horizon: vec3f,
+  // film sample, from 0
+  sampleIndex: u32,
+  // sky colour overhead; likewise
+  zenith: vec3f,
+  // of the random numbers
+  seed: u32,
+  // position inside the pixel, 0 to 1
+  jitter: vec2f,
+  // columns of the picture where the second and third panel begin
+  dividers: vec2f,
+  // index past the last sphere, box, quad and plane
+  shapeEnds: vec4u,
+  // index past the last shape that may stand between a light and a point
+  occluderEnd: u32,
+  // index past the last light that camera and mirrors see
+  seenLightEnd: u32,
+  // emitters of the path integrator
+  emitterCount: u32,
+  // path segments from the camera on; 0xffffffff: no limit
+  maxDepth: u32,
+  // per panel: max reflections, light samples, unused, unused
+  panels: array<vec4u, 3>,
+  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
+  filterPieces: array<vec4f, 16>,
+  // 1: independent random numbers instead of the Sobol sequence
+  independent: u32,
+  // position in PROJECTIONS
+  projection: u32,
+  // radius of the lens, metres
+  aperture: f32,
+  // from the eye to the plane that is sharp, metres
+  focusDistance: f32,
+  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
+  planesCutView: u32,
+  // how far the map of the sky is turned about +Y, 0 to 1
+  environmentTurn: f32,
+  // columns and rows of the map of the sky
+  environmentSize: vec2f,
+  // film samples that this call adds, from sampleIndex on; 1 where passes draw
+  sampleCount: u32,
+  // row of the first instance of a mesh; the tree over them begins in row 0
+  instances: u32,
+  // threads that share the samples of a pixel
+  shares: u32,
+  // pixels of a workgroup
+  tile: vec2u,
+  // instances of meshes
+  instanceCount: u32,
+  // emitters that are infinitely far: they come first
+  farEmitters: u32,
+  // row of the root of the light tree
+  lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
+  // levels of it; 0: there is none, and all emitters are looked at
+  lightTreeDepth: u32,
+  // row of the geometry where the tables of lamps begin
+  lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 
@@ -238,82 +328,6 @@ fn intersectQuad(origin: vec3f, direction: vec3f, center: vec3f, reciprocalU: ve
 
 // Quads that share an edge overlap by this share of their size instead of leaving a gap for rays to leak through.
 const quadOverlap = 1e-6;
-
-@group(0) @binding(0) var<uniform> frame: Frame;
-
-struct Frame {
-  // camera r times half the width of what is seen: camera.wesl
-  right: vec3f,
-  // film pixels
-  width: f32,
-  // camera u times half the height of what is seen
-  up: vec3f,
-  // film pixels
-  height: f32,
-  // camera f
-  forward: vec3f,
-  // lights in use
-  lightCount: u32,
-  // sky colour at the horizon; in paths the map of the sky is multiplied by it
-  horizon: vec3f,
-  // film sample, from 0
-  sampleIndex: u32,
-  // sky colour overhead; likewise
-  zenith: vec3f,
-  // of the random numbers
-  seed: u32,
-  // position inside the pixel, 0 to 1
-  jitter: vec2f,
-  // film columns where the second and third panel begin
-  dividers: vec2f,
-  // index past the last sphere, box, quad and plane
-  shapeEnds: vec4u,
-  // index past the last shape that may stand between a light and a point
-  occluderEnd: u32,
-  // index past the last light that camera and mirrors see
-  seenLightEnd: u32,
-  // emitters of the path integrator
-  emitterCount: u32,
-  // path segments from the camera on; 0xffffffff: no limit
-  maxDepth: u32,
-  // per panel: max reflections, light samples, unused, unused
-  panels: array<vec4u, 3>,
-  // pixel filter: coefficients of cubic polynomials, from the centre of the pixel outwards
-  filterPieces: array<vec4f, 16>,
-  // 1: independent random numbers instead of the Sobol sequence
-  independent: u32,
-  // position in PROJECTIONS
-  projection: u32,
-  // radius of the lens, metres
-  aperture: f32,
-  // from the eye to the plane that is sharp, metres
-  focusDistance: f32,
-  // 1: rays of the camera start on both sides of a plane, so that planes have no side of the eye
-  planesCutView: u32,
-  // how far the map of the sky is turned about +Y, 0 to 1
-  environmentTurn: f32,
-  // columns and rows of the map of the sky
-  environmentSize: vec2f,
-  // film samples that this call adds, from sampleIndex on; 1 where passes draw
-  sampleCount: u32,
-  // row of the first instance of a mesh; the tree over them begins in row 0
-  instances: u32,
-  // threads that share the samples of a pixel
-  shares: u32,
-  // pixels of a workgroup
-  tile: vec2u,
-  // instances of meshes
-  instanceCount: u32,
-  // emitters that are infinitely far: they come first
-  farEmitters: u32,
-  // row of the root of the light tree
-  lightTree: u32,
-  // levels of it; 0: there is none, and all emitters are looked at
-  lightTreeDepth: u32,
-  // row of the geometry where the tables of lamps begin
-  lampTables: u32,
-}
-
 
 fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, tMin: f32) -> f32 {
   let speed = dot(direction, normal);

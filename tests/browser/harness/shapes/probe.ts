@@ -2,7 +2,7 @@
 import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
-import { structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import { SCENE_TABLE, structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { type PackedScene, packScene } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
 import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { type PreparedAnalytic, prepareScene } from '../../../../packages/renderer/src/reference/prepare.ts';
@@ -21,7 +21,7 @@ const PROBE: PassSource = {
   wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
   entries: { vertex: 'fullScreen', fragment: 'shapeProbe' },
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
-  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'rays' }],
+  bindings: [{ block: 'Frame' }, SCENE_TABLE, { texture: 'rays' }],
   target: 'film',
   switches: ALL_SWITCHES,
 };
@@ -49,7 +49,11 @@ function rayTexels(rays: readonly RayCase[], rows: readonly number[]): Float32Ar
 async function cast(device: Device, packed: PackedScene, texels: Float32Array<ArrayBuffer>): Promise<Float32Array> {
   const frame = device.createUniforms(structSize('Frame'));
   const block = createBlock(structSize('Frame'));
-  writeStruct(block, 'Frame', 0, { shapeEnds: packed.shapeEnds, occluderEnd: packed.occluderEnd });
+  writeStruct(block, 'Frame', 0, {
+    shapeEnds: packed.shapeEnds,
+    occluderEnd: packed.occluderEnd,
+    rowHeight: 1 / packed.rows,
+  });
   frame.write(block.bytes);
   const table = device.createTable(TABLE_WIDTH, packed.rows);
   table.write(packed.table.f32, packed.rows);

@@ -4,7 +4,6 @@ import {
   type Device,
   type DeviceCounts,
   DeviceError,
-  type FilmArea,
   type FilmTexture,
   type FloatTexture,
   noRoom,
@@ -79,8 +78,13 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
     inputs.push({ buffer: {} });
     for (let i = 0; i < layers; i++) inputs.push({ storageTexture: { format: FILM_FORMAT } });
   }
-  return { label, entries: inputs.map((entry, binding) => ({ binding, visibility, ...entry })) };
+  const entries: GPUBindGroupLayoutEntry[] = inputs.map((entry, binding) => ({ binding, visibility, ...entry }));
+  for (const binding of samplersOf(bindings)) entries.push({ binding, visibility, sampler: { type: 'non-filtering' } });
+  return { label, entries };
 }
+
+const samplersOf = (bindings: PassSource['bindings']): number[] =>
+  bindings.flatMap((b) => ('texture' in b && b.nearest !== undefined ? [b.nearest] : []));
 
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
   film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
@@ -100,6 +104,7 @@ class WebGpuDevice implements Device {
   readonly #modules = new Map<string, GPUShaderModule>();
   /** For compute passes: which part of the film is theirs. */
   #region: UniformBuffer | null = null;
+  #nearest: GPUSampler | null = null;
   #closed = false;
 
   constructor(
@@ -248,7 +253,7 @@ class WebGpuDevice implements Device {
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
-    const { source, pipeline, layout } = pass as WebGpuPass;
+    const { source, pipeline } = pass as WebGpuPass;
     if (source.compute) {
       this.#dispatch(pass as WebGpuPass, target as FilmTexture, resources, region!);
       return;
@@ -260,12 +265,11 @@ class WebGpuDevice implements Device {
       colorAttachments: views.map((view) => ({ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' })),
     });
     renderPass.setPipeline(pipeline as GPURenderPipeline);
-    const entries = resources.map((r, binding) => ({ binding, resource: (r as unknown as GpuResource).binding }));
-    renderPass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
+    const inputs = resources.map((resource) => (resource as unknown as GpuResource).binding);
+    renderPass.setBindGroup(0, this.#group(pass as WebGpuPass, inputs));
     if (region) {
       renderPass.setViewport(0, 0, region.width, region.height, 0, 1);
-      const { firstColumn = 0, columnCount = region.width } = region;
-      renderPass.setScissorRect(firstColumn, region.firstRow, columnCount, region.rowCount);
+      renderPass.setScissorRect(0, region.firstRow, region.width, region.rowCount);
     }
     renderPass.draw(3);
     renderPass.end();
@@ -273,21 +277,28 @@ class WebGpuDevice implements Device {
   }
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
-    const { pipeline, layout } = pass;
-    const { firstColumn = 0, firstRow, columnCount = region.width, rowCount, tile = [8, 8] } = region;
+    const { pipeline } = pass;
+    const { width, firstRow, rowCount, tile } = region;
     this.#region ??= this.createUniforms(16);
-    this.#region.write(new Uint32Array([firstColumn, firstRow, columnCount, rowCount]).buffer);
+    this.#region.write(new Uint32Array([firstRow, width, rowCount]).buffer);
     const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
-    const all = [...inputs, ...viewsOf(film)];
-    const entries = all.map((resource, binding) => ({ binding, resource }));
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const computePass = encoder.beginComputePass();
     computePass.setPipeline(pipeline as GPUComputePipeline);
-    computePass.setBindGroup(0, this.#device.createBindGroup({ layout, entries }));
-    const [width, height] = tile;
-    computePass.dispatchWorkgroups(Math.ceil(columnCount / width), Math.ceil(rowCount / height));
+    computePass.setBindGroup(0, this.#group(pass, [...inputs, ...viewsOf(film)]));
+    const [columns, rows] = tile ?? [8, 8];
+    computePass.dispatchWorkgroups(Math.ceil(width / columns), Math.ceil(rowCount / rows));
     computePass.end();
     this.#device.queue.submit([encoder.finish()]);
+  }
+
+  #group({ source, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
+    const entries = inputs.map((resource, binding) => ({ binding, resource }));
+    for (const binding of samplersOf(source.bindings)) {
+      this.#nearest ??= this.#device.createSampler({ label: 'nearest' });
+      entries.push({ binding, resource: this.#nearest });
+    }
+    return this.#device.createBindGroup({ label: source.label, layout, entries });
   }
 
   #canvasView(): GPUTextureView {
@@ -299,37 +310,36 @@ class WebGpuDevice implements Device {
     return this.#device.queue.onSubmittedWorkDone();
   }
 
-  async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
+  async read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
     const pixels = new Float32Array(width * height * 4);
     const most = Math.max(Math.floor(READ_BYTES / (width * 16 + 256)), 1);
     for (let row = 0; row < height; row += most) {
-      const stripe = { x, y: y + row, width, height: Math.min(most, height - row) };
-      await this.#readStripe(layer, stripe, pixels.subarray(row * width * 4));
+      const rows = Math.min(most, height - row);
+      await this.#readRows(layer, width, row, rows, pixels.subarray(row * width * 4));
     }
     return pixels;
   }
 
-  async #readStripe(layer: FloatTexture, { x, y, width, height }: FilmArea, into: Float32Array): Promise<void> {
+  async #readRows(layer: FloatTexture, width: number, first: number, count: number, into: Float32Array): Promise<void> {
     const { texture } = layer as FloatTexture & { texture: GPUTexture };
     const bytesPerRow = Math.ceil((width * 16) / 256) * 256;
     const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
-    const buffer = this.#device.createBuffer({ size: bytesPerRow * height, usage });
+    const buffer = this.#device.createBuffer({ size: bytesPerRow * count, usage });
     const encoder = this.#device.createCommandEncoder();
-    encoder.copyTextureToBuffer({ texture, origin: [x, y] }, { buffer, bytesPerRow }, [width, height]);
+    encoder.copyTextureToBuffer({ texture, origin: [0, first] }, { buffer, bytesPerRow }, [width, count]);
     this.#device.queue.submit([encoder.finish()]);
     await buffer.mapAsync(GPUMapMode.READ);
     const padded = new Float32Array(buffer.getMappedRange());
-    for (let row = 0; row < height; row++) {
+    for (let row = 0; row < count; row++) {
       const start = (row * bytesPerRow) / 4;
       into.set(padded.subarray(start, start + width * 4), row * width * 4);
     }
     buffer.destroy();
   }
 
-  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, { x, y, width, height }: FilmArea): void {
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, width: number, height: number): void {
     const { texture } = layer as FloatTexture & { texture: GPUTexture };
-    const layout = { bytesPerRow: width * 16 };
-    this.#device.queue.writeTexture({ texture, origin: [x, y] }, texels, layout, [width, height]);
+    this.#device.queue.writeTexture({ texture }, texels, { bytesPerRow: width * 16 }, [width, height]);
   }
 
   clear(film: FilmTexture): void {

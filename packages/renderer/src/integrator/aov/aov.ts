@@ -13,7 +13,7 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
-import { FILTER_PIECES } from '../../packed-scene/layout.ts';
+import { FILTER_PIECES, SCENE_TABLE } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
 import { FEATURES as ALL, SHAPE_FEATURES } from '../../shading/features.ts';
@@ -37,7 +37,7 @@ const FEATURES: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: aovFeaturesGlsl },
   bindings: [
     { block: 'Frame' },
-    { texture: 'sceneTable' },
+    SCENE_TABLE,
     { texture: 'previousFirst' },
     { texture: 'previousSecond' },
     { texture: 'environment' },

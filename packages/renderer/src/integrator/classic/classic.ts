@@ -12,6 +12,7 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
+import { SCENE_TABLE } from '../../packed-scene/layout.ts';
 import { ALL_SWITCHES } from '../../shading/features.ts';
 import classicGlsl from '../../shading/generated/classic.glsl?raw';
 import classicWgsl from '../../shading/generated/classic.wgsl?raw';
@@ -25,7 +26,7 @@ const CLASSIC: PassSource = {
   wgsl: { vertex: fullScreenWgsl, fragment: classicWgsl },
   entries: { vertex: 'fullScreen', fragment: 'classic' },
   glsl: { vertex: fullScreenGlsl, fragment: classicGlsl },
-  bindings: [{ block: 'Frame' }, { texture: 'sceneTable' }, { texture: 'previousFilm' }],
+  bindings: [{ block: 'Frame' }, SCENE_TABLE, { texture: 'previousFilm' }],
   target: 'film',
   switches: ALL_SWITCHES,
 };

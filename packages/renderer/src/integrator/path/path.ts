@@ -10,6 +10,7 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
+import { SCENE_TABLE } from '../../packed-scene/layout.ts';
 import type { Feature } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
@@ -38,7 +39,7 @@ const PATH: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: pathGlsl },
   bindings: [
     { block: 'Frame' },
-    { texture: 'sceneTable' },
+    SCENE_TABLE,
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
     { texture: 'environment' },

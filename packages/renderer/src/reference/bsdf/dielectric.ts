@@ -2,7 +2,7 @@
 import type { Vec3 } from '../../scene/scene.ts';
 import { add, dot, negate, normalize, scale } from '../../scene/vec3.ts';
 import { dielectricFresnel } from './fresnel.ts';
-import { facetDensity, halfVector, sampleVisibleNormal, seenFromBoth, visibleNormalDensity } from './ggx.ts';
+import { facetDensity, halfVector, lambda, sampleVisibleNormal, seenFromBoth, visibleNormalDensity } from './ggx.ts';
 import { type BsdfSample, type BsdfSurface, DARK, type Evaluation, grey } from './surface.ts';
 
 /** Indices closer than this to 1 make a smooth boundary of any: the bend is too small for a density in 32-bit floats. */
@@ -16,23 +16,24 @@ export const indexRatio = (s: BsdfSurface, wo: Vec3): number => (wo[2] < 0 && !s
 export function evaluateRoughGlass(s: BsdfSurface, wo: Vec3, wi: Vec3): Evaluation {
   const ratio = indexRatio(s, wo);
   // Everything seen with wo above; facets look alike from both sides.
-  return wo[2] < 0 ? evaluateFrom(flip(wo), flip(wi), ratio, s.alpha) : evaluateFrom(wo, wi, ratio, s.alpha);
+  return wo[2] < 0 ? evaluateFrom(s, flip(wo), flip(wi), ratio) : evaluateFrom(s, wo, wi, ratio);
 }
 
-function evaluateFrom(wo: Vec3, wi: Vec3, ratio: number, alpha: number): Evaluation {
+function evaluateFrom({ alpha, masking }: BsdfSurface, wo: Vec3, wi: Vec3, ratio: number): Evaluation {
   if (wi[2] === 0) return DARK;
   const reflects = wi[2] > 0;
   const sum = reflects ? halfVector(wo, wi) : normalize(add(wo, scale(wi, ratio)));
   const h = sum[2] < 0 ? negate(sum) : sum;
   const oh = dot(wo, h);
   const ih = dot(wi, h);
-  // A facet shows a direction the side that the surface shows it.
-  if (oh <= 0 || ih * wi[2] <= 0) return DARK;
-  const fresnel = dielectricFresnel(oh, ratio);
-  const seen = seenFromBoth(wo, reflects ? wi : flip(wi), alpha);
+  // A facet shows a direction the side that the surface shows it; one that reflects always does.
+  if (!reflects && (oh <= 0 || ih * wi[2] <= 0)) return DARK;
+  const fresnel = dielectricFresnel(Math.abs(oh), ratio);
+  const seen = seenFromBoth(wo, reflects ? wi : flip(wi), alpha, masking);
   if (reflects) {
     const value = (fresnel * facetDensity(h, alpha) * seen) / (4 * wo[2]);
-    return { value: grey(value), pdf: (fresnel * visibleNormalDensity(wo, h, alpha)) / (4 * oh) };
+    // The density of h over 4 cos, the cosine of which is in both.
+    return { value: grey(value), pdf: (fresnel * facetDensity(h, alpha)) / (4 * wo[2] * (1 + lambda(wo, alpha))) };
   }
   const jacobian = (ratio ** 2 * Math.abs(ih)) / (oh + ratio * ih) ** 2;
   const value = ((1 - fresnel) * facetDensity(h, alpha) * seen * oh * jacobian) / wo[2] / ratio ** 2;

@@ -29,7 +29,7 @@ function compensation(s: BsdfSurface, cosine: number): Color {
 export function evaluateGloss(s: BsdfSurface, wo: Vec3, wi: Vec3): Evaluation {
   const h = halfVector(wo, wi);
   const fresnel = facetReflectance(s, dot(wo, h));
-  const white = (facetDensity(h, s.alpha) * seenFromBoth(wo, wi, s.alpha)) / (4 * wo[2]);
+  const white = (facetDensity(h, s.alpha) * seenFromBoth(wo, wi, s.alpha, s.masking)) / (4 * wo[2]);
   const extra = compensation(s, wo[2]);
   return { value: mapColor(fresnel, (f, c) => f * white * extra[c]), pdf: boundedReflectionDensity(wo, h, s.alpha) };
 }

@@ -2,7 +2,7 @@
  * GGX facets and Smith's masking as in Walter et al. 2007 and Heitz 2014, by the formulas of the papers. All directions are on
  * the side of +z; no cosine may be 0.
  */
-import type { Vec3 } from '../../scene/scene.ts';
+import type { Masking, Vec3 } from '../../scene/scene.ts';
 import { add, dot, length, normalize, scale } from '../../scene/vec3.ts';
 
 /** Narrower than this a highlight is taken for a mirror's. */
@@ -19,8 +19,11 @@ export function facetDensity(h: Vec3, alpha: number): number {
 /** Smith's Lambda, Heitz 2014, equation 72. */
 export const lambda = (w: Vec3, alpha: number): number => (Math.sqrt(1 + alpha ** 2 * tangent2(w)) - 1) / 2;
 
-/** Share of facets that is seen from both, heights being correlated: Heitz 2014, equation 99. */
-export const seenFromBoth = (a: Vec3, b: Vec3, alpha: number): number => 1 / (1 + lambda(a, alpha) + lambda(b, alpha));
+/** Share of facets that is seen from both: heights being correlated, Heitz 2014, equation 99, or not, his equation 98. */
+export function seenFromBoth(a: Vec3, b: Vec3, alpha: number, masking: Masking): number {
+  const [hidden, other] = [lambda(a, alpha), lambda(b, alpha)];
+  return masking === 'separable' ? 1 / ((1 + hidden) * (1 + other)) : 1 / (1 + hidden + other);
+}
 
 /** Density of the normals that wo sees, Heitz 2018, equation 3. */
 export function visibleNormalDensity(wo: Vec3, h: Vec3, alpha: number): number {

@@ -1,4 +1,4 @@
-import type { Color, MaterialType, Vec3 } from '../../scene/scene.ts';
+import type { Color, Masking, MaterialType, Vec3 } from '../../scene/scene.ts';
 
 /** What the BSDFs read of a material: the struct `Surface` of the kernels, in names. */
 export interface BsdfSurface {
@@ -15,6 +15,8 @@ export interface BsdfSurface {
   readonly k: Color;
   readonly thin: boolean;
   readonly energyCompensation: boolean;
+  /** `metallicRoughness`: correlated. */
+  readonly masking: Masking;
 }
 
 /** f · |cos wi| and the density, per solid angle, with which the lobe is sampled there. */

@@ -49,6 +49,8 @@ export class MaterialWriter {
       this.#report.add('lost', 'glTF has no highlight of the classic integrator ("specular").', thing);
     if (material.energyCompensation)
       this.#report.add('lost', 'glTF leaves to renderers what light is given back ("energyCompensation").', thing);
+    if (material.masking === 'separable' && (material.type === 'conductor' || material.type === 'dielectric'))
+      this.#report.add('changed', 'Masking is height-correlated there.', thing);
     return this.#fields(this.#asGltf(material, thing), name);
   }
 

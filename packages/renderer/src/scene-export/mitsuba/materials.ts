@@ -31,17 +31,21 @@ const twoSided = (bsdf: Element, id: string): WrittenMaterial => ({
   needsPython: false,
 });
 
+/** Mitsuba's own facets, which are masked one by one. */
+const facets = (alpha: number) => [string('distribution', 'ggx'), float('alpha', alpha)];
+
 function opaque(m: Material, id: string): WrittenMaterial {
-  const { type, baseColor, roughness, reflectivity, metallic, ior, conductor } = m;
+  const { type, baseColor, roughness, reflectivity, metallic, ior, conductor, masking } = m;
   const alpha = roughness ** 2;
   if (reflectivity === 0 && type === 'diffuse')
     return twoSided(plugin('bsdf', 'diffuse', [rgb('reflectance', baseColor)]), id);
   const measured = [...conductor.eta, ...conductor.k].some((x) => x > 0);
-  if (reflectivity === 0 && type === 'conductor' && alpha < SMOOTH) {
+  if (reflectivity === 0 && type === 'conductor' && (alpha < SMOOTH || masking === 'separable')) {
     const fresnel = measured
       ? [rgb('eta', conductor.eta), rgb('k', conductor.k)]
       : [string('material', 'none'), rgb('specular_reflectance', baseColor)];
-    return twoSided(plugin('bsdf', 'conductor', fresnel), id);
+    const metal = alpha < SMOOTH ? plugin('bsdf', 'conductor', fresnel) : plugin('bsdf', 'roughconductor', [...facets(alpha), ...fresnel]); // biome-ignore format: one expression
+    return twoSided(metal, id);
   }
   const kind = type === 'conductor' ? (measured ? 'conductor' : 'tint') : type === 'diffuse' ? 'diffuse' : 'gltf';
   const parameters = [
@@ -67,6 +71,12 @@ function glass(m: Material, id: string, thing: string, report: ExportReport): Wr
     const bsdf = plugin('bsdf', thin ? 'thindielectric' : 'dielectric', indices, { id });
     return { bsdf, needsPython: false, ...inside(m) };
   }
+  if (m.masking === 'separable')
+    return {
+      bsdf: plugin('bsdf', 'roughdielectric', [...facets(alpha), ...indices], { id }),
+      needsPython: false,
+      ...inside(m),
+    };
   const bsdf = plugin('bsdf', 'mirrorball_glass', [float('alpha', alpha), float('ior', ior)], { id });
   return { bsdf, needsPython: true, ...inside(m) };
 }

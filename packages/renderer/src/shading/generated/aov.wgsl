@@ -18,22 +18,22 @@ struct Sight {
 
 
 // As in path.wesl. The classic integrator's rays come out of it too: aov.ts gives it frames with a jitter, no filter and no lens.
-fn look(fragment: vec2f) -> Sight {
-  var s = startSampler(vec2u(fragment), frame.sampleIndex, frame.seed);
-  let filmPosition = floor(fragment) + frame.jitter + filterOffset(next2d(&s));
+fn look(pixel: vec2u) -> Sight {
+  var s = startSampler(pixel, frame.sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + frame.jitter + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, next2d(&s));
   let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  let offCentre = filmPosition - floor(fragment) - 0.5;
+  let offCentre = filmPosition - vec2f(pixel) - 0.5;
   return Sight(rays, tracePair(rays), 1.0 / (1.0 + dot(offCentre, offCentre)));
 }
 
 // Means over the samples, which denoisers want as smooth as the picture: albedo and samples; shading normal and hits.
 @fragment fn aovFeatures(@builtin(position) fragment: vec4f) -> Layers {
-  let sight = look(fragment.xy);
+  let texel = vec2u(fragment.xy);
+  let sight = look(frame.origin + texel);
   var sums = Layers(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
-    let pixel = vec2u(fragment.xy);
-    sums = Layers(textureLoad(previousFirst, pixel, 0), textureLoad(previousSecond, pixel, 0));
+    sums = Layers(textureLoad(previousFirst, texel, 0), textureLoad(previousSecond, texel, 0));
   }
   sums.first.a += 1.0;
   let shape = sight.hit.shape;
@@ -49,7 +49,8 @@ fn look(fragment: vec2f) -> Sight {
 // Of the one sample nearest to the middle of the pixel, since numbers and places cannot be averaged: place, relative to the eye, and
 // the shape's number; geometric normal and how close to the middle the sample is.
 @fragment fn aovData(@builtin(position) fragment: vec4f) -> Layers {
-  let sight = look(fragment.xy);
+  let texel = vec2u(fragment.xy);
+  let sight = look(frame.origin + texel);
   let shape = sight.hit.shape;
   var data = Layers(vec4f(0.0), vec4f(0.0, 0.0, 0.0, sight.closeness));
   if (shape != noShape) {
@@ -57,8 +58,7 @@ fn look(fragment: vec2f) -> Sight {
     data.second = vec4f(surfaceAt(sight.rays, sight.hit, shape).geometric, sight.closeness);
   }
   if (frame.sampleIndex > 0u) {
-    let pixel = vec2u(fragment.xy);
-    let previous = Layers(textureLoad(previousFirst, pixel, 0), textureLoad(previousSecond, pixel, 0));
+    let previous = Layers(textureLoad(previousFirst, texel, 0), textureLoad(previousSecond, texel, 0));
     // Of two alike the first one stays.
     if (previous.second.a >= sight.closeness) {
       return previous;
@@ -256,11 +256,11 @@ fn pcg(x: u32) -> u32 {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -276,7 +276,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -320,10 +320,14 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 
@@ -493,7 +497,7 @@ fn meetSphere(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -519,9 +523,10 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
   return PairHit(select(found.t, pathT, nearer), select(found.shape, i, nearer), found.blocked | (lightT < p.lightDistance), noTriangle, vec2f(0.0));
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -529,6 +534,15 @@ struct Bounds {
   radius: f32,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
   let b = fetchBounds(i);
@@ -541,8 +555,8 @@ fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -706,11 +720,11 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = tableTexel(9u, i);
+  let t1 = tableTexel(10u, i);
+  let t2 = tableTexel(11u, i);
+  let t3 = tableTexel(12u, i);
+  let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -735,7 +749,7 @@ fn kindOf(code: u32) -> u32 {
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none
   code: f32,
   // radiance sent out
   emission: vec3f,
@@ -820,8 +834,8 @@ fn conductorFresnel(cosine: f32, eta: vec3f, k: vec3f) -> vec3f {
 const least0 = 1e-20;
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t0 = tableTexel(3u, i);
+  let t1 = tableTexel(4u, i);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 

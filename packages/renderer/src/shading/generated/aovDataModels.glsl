@@ -86,8 +86,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -600,9 +602,14 @@ uint numberOfNext(Sampler s_2) {
     return _e15;
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -635,9 +642,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -731,8 +738,8 @@ uvec4 geometryRow(uint i_7) {
     return _e8;
 }
 
-vec4 planes(uint row, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row);
+vec4 planes(uint row_1, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_1);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
 }
 
@@ -776,19 +783,19 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
 }
 
-Triangle fetchTriangle(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
-}
-
-Instance fetchInstance(uint row_2) {
+Triangle fetchTriangle(uint row_2) {
     uvec4 _e3 = geometryRow((row_2 + 0u));
     uvec4 _e6 = geometryRow((row_2 + 1u));
     uvec4 _e9 = geometryRow((row_2 + 2u));
-    uvec4 _e12 = geometryRow((row_2 + 3u));
-    uvec4 _e15 = geometryRow((row_2 + 4u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+Instance fetchInstance(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    uvec4 _e6 = geometryRow((row_3 + 1u));
+    uvec4 _e9 = geometryRow((row_3 + 2u));
+    uvec4 _e12 = geometryRow((row_3 + 3u));
+    uvec4 _e15 = geometryRow((row_3 + 4u));
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
@@ -809,18 +816,18 @@ uvec4 texelRow(uint i_8) {
     return _e8;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_3) {
-    uvec4 _e3 = texelRow((row_3 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_4) {
-    uvec4 _e3 = geometryRow((row_4 + 0u));
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -828,10 +835,10 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
-TextureUse fetchTextureUse(uint row_6) {
-    uvec4 _e3 = texelRow((row_6 + 0u));
-    uvec4 _e6 = texelRow((row_6 + 1u));
-    uvec4 _e9 = texelRow((row_6 + 2u));
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
@@ -895,8 +902,8 @@ bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_7 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_7);
+    uint row_8 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_8);
     vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
     uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
     opacity = _e19.opacity;
@@ -919,7 +926,7 @@ bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
         opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
     }
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_7 + materialTexturesRows));
+        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
         float _e113 = opacity;
         vec4 _e114 = uv_1;
         vec4 _e116 = uv_1;
@@ -983,15 +990,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec4 _e87 = enterChildren(node_1, _e85, _e86);
                 bool a_1 = (_e87.x < _e87.z);
                 bool b_2 = (_e87.y < _e87.w);
-                vec2 t0_2 = pick(a_1, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                vec2 t0_ = pick(a_1, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
                 uvec2 r0_ = pick(a_1, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
-                vec2 t1_1 = pick(b_2, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                vec2 t1_ = pick(b_2, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_2, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_3 = (t0_2.x < t1_1.x);
-                bool d_2 = (t0_2.y < t1_1.y);
-                vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
+                bool c_3 = (t0_.x < t1_.x);
+                bool d_2 = (t0_.y < t1_.y);
+                vec2 ta = pick(c_3, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
                 uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
+                vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e = (ta.y < tb.x);
                 vec2 tm = pick(e, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
@@ -1281,24 +1288,24 @@ PairHit tracePair(RayPair p_6) {
     return _e76;
 }
 
-Sight look(vec2 fragment_2) {
+Sight look(uvec2 pixel_2) {
     Sampler s_3 = Sampler(0u, 0u, 0u, 0u);
-    uint _e4 = frame.sampleIndex;
-    uint _e7 = frame.seed;
-    Sampler _e8 = startSampler(uvec2(fragment_2), _e4, _e7);
-    s_3 = _e8;
-    vec2 _e13 = frame.jitter;
-    vec2 _e15 = next2d(s_3);
-    vec2 _e16 = filterOffset(_e15);
-    vec2 filmPosition_2 = ((floor(fragment_2) + _e13) + _e16);
-    vec2 _e18 = next2d(s_3);
-    CameraRay _e19 = cameraRay(filmPosition_2, _e18);
-    Sampler _e22 = s_3;
-    uint _e23 = numberOfNext(_e22);
-    RayPair _e24 = oneRay(_e19.origin, _e19.direction, _e23);
-    vec2 offCentre = ((filmPosition_2 - floor(fragment_2)) - vec2(0.5));
-    PairHit _e30 = tracePair(_e24);
-    return Sight(_e24, _e30, (1.0 / (1.0 + dot(offCentre, offCentre))));
+    uint _e3 = frame.sampleIndex;
+    uint _e6 = frame.seed;
+    Sampler _e7 = startSampler(pixel_2, _e3, _e6);
+    s_3 = _e7;
+    vec2 _e12 = frame.jitter;
+    vec2 _e14 = next2d(s_3);
+    vec2 _e15 = filterOffset(_e14);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + _e12) + _e15);
+    vec2 _e17 = next2d(s_3);
+    CameraRay _e18 = cameraRay(filmPosition_2, _e17);
+    Sampler _e21 = s_3;
+    uint _e22 = numberOfNext(_e21);
+    RayPair _e23 = oneRay(_e18.origin, _e18.direction, _e22);
+    vec2 offCentre = ((filmPosition_2 - vec2(pixel_2)) - vec2(0.5));
+    PairHit _e29 = tracePair(_e23);
+    return Sight(_e23, _e29, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
 bool isPlane(uint i_11) {
@@ -1369,12 +1376,12 @@ vec3 normalAt(RayPair p_7, float t_3, uint i_14) {
 }
 
 Surface fetchSurface(uint i_15) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_15)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_15)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_15)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_15)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_15)), 0);
-    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i_15);
+    vec4 _e4 = tableTexel(10u, i_15);
+    vec4 _e6 = tableTexel(11u, i_15);
+    vec4 _e8 = tableTexel(12u, i_15);
+    vec4 _e10 = tableTexel(13u, i_15);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 uint kindOf(uint code) {
@@ -1394,14 +1401,14 @@ bool isLayered(uint code_2, float eta) {
 }
 
 Layers0_ fetchLayers(uint i_16) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
-    return Layers0_(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+    vec4 _e2 = tableTexel(0u, i_16);
+    vec4 _e4 = tableTexel(1u, i_16);
+    vec4 _e6 = tableTexel(2u, i_16);
+    vec4 _e8 = tableTexel(3u, i_16);
+    vec4 _e10 = tableTexel(4u, i_16);
+    vec4 _e12 = tableTexel(5u, i_16);
+    vec4 _e14 = tableTexel(6u, i_16);
+    return Layers0_(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xy, _e8.z, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w, _e14.x, _e14.y, _e14.z, _e14.w);
 }
 
 Layers0_ layersOf(uint code_3, float eta_1) {
@@ -1527,8 +1534,8 @@ vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     vec3 bump = vec3(0.0, 0.0, 1.0);
     uint i_17 = 0u;
     float _e4 = s_4.textures;
-    uint row_8 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_8);
+    uint row_9 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_9);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_4.baseColor;
     s_4.baseColor = (_e13 * color);
@@ -1537,7 +1544,7 @@ vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e33 = i_17;
-            TextureUse _e37 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e33 * textureUseRows)));
+            TextureUse _e37 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e33 * textureUseRows)));
             vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
             vec3 _e48 = s_4.baseColor;
             s_4.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
@@ -1730,39 +1737,40 @@ vec3 albedoOf(Surface s_5, bool fromBack) {
 }
 
 Material fetchMaterial(uint i_18) {
-    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(3u, i_18)), 0);
-    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(4u, i_18)), 0);
-    return Material(t0_5.xyz, t0_5.w, t1_4.x, t1_4.y, t1_4.z, t1_4.w);
+    vec4 _e2 = tableTexel(3u, i_18);
+    vec4 _e4 = tableTexel(4u, i_18);
+    return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
 }
 
 void main() {
     vec4 fragment_1 = gl_FragCoord;
     Layers data = Layers(vec4(0.0), vec4(0.0));
-    Sight _e2 = look(fragment_1.xy);
-    uint shape_1 = _e2.hit.shape;
-    data = Layers(vec4(0.0), vec4(0.0, 0.0, 0.0, _e2.closeness));
+    uvec2 texel_2 = uvec2(fragment_1.xy);
+    uvec2 _e5 = frame.origin;
+    Sight _e7 = look((_e5 + texel_2));
+    uint shape_1 = _e7.hit.shape;
+    data = Layers(vec4(0.0), vec4(0.0, 0.0, 0.0, _e7.closeness));
     if ((shape_1 != noShape)) {
-        Material _e25 = fetchMaterial(shape_1);
-        data.first = vec4((_e2.rays.point + (_e2.hit.t * _e2.rays.direction)), _e25.id);
-        SurfacePoint _e31 = surfaceAt(_e2.rays, _e2.hit, shape_1);
-        data.second = vec4(_e31.geometric, _e2.closeness);
+        Material _e30 = fetchMaterial(shape_1);
+        data.first = vec4((_e7.rays.point + (_e7.hit.t * _e7.rays.direction)), _e30.id);
+        SurfacePoint _e36 = surfaceAt(_e7.rays, _e7.hit, shape_1);
+        data.second = vec4(_e36.geometric, _e7.closeness);
     }
-    uint _e37 = frame.sampleIndex;
-    if ((_e37 > 0u)) {
-        uvec2 pixel_2 = uvec2(fragment_1.xy);
-        vec4 _e44 = texelFetch(previousFirst, ivec2(pixel_2), 0);
-        vec4 _e47 = texelFetch(previousSecond, ivec2(pixel_2), 0);
-        Layers previous = Layers(_e44, _e47);
-        if ((previous.second.w >= _e2.closeness)) {
+    uint _e42 = frame.sampleIndex;
+    if ((_e42 > 0u)) {
+        vec4 _e47 = texelFetch(previousFirst, ivec2(texel_2), 0);
+        vec4 _e50 = texelFetch(previousSecond, ivec2(texel_2), 0);
+        Layers previous = Layers(_e47, _e50);
+        if ((previous.second.w >= _e7.closeness)) {
             Layers _tmp_return = previous;
             _fs2p_location0 = _tmp_return.first;
             _fs2p_location1 = _tmp_return.second;
             return;
         }
     }
-    Layers _e53 = data;
-    _fs2p_location0 = _e53.first;
-    _fs2p_location1 = _e53.second;
+    Layers _e56 = data;
+    _fs2p_location0 = _e56.first;
+    _fs2p_location1 = _e56.second;
     return;
 }
 

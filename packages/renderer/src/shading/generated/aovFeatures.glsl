@@ -86,8 +86,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -414,9 +416,14 @@ uint numberOfNext(Sampler s_2) {
     return _e15;
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -449,9 +456,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_1, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -620,24 +627,24 @@ PairHit tracePair(RayPair p_5) {
     return _e72;
 }
 
-Sight look(vec2 fragment_2) {
+Sight look(uvec2 pixel_2) {
     Sampler s_3 = Sampler(0u, 0u, 0u, 0u);
-    uint _e4 = frame.sampleIndex;
-    uint _e7 = frame.seed;
-    Sampler _e8 = startSampler(uvec2(fragment_2), _e4, _e7);
-    s_3 = _e8;
-    vec2 _e13 = frame.jitter;
-    vec2 _e15 = next2d(s_3);
-    vec2 _e16 = filterOffset(_e15);
-    vec2 filmPosition_2 = ((floor(fragment_2) + _e13) + _e16);
-    vec2 _e18 = next2d(s_3);
-    CameraRay _e19 = cameraRay(filmPosition_2, _e18);
-    Sampler _e22 = s_3;
-    uint _e23 = numberOfNext(_e22);
-    RayPair _e24 = oneRay(_e19.origin, _e19.direction, _e23);
-    vec2 offCentre = ((filmPosition_2 - floor(fragment_2)) - vec2(0.5));
-    PairHit _e30 = tracePair(_e24);
-    return Sight(_e24, _e30, (1.0 / (1.0 + dot(offCentre, offCentre))));
+    uint _e3 = frame.sampleIndex;
+    uint _e6 = frame.seed;
+    Sampler _e7 = startSampler(pixel_2, _e3, _e6);
+    s_3 = _e7;
+    vec2 _e12 = frame.jitter;
+    vec2 _e14 = next2d(s_3);
+    vec2 _e15 = filterOffset(_e14);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + _e12) + _e15);
+    vec2 _e17 = next2d(s_3);
+    CameraRay _e18 = cameraRay(filmPosition_2, _e17);
+    Sampler _e21 = s_3;
+    uint _e22 = numberOfNext(_e21);
+    RayPair _e23 = oneRay(_e18.origin, _e18.direction, _e22);
+    vec2 offCentre = ((filmPosition_2 - vec2(pixel_2)) - vec2(0.5));
+    PairHit _e29 = tracePair(_e23);
+    return Sight(_e23, _e29, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
 bool isPlane(uint i_8) {
@@ -708,12 +715,12 @@ vec3 normalAt(RayPair p_6, float t_1, uint i_11) {
 }
 
 Surface fetchSurface(uint i_12) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_12)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_12)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_12)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_12)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_12)), 0);
-    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i_12);
+    vec4 _e4 = tableTexel(10u, i_12);
+    vec4 _e6 = tableTexel(11u, i_12);
+    vec4 _e8 = tableTexel(12u, i_12);
+    vec4 _e10 = tableTexel(13u, i_12);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
@@ -781,37 +788,38 @@ vec3 albedoOf(Surface s_4, bool fromBack) {
 }
 
 Material fetchMaterial(uint i_13) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_13)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_13)), 0);
-    return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
+    vec4 _e2 = tableTexel(3u, i_13);
+    vec4 _e4 = tableTexel(4u, i_13);
+    return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
 }
 
 void main() {
     vec4 fragment = gl_FragCoord;
     Layers sums = Layers(vec4(0.0), vec4(0.0));
-    Sight _e2 = look(fragment.xy);
-    uint _e11 = frame.sampleIndex;
-    if ((_e11 > 0u)) {
-        uvec2 pixel_2 = uvec2(fragment.xy);
-        vec4 _e18 = texelFetch(previousFirst, ivec2(pixel_2), 0);
-        vec4 _e21 = texelFetch(previousSecond, ivec2(pixel_2), 0);
-        sums = Layers(_e18, _e21);
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    Sight _e7 = look((_e5 + texel));
+    uint _e16 = frame.sampleIndex;
+    if ((_e16 > 0u)) {
+        vec4 _e21 = texelFetch(previousFirst, ivec2(texel), 0);
+        vec4 _e24 = texelFetch(previousSecond, ivec2(texel), 0);
+        sums = Layers(_e21, _e24);
     }
-    float _e25 = sums.first.w;
-    sums.first.w = (_e25 + 1.0);
-    uint shape_1 = _e2.hit.shape;
+    float _e28 = sums.first.w;
+    sums.first.w = (_e28 + 1.0);
+    uint shape_1 = _e7.hit.shape;
     if ((shape_1 != noShape)) {
-        SurfacePoint _e34 = surfaceAt(_e2.rays, _e2.hit, shape_1);
-        vec3 direction_7 = _e2.rays.direction;
-        vec4 _e38 = sums.first;
-        vec3 _e44 = albedoOf(_e34.surface, (dot(_e34.geometric, direction_7) > 0.0));
-        sums.first = (_e38 + vec4(_e44, 0.0));
-        vec4 _e49 = sums.second;
-        sums.second = (_e49 + vec4(pick((dot(_e34.shading, direction_7) > 0.0), -(_e34.shading), _e34.shading), 1.0));
+        SurfacePoint _e37 = surfaceAt(_e7.rays, _e7.hit, shape_1);
+        vec3 direction_7 = _e7.rays.direction;
+        vec4 _e41 = sums.first;
+        vec3 _e47 = albedoOf(_e37.surface, (dot(_e37.geometric, direction_7) > 0.0));
+        sums.first = (_e41 + vec4(_e47, 0.0));
+        vec4 _e52 = sums.second;
+        sums.second = (_e52 + vec4(pick((dot(_e37.shading, direction_7) > 0.0), -(_e37.shading), _e37.shading), 1.0));
     }
-    Layers _e61 = sums;
-    _fs2p_location0 = _e61.first;
-    _fs2p_location1 = _e61.second;
+    Layers _e64 = sums;
+    _fs2p_location0 = _e64.first;
+    _fs2p_location1 = _e64.second;
     return;
 }
 

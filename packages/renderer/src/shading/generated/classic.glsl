@@ -60,8 +60,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Bounds {
     vec3 center;
@@ -170,15 +172,20 @@ float hitSphere(uint i, Bounds bounds, Ray ray) {
     return pick((i == ray.start.leaves), 1e30, _e13);
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i_1) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i_1)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i_1);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 Extent fetchExtent(uint i_2) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_2)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_2)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_2);
+    vec4 _e4 = tableTexel(2u, i_2);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 bool isTurned(vec4 q) {
@@ -346,11 +353,11 @@ Hit closestHit(Ray ray_4) {
 }
 
 Light fetchLight(uint i_7) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(5u, i_7)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(6u, i_7)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_7)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_7)), 0);
-    return Light(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w);
+    vec4 _e2 = tableTexel(5u, i_7);
+    vec4 _e4 = tableTexel(6u, i_7);
+    vec4 _e6 = tableTexel(7u, i_7);
+    vec4 _e8 = tableTexel(8u, i_7);
+    return Light(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w);
 }
 
 SeenLight closestBall(Ray ray_5, float t_1) {
@@ -478,9 +485,9 @@ Start onSurface(vec3 point, uint shape_1, bool seenFromInside) {
 }
 
 Material fetchMaterial(uint i_14) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_14)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(4u, i_14)), 0);
-    return Material(t0_3.xyz, t0_3.w, t1_2.x, t1_2.y, t1_2.z, t1_2.w);
+    vec4 _e2 = tableTexel(3u, i_14);
+    vec4 _e4 = tableTexel(4u, i_14);
+    return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
 }
 
 uint pcg(uint x) {
@@ -589,8 +596,8 @@ bool ballHidesLight(ShadowCone cone_4, BallPlace ball_1, float radius_3) {
 
 vec3 samplePoint(LightSampler s_1, uint k_1, vec2 turn) {
     float i_20 = float(k_1);
-    float row = floor(((i_20 + 0.5) * 0.33333334));
-    vec3 fixed9_ = vec3(((0.5 * (i_20 - (3.0 * row))) - 0.5), 0.0, ((0.5 * row) - 0.5));
+    float row_1 = floor(((i_20 + 0.5) * 0.33333334));
+    vec3 fixed9_ = vec3(((0.5 * (i_20 - (3.0 * row_1))) - 0.5), 0.0, ((0.5 * row_1) - 0.5));
     float z = (1.0 - ((2.0 * (i_20 + s_1.shift.x)) / float(s_1.count)));
     vec3 lattice = vec3((sqrt(max((1.0 - (z * z)), 0.0)) * turn), z);
     return pick((s_1.count == 1u), vec3(0.0), pick((s_1.count == 9u), fixed9_, lattice));
@@ -1056,25 +1063,27 @@ Start onCamera(vec3 point_1) {
 void main() {
     vec4 fragment = gl_FragCoord;
     vec4 sum = vec4(0.0);
-    uvec2 pixel_1 = uvec2(fragment.xy);
-    float column = (float(pixel_1.x) + 0.5);
-    float _e12 = frame.dividers.x;
-    float _e18 = frame.dividers.y;
-    uvec4 panel = frame.panels[(uint((column >= _e12)) + uint((column >= _e18)))];
-    vec2 _e28 = frame.jitter;
-    CameraRay _e30 = centralRay((floor(fragment.xy) + _e28));
-    uint _e33 = frame.sampleIndex;
-    uint _e36 = frame.seed;
-    uint _e37 = pixelHash0_(pixel_1, _e33, _e36);
-    Start _e39 = onCamera(_e30.origin);
-    vec3 _e44 = trace(Ray(_e39, _e30.direction), _e37, panel.x, panel.y);
-    uint _e50 = frame.sampleIndex;
-    if ((_e50 > 0u)) {
-        vec4 _e55 = texelFetch(previousFilm, ivec2(pixel_1), 0);
-        sum = _e55;
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uvec2 pixel_1 = (_e5 + texel);
+    float column_1 = (float(pixel_1.x) + 0.5);
+    float _e16 = frame.dividers.x;
+    float _e22 = frame.dividers.y;
+    uvec4 panel = frame.panels[(uint((column_1 >= _e16)) + uint((column_1 >= _e22)))];
+    vec2 _e31 = frame.jitter;
+    CameraRay _e33 = centralRay((vec2(pixel_1) + _e31));
+    uint _e36 = frame.sampleIndex;
+    uint _e39 = frame.seed;
+    uint _e40 = pixelHash0_(pixel_1, _e36, _e39);
+    Start _e42 = onCamera(_e33.origin);
+    vec3 _e47 = trace(Ray(_e42, _e33.direction), _e40, panel.x, panel.y);
+    uint _e53 = frame.sampleIndex;
+    if ((_e53 > 0u)) {
+        vec4 _e58 = texelFetch(previousFilm, ivec2(texel), 0);
+        sum = _e58;
     }
-    vec4 _e56 = sum;
-    _fs2p_location0 = (_e56 + vec4(_e44, 1.0));
+    vec4 _e59 = sum;
+    _fs2p_location0 = (_e59 + vec4(_e47, 1.0));
     return;
 }
 

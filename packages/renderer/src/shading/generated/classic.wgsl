@@ -39,16 +39,17 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
 
 // Adds one film sample to what the film holds: RGB sums, and in alpha how many.
 @fragment fn classic(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
-  let pixel = vec2u(fragment.xy);
+  let texel = vec2u(fragment.xy);
+  let pixel = frame.origin + texel;
   let column = f32(pixel.x) + 0.5;
   let panel = frame.panels[u32(column >= frame.dividers.x) + u32(column >= frame.dividers.y)];
   // A pinhole whatever the lens: what is taught has no depth of field, and one sample a pixel could not show it.
-  let camera = centralRay(floor(fragment.xy) + frame.jitter);
+  let camera = centralRay(vec2f(pixel) + frame.jitter);
   let hash = pixelHash0(pixel, frame.sampleIndex, frame.seed);
   let radiance = trace(Ray(onCamera(camera.origin), camera.direction), hash, panel.x, panel.y);
   var sum = vec4f(0.0);
   if (frame.sampleIndex > 0u) {
-    sum = textureLoad(previousFilm, pixel, 0);
+    sum = textureLoad(previousFilm, texel, 0);
   }
   return sum + vec4f(radiance, 1.0);
 }
@@ -191,8 +192,8 @@ fn isFlat(i: u32) -> bool {
 }
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t0 = tableTexel(3u, i);
+  let t1 = tableTexel(4u, i);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 
@@ -245,11 +246,11 @@ fn sky(direction: vec3f) -> vec3f {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -265,7 +266,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -309,10 +310,14 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 
@@ -335,7 +340,7 @@ fn hitSphere(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -352,7 +357,6 @@ fn intersectSphere(origin: vec3f, direction: vec3f, center: vec3f, radius: f32, 
   return select(select(miss, t, (discriminant >= 0.0) & (t > tMin)), max(far, 0.0), startsInside);
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -361,7 +365,18 @@ struct Bounds {
 }
 
 
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
+
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
   let extent = fetchExtent(i);
@@ -376,8 +391,8 @@ fn hitBox(i: u32, bounds: Bounds, ray: Ray) -> f32 {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -475,10 +490,10 @@ struct SeenLight {
 
 
 fn fetchLight(i: u32) -> Light {
-  let t0 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(7u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  let t0 = tableTexel(5u, i);
+  let t1 = tableTexel(6u, i);
+  let t2 = tableTexel(7u, i);
+  let t3 = tableTexel(8u, i);
   return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
 }
 

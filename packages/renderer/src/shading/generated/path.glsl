@@ -90,8 +90,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -606,9 +608,14 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -641,9 +648,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -880,12 +887,12 @@ vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
 }
 
 Surface fetchSurface(uint i_12) {
-    vec4 t0_2 = texelFetch(sceneTable, ivec2(uvec2(9u, i_12)), 0);
-    vec4 t1_1 = texelFetch(sceneTable, ivec2(uvec2(10u, i_12)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_12)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_12)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_12)), 0);
-    return Surface(t0_2.xyz, t0_2.w, t1_1.xyz, t1_1.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i_12);
+    vec4 _e4 = tableTexel(10u, i_12);
+    vec4 _e6 = tableTexel(11u, i_12);
+    vec4 _e8 = tableTexel(12u, i_12);
+    vec4 _e10 = tableTexel(13u, i_12);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 SurfacePoint surfaceAt(RayPair rays, PairHit hit, uint shape) {
@@ -947,17 +954,17 @@ bool isThin(uint code_5) {
 }
 
 Emitter fetchEmitter(uint i_13) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(14u, i_13)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(15u, i_13)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(16u, i_13)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(17u, i_13)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(18u, i_13)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(19u, i_13)), 0);
-    return Emitter(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_1.xyz, t2_1.w, t3_1.xyz, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w);
+    vec4 _e2 = tableTexel(14u, i_13);
+    vec4 _e4 = tableTexel(15u, i_13);
+    vec4 _e6 = tableTexel(16u, i_13);
+    vec4 _e8 = tableTexel(17u, i_13);
+    vec4 _e10 = tableTexel(18u, i_13);
+    vec4 _e12 = tableTexel(19u, i_13);
+    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
 int emitterOf(float code_6) {
-    return ((int(code_6) >> 6u) - 1);
+    return ((int(code_6) >> 7u) - 1);
 }
 
 Emitter emitterAt(uint i_14, Emitter only) {
@@ -1020,13 +1027,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_9) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_9.z, direction_9.y)), vec2(abs(direction_9.x), sine_1));
     float turn = (pick((direction_9.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_9.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float column_1 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
     float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
-    float row = floor(fromPole);
+    float row_1 = floor(fromPole);
     bool isLower = (direction_9.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_1.y - row), row));
-    float within_1 = (fromPole - row);
-    vec2 at_1 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_1.y - row_1), row_1));
+    float within_1 = (fromPole - row_1);
+    vec2 at_1 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
     return _e67;
@@ -1516,8 +1523,8 @@ vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_18 = (t_2.first + pair);
-    uint row_1 = (i_18 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_18 - (row_1 * width_2)), row_1)), 0);
+    uint row_2 = (i_18 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_18 - (row_2 * width_2)), row_2)), 0);
     return _e15;
 }
 
@@ -1739,22 +1746,22 @@ float stretched(vec3 w_1, float alpha_1) {
 
 Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     Outgoing o = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_9 = uint(s_11.code);
-    bool _e5 = isConductor(code_9);
-    bool _e6 = isDielectric(code_9);
+    uint code_10 = uint(s_11.code);
+    bool _e5 = isConductor(code_10);
+    bool _e6 = isDielectric(code_10);
     o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasMetallicRoughness;
     if (_e17) {
         float _e20 = o.share;
         float _e24 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
-        bool _e25 = isMetallicRoughness(code_9);
+        bool _e25 = isMetallicRoughness(code_10);
         o.share = pick(_e25, _e24, _e20);
     }
     const bool _e28 = hasGlass;
     if (_e28) {
-        bool _e33 = isThin(code_9);
+        bool _e33 = isThin(code_10);
         float _e34 = indexRatio(s_11.eta.x, wo_1.z, _e33);
-        bool _e35 = isDielectric(code_9);
+        bool _e35 = isDielectric(code_10);
         o.ratio = pick(_e35, _e34, 1.0);
     }
     const bool _e39 = hasConductors;
@@ -1762,7 +1769,7 @@ Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     const bool _e44 = hasGlass;
     if (pick(pick(_e39, true, _e41), true, _e44)) {
         float _e48 = reflectionBound(wo_1, s_11.alpha);
-        bool _e49 = isDielectric(code_9);
+        bool _e49 = isDielectric(code_10);
         o.bound = pick(_e49, 1.0, _e48);
         float _e54 = stretched(wo_1, s_11.alpha);
         o.stretched = _e54;
@@ -1842,7 +1849,7 @@ float glassReflectance(float cosine_6, float ratio_1, bool thin_1) {
 
 vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     vec3 reflectance = vec3(0.0);
-    uint code_10 = uint(s_12.code);
+    uint code_11 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
@@ -1853,15 +1860,15 @@ vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
-        bool _e21 = isConductor(code_10);
+        bool _e21 = isConductor(code_11);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_10);
+        bool _e26 = isThin(code_11);
         float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_10);
+        bool _e29 = isDielectric(code_11);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -1893,9 +1900,9 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_11 = uint(s_13.code);
-        bool _e29 = isDielectric(code_11);
-        bool _e30 = isSmooth(code_11);
+        uint code_12 = uint(s_13.code);
+        bool _e29 = isDielectric(code_12);
+        bool _e30 = isSmooth(code_12);
         vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_20.xy);
         float oh = max(dot(wo_5, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
@@ -1905,7 +1912,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
         weight = (_e38 / vec3(o_2.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_11);
+            bool _e56 = isThin(code_12);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
             wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
@@ -1950,6 +1957,10 @@ float facetDensity(vec3 h_2, float alpha_4) {
     return (0.31830987 / (((alpha_4 * alpha_4) * slope) * slope));
 }
 
+bool hidesApart(uint code_9) {
+    return ((code_9 & 64u) != 0u);
+}
+
 float singleScatteringAlbedo(float cosine_8, float alpha_5) {
     float x_18 = (cosine_8 / (cosine_8 + alpha_5));
     vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_18 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_18 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_18 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_18 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
@@ -1958,9 +1969,9 @@ float singleScatteringAlbedo(float cosine_8, float alpha_5) {
 }
 
 vec3 compensation(Surface s_14, float cosine_9) {
-    uint code_12 = uint(s_14.code);
-    bool _e8 = isDielectric(code_12);
-    bool asked = pick(((code_12 & 8u) != 0u), !(_e8), false);
+    uint code_13 = uint(s_14.code);
+    bool _e8 = isDielectric(code_13);
+    bool asked = pick(((code_13 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_9, s_14.alpha);
     vec3 _e17 = facetReflectance(s_14, 1.0, 1.0);
     return pick(asked, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -1979,23 +1990,25 @@ FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
     float ih = dot(wi_1, h_7);
     float zo = abs(wo_6.z);
     float zi = abs(wi_1.z);
-    bool faces_1 = pick((((oh_1 * h_7.z) * wo_6.z) >= 0.0), (((ih * h_7.z) * wi_1.z) >= 0.0), false);
-    float _e52 = facetDensity(h_7, s_15.alpha);
-    float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_15, abs(oh_1), o_3.ratio);
-    passes = pick(crossing_1, (vec3(1.0) - _e60), _e60);
+    bool faces_1 = pick(!(crossing_1), true, pick((((oh_1 * h_7.z) * wo_6.z) >= 0.0), (((ih * h_7.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_7, s_15.alpha);
+    float spread = (pick(crossing_1, (abs((oh_1 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_15, abs(oh_1), o_3.ratio);
+    passes = pick(crossing_1, (vec3(1.0) - _e62), _e62);
     float _e69 = stretched(wi_1, s_15.alpha);
-    float masked = (zi / max(((zi * o_3.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_1 = (pick(_e6, _e76, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_15, zo);
-        passes = (_e87 * _e88);
+    float apart = ((0.5 * (zo + o_3.stretched)) * (zi + _e69));
+    bool _e82 = hidesApart(uint(s_15.code));
+    float masked = (zi / max(pick(_e82, apart, ((zi * o_3.stretched) + (zo * _e69))), 1e-20));
+    float _e88 = passes.x;
+    float chosen_1 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
+    const bool _e98 = hasCompensation;
+    if (_e98) {
+        vec3 _e99 = passes;
+        vec3 _e100 = compensation(s_15, zo);
+        passes = (_e99 * _e100);
     }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
+    vec3 _e102 = passes;
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
 }
 
 vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
@@ -2009,24 +2022,24 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_13 = uint(s_16.code);
+        uint code_14 = uint(s_16.code);
         FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_13);
+            bool _e43 = isMetallicRoughness(code_14);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_13);
+        bool _e52 = isSmooth(code_14);
         vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_13);
+        uint _e62 = kindOf(code_14);
         value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_13);
-        bool _e68 = isDielectric(code_13);
+        bool _e67 = isSmooth(code_14);
+        bool _e68 = isDielectric(code_14);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_16.reflectivity);
@@ -2202,30 +2215,31 @@ void main() {
     vec4 fragment = gl_FragCoord;
     Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
-    uvec2 pixel_3 = uvec2(fragment.xy);
-    uint _e5 = frame.sampleIndex;
-    Path _e6 = startPath(pixel_3, _e5);
-    p = _e6;
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uint _e9 = frame.sampleIndex;
+    Path _e10 = startPath((_e5 + texel), _e9);
+    p = _e10;
     while(true) {
         extendPath(p);
-        Path _e8 = p;
-        bool _e9 = isOver(_e8);
-        if (_e9) {
+        Path _e12 = p;
+        bool _e13 = isOver(_e12);
+        if (_e13) {
             break;
         }
     }
-    uint _e18 = frame.sampleIndex;
-    if ((_e18 > 0u)) {
-        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
-        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
-        film = Film(_e23, _e26);
+    uint _e22 = frame.sampleIndex;
+    if ((_e22 > 0u)) {
+        vec4 _e27 = texelFetch(previousFilm, ivec2(texel), 0);
+        vec4 _e30 = texelFetch(previousSquares, ivec2(texel), 0);
+        film = Film(_e27, _e30);
     }
-    vec4 _e29 = film.sums;
-    vec3 _e31 = p.radiance;
-    vec4 _e36 = film.squares;
-    vec3 _e38 = p.radiance;
-    vec3 _e40 = p.radiance;
-    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
+    vec4 _e33 = film.sums;
+    vec3 _e35 = p.radiance;
+    vec4 _e40 = film.squares;
+    vec3 _e42 = p.radiance;
+    vec3 _e44 = p.radiance;
+    Film _tmp_return = Film((_e33 + vec4(_e35, 1.0)), (_e40 + vec4((_e42 * _e44), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

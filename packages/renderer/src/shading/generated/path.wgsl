@@ -7,8 +7,8 @@ struct Film {
 
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
-  let pixel = vec2u(fragment.xy);
-  var p = startPath(pixel, frame.sampleIndex);
+  let texel = vec2u(fragment.xy);
+  var p = startPath(frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -17,7 +17,7 @@ struct Film {
   }
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
-    film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
+    film = Film(textureLoad(previousFilm, texel, 0), textureLoad(previousSquares, texel, 0));
   }
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
 }
@@ -25,8 +25,8 @@ struct Film {
 // A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
 // pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
 // fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
-// First column and row, columns and rows of the part of the film that is traced.
-@group(0) @binding(7) var<uniform> region: vec4u;
+// First row, columns and rows of the part of the film that is traced.
+@group(0) @binding(7) var<uniform> region: vec3u;
 
 @group(0) @binding(8) var film: texture_storage_2d<rgba32float, write>;
 
@@ -52,8 +52,9 @@ var<workgroup> squares: array<vec3f, 128>;
   let tile = frame.tile;
   let place = thread / shares;
   let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
-  let pixel = region.xy + inRegion;
-  let inside = all(inRegion < region.zw);
+  let texel = vec2u(inRegion.x, region.x + inRegion.y);
+  let pixel = frame.origin + texel;
+  let inside = all(inRegion < region.yz);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
@@ -77,8 +78,8 @@ var<workgroup> squares: array<vec3f, 128>;
   var sum = vec4f(0.0);
   var square = vec4f(0.0);
   if (adds & (frame.sampleIndex > 0u)) {
-    sum = textureLoad(previousFilm, pixel, 0);
-    square = textureLoad(previousSquares, pixel, 0);
+    sum = textureLoad(previousFilm, texel, 0);
+    square = textureLoad(previousSquares, texel, 0);
   }
   let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
   for (var g = 0u; g < groups; g++) {
@@ -100,8 +101,8 @@ var<workgroup> squares: array<vec3f, 128>;
   if (!adds) {
     return;
   }
-  textureStore(film, pixel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
-  textureStore(filmSquares, pixel, square);
+  textureStore(film, texel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
+  textureStore(filmSquares, texel, square);
 }
 
 fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
@@ -356,12 +357,12 @@ fn toLocal(b: Basis, v: vec3f) -> vec3f {
 override hasGlass = false;
 
 fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = textureLoad(sceneTable, vec2u(14u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(15u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(16u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(17u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(18u, i), 0);
-  let t5 = textureLoad(sceneTable, vec2u(19u, i), 0);
+  let t0 = tableTexel(14u, i);
+  let t1 = tableTexel(15u, i);
+  let t2 = tableTexel(16u, i);
+  let t3 = tableTexel(17u, i);
+  let t4 = tableTexel(18u, i);
+  let t5 = tableTexel(19u, i);
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
 
@@ -687,11 +688,11 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
 }
 
 fn fetchSurface(i: u32) -> Surface {
-  let t0 = textureLoad(sceneTable, vec2u(9u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(10u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(11u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(12u, i), 0);
-  let t4 = textureLoad(sceneTable, vec2u(13u, i), 0);
+  let t0 = tableTexel(9u, i);
+  let t1 = tableTexel(10u, i);
+  let t2 = tableTexel(11u, i);
+  let t3 = tableTexel(12u, i);
+  let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
@@ -713,7 +714,18 @@ fn isLayered(code: u32, eta: f32) -> bool {
   return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
 }
 
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
+
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 fn isMetallicRoughness(code: u32) -> bool {
   return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
@@ -733,7 +745,7 @@ const noInstance = 0xffffffffu;
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
-  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 times one more than the index of the emitter that this shape is, 0: none
+  // kind (0 diffuse, 1 metallicRoughness, 2 conductor, 3 dielectric) + 4 thin + 8 energyCompensation + 16 one-sided lamp + 32 smooth + 64 separable masking + 128 times one more than the index of the emitter that this shape is, 0: none
   code: f32,
   // radiance sent out
   emission: vec3f,
@@ -773,7 +785,7 @@ fn isSmooth(code: u32) -> bool {
 @group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -789,8 +801,8 @@ override hasBoxes = true;
 override hasSpheres = true;
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -872,7 +884,6 @@ fn isSphere(i: u32) -> bool {
   return i < frame.shapeEnds.x;
 }
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -925,7 +936,7 @@ struct Emitter {
 
 // Index of the emitter that a shape is, from -1 for none.
 fn emitterOf(code: f32) -> i32 {
-  return (i32(code) >> 6u) - 1;
+  return (i32(code) >> 7u) - 1;
 }
 
 fn farLight(e: Emitter, direction: vec3f) -> FarLight {
@@ -1874,12 +1885,15 @@ fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let ih = dot(wi, h);
   let zo = abs(wo.z);
   let zi = abs(wi.z);
-  // Facets do not turn their back on one direction while the surface does not.
-  let faces = (oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0);
+  // Facets do not turn their back on one direction while the surface does not. Those that reflect never do: along the surface only the
+  // rounded lengths of wo and wi would say so.
+  let faces = !crossing | ((oh * h.z * wo.z >= 0.0) & (ih * h.z * wi.z >= 0.0));
   let spread = select(0.25, abs(oh * ih) / m2, crossing) * select(0.0, 2.0 * facetDensity(h, s.alpha), faces);
   let f = facetReflectance(s, abs(oh), o.ratio);
   var passes = select(f, 1.0 - f, crossing);
-  let masked = zi / max(zi * o.stretched + zo * stretched(wi, s.alpha), 1e-20);
+  let incoming = stretched(wi, s.alpha);
+  let apart = 0.5 * (zo + o.stretched) * (zi + incoming);
+  let masked = zi / max(select(zi * o.stretched + zo * incoming, apart, hidesApart(u32(s.code))), 1e-20);
   let chosen = select(1.0, passes.x, isGlass) * select(1.0, o.ratio * o.ratio, crossing);
   if (hasCompensation) {
     passes *= compensation(s, zo);
@@ -1895,6 +1909,11 @@ fn facetDensity(h: vec3f, alpha: f32) -> f32 {
   // At least 1 for a unit vector; opposite directions along the surface have none.
   let slope = max(dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z, 1.0);
   return 0.31830988618 / (alpha * alpha * slope * slope);
+}
+
+// Whether facets are hidden from both directions as often as by chance: Walter et al. 2007, equation 23.
+fn hidesApart(code: u32) -> bool {
+  return (code & 64u) != 0u;
 }
 
 // The rough lobe: f |cos| and density. Reflection and transmission (Walter et al. 2007, equations 20 and 21) are one formula
@@ -2149,11 +2168,11 @@ fn skipGroup(s: ptr<function, Sampler>) {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -2169,7 +2188,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -2213,8 +2232,12 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }

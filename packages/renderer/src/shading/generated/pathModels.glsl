@@ -90,8 +90,10 @@ struct Frame {
     uint instanceCount;
     uint farEmitters;
     uint lightTree;
+    float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -853,9 +855,14 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
 }
 
+vec4 tableTexel(uint column, uint row) {
+    vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
+    return _e5;
+}
+
 Bounds fetchBounds(uint i) {
-    vec4 t0_ = texelFetch(sceneTable, ivec2(uvec2(0u, i)), 0);
-    return Bounds(t0_.xyz, t0_.w);
+    vec4 _e2 = tableTexel(0u, i);
+    return Bounds(_e2.xyz, _e2.w);
 }
 
 float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius, float tMin, bool startsInside) {
@@ -888,9 +895,9 @@ PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
 }
 
 Extent fetchExtent(uint i_3) {
-    vec4 t0_1 = texelFetch(sceneTable, ivec2(uvec2(1u, i_3)), 0);
-    vec4 t1_ = texelFetch(sceneTable, ivec2(uvec2(2u, i_3)), 0);
-    return Extent(t0_1.xyzw, t1_.xyzw);
+    vec4 _e2 = tableTexel(1u, i_3);
+    vec4 _e4 = tableTexel(2u, i_3);
+    return Extent(_e2.xyzw, _e4.xyzw);
 }
 
 vec3 rotate(vec4 q, vec3 v) {
@@ -984,8 +991,8 @@ uvec4 geometryRow(uint i_7) {
     return _e8;
 }
 
-vec4 planes(uint row, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row);
+vec4 planes(uint row_1, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_1);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
 }
 
@@ -1029,19 +1036,19 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side), depth, (vec2(_e36, _e37) * side), ((sum_2 * ray_1.shear.z) > 0.0));
 }
 
-Triangle fetchTriangle(uint row_1) {
-    uvec4 _e3 = geometryRow((row_1 + 0u));
-    uvec4 _e6 = geometryRow((row_1 + 1u));
-    uvec4 _e9 = geometryRow((row_1 + 2u));
-    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
-}
-
-Instance fetchInstance(uint row_2) {
+Triangle fetchTriangle(uint row_2) {
     uvec4 _e3 = geometryRow((row_2 + 0u));
     uvec4 _e6 = geometryRow((row_2 + 1u));
     uvec4 _e9 = geometryRow((row_2 + 2u));
-    uvec4 _e12 = geometryRow((row_2 + 3u));
-    uvec4 _e15 = geometryRow((row_2 + 4u));
+    return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
+}
+
+Instance fetchInstance(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    uvec4 _e6 = geometryRow((row_3 + 1u));
+    uvec4 _e9 = geometryRow((row_3 + 2u));
+    uvec4 _e12 = geometryRow((row_3 + 3u));
+    uvec4 _e15 = geometryRow((row_3 + 4u));
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
@@ -1062,18 +1069,18 @@ uvec4 texelRow(uint i_8) {
     return _e8;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_3) {
-    uvec4 _e3 = texelRow((row_3 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_4) {
-    uvec4 _e3 = geometryRow((row_4 + 0u));
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -1081,10 +1088,10 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
-TextureUse fetchTextureUse(uint row_6) {
-    uvec4 _e3 = texelRow((row_6 + 0u));
-    uvec4 _e6 = texelRow((row_6 + 1u));
-    uvec4 _e9 = texelRow((row_6 + 2u));
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
@@ -1148,8 +1155,8 @@ bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_8 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_8);
+    uint row_9 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_9);
     vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
     uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
     opacity = _e19.opacity;
@@ -1172,7 +1179,7 @@ bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
         opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
     }
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
+        TextureUse _e112 = fetchTextureUse((row_9 + materialTexturesRows));
         float _e113 = opacity;
         vec4 _e114 = uv_1;
         vec4 _e116 = uv_1;
@@ -1236,15 +1243,15 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 vec4 _e87 = enterChildren(node_2, _e85, _e86);
                 bool a_3 = (_e87.x < _e87.z);
                 bool b_7 = (_e87.y < _e87.w);
-                vec2 t0_2 = pick(a_3, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
+                vec2 t0_ = pick(a_3, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
                 uvec2 r0_ = pick(a_3, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
-                vec2 t1_1 = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
+                vec2 t1_ = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_7, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_3 = (t0_2.x < t1_1.x);
-                bool d_2 = (t0_2.y < t1_1.y);
-                vec2 ta = pick(c_3, vec2(t1_1.x, t0_2.x), vec2(t0_2.x, t1_1.x));
+                bool c_3 = (t0_.x < t1_.x);
+                bool d_2 = (t0_.y < t1_.y);
+                vec2 ta = pick(c_3, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
                 uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                vec2 tb = pick(d_2, vec2(t1_1.y, t0_2.y), vec2(t0_2.y, t1_1.y));
+                vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e_25 = (ta.y < tb.x);
                 vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
@@ -1602,12 +1609,12 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
 }
 
 Surface fetchSurface(uint i_15) {
-    vec4 t0_3 = texelFetch(sceneTable, ivec2(uvec2(9u, i_15)), 0);
-    vec4 t1_2 = texelFetch(sceneTable, ivec2(uvec2(10u, i_15)), 0);
-    vec4 t2_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_15)), 0);
-    vec4 t3_ = texelFetch(sceneTable, ivec2(uvec2(12u, i_15)), 0);
-    vec4 t4_ = texelFetch(sceneTable, ivec2(uvec2(13u, i_15)), 0);
-    return Surface(t0_3.xyz, t0_3.w, t1_2.xyz, t1_2.w, t2_.xyz, t2_.w, t3_.xyz, t3_.w, t4_.xyz, t4_.w);
+    vec4 _e2 = tableTexel(9u, i_15);
+    vec4 _e4 = tableTexel(10u, i_15);
+    vec4 _e6 = tableTexel(11u, i_15);
+    vec4 _e8 = tableTexel(12u, i_15);
+    vec4 _e10 = tableTexel(13u, i_15);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
 }
 
 uint kindOf(uint code) {
@@ -1627,14 +1634,14 @@ bool isLayered(uint code_2, float eta) {
 }
 
 Layers fetchLayers(uint i_16) {
-    vec4 t0_4 = texelFetch(sceneTable, ivec2(uvec2(0u, i_16)), 0);
-    vec4 t1_3 = texelFetch(sceneTable, ivec2(uvec2(1u, i_16)), 0);
-    vec4 t2_1 = texelFetch(sceneTable, ivec2(uvec2(2u, i_16)), 0);
-    vec4 t3_1 = texelFetch(sceneTable, ivec2(uvec2(3u, i_16)), 0);
-    vec4 t4_1 = texelFetch(sceneTable, ivec2(uvec2(4u, i_16)), 0);
-    vec4 t5_ = texelFetch(sceneTable, ivec2(uvec2(5u, i_16)), 0);
-    vec4 t6_ = texelFetch(sceneTable, ivec2(uvec2(6u, i_16)), 0);
-    return Layers(t0_4.xyz, t0_4.w, t1_3.xyz, t1_3.w, t2_1.xyz, t2_1.w, t3_1.xy, t3_1.z, t3_1.w, t4_1.x, t4_1.y, t4_1.z, t4_1.w, t5_.x, t5_.y, t5_.z, t5_.w, t6_.x, t6_.y, t6_.z, t6_.w);
+    vec4 _e2 = tableTexel(0u, i_16);
+    vec4 _e4 = tableTexel(1u, i_16);
+    vec4 _e6 = tableTexel(2u, i_16);
+    vec4 _e8 = tableTexel(3u, i_16);
+    vec4 _e10 = tableTexel(4u, i_16);
+    vec4 _e12 = tableTexel(5u, i_16);
+    vec4 _e14 = tableTexel(6u, i_16);
+    return Layers(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xy, _e8.z, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w, _e14.x, _e14.y, _e14.z, _e14.w);
 }
 
 Layers layersOf(uint code_3, float eta_1) {
@@ -1760,8 +1767,8 @@ vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     vec3 bump = vec3(0.0, 0.0, 1.0);
     uint i_17 = 0u;
     float _e4 = s_6.textures;
-    uint row_9 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_9);
+    uint row_10 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_10);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1770,7 +1777,7 @@ vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e33 = i_17;
-            TextureUse _e37 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e33 * textureUseRows)));
+            TextureUse _e37 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e33 * textureUseRows)));
             vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
             vec3 _e48 = s_6.baseColor;
             s_6.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
@@ -1950,17 +1957,17 @@ float coatReflectance(float coat, float cosine_1) {
 }
 
 Emitter fetchEmitter(uint i_18) {
-    vec4 t0_5 = texelFetch(sceneTable, ivec2(uvec2(14u, i_18)), 0);
-    vec4 t1_4 = texelFetch(sceneTable, ivec2(uvec2(15u, i_18)), 0);
-    vec4 t2_2 = texelFetch(sceneTable, ivec2(uvec2(16u, i_18)), 0);
-    vec4 t3_2 = texelFetch(sceneTable, ivec2(uvec2(17u, i_18)), 0);
-    vec4 t4_2 = texelFetch(sceneTable, ivec2(uvec2(18u, i_18)), 0);
-    vec4 t5_1 = texelFetch(sceneTable, ivec2(uvec2(19u, i_18)), 0);
-    return Emitter(t0_5.xyz, t0_5.w, t1_4.xyz, t1_4.w, t2_2.xyz, t2_2.w, t3_2.xyz, t3_2.w, t4_2.x, t4_2.y, t4_2.z, t4_2.w, t5_1.x, t5_1.y, t5_1.z, t5_1.w);
+    vec4 _e2 = tableTexel(14u, i_18);
+    vec4 _e4 = tableTexel(15u, i_18);
+    vec4 _e6 = tableTexel(16u, i_18);
+    vec4 _e8 = tableTexel(17u, i_18);
+    vec4 _e10 = tableTexel(18u, i_18);
+    vec4 _e12 = tableTexel(19u, i_18);
+    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
 }
 
 int emitterOf(float code_9) {
-    return ((int(code_9) >> 6u) - 1);
+    return ((int(code_9) >> 7u) - 1);
 }
 
 uint emitterOfTriangle(Emitter e, LeftTriangle t_4) {
@@ -2027,13 +2034,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_12) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
     float turn_1 = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
+    float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
-    float row_10 = floor(fromPole);
+    float row_11 = floor(fromPole);
     bool isLower = (direction_12.y < 0.0);
-    vec2 cell_1 = vec2(floor(column), pick(isLower, (size_7.y - row_10), row_10));
-    float within_2 = (fromPole - row_10);
-    vec2 at_2 = vec2((column - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
+    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_11), row_11));
+    float within_2 = (fromPole - row_11);
+    vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
     return _e67;
@@ -2171,15 +2178,15 @@ float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_17, float distance_3, vec
     return pick(_e5.inside, _e12, _e10);
 }
 
-LampTriangle fetchLampTriangle(uint row_7) {
-    uvec4 _e3 = geometryRow((row_7 + 0u));
+LampTriangle fetchLampTriangle(uint row_8) {
+    uvec4 _e3 = geometryRow((row_8 + 0u));
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
 float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_5, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_11 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_11);
+    uint row_12 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_12);
     float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_18, normal_5))), distance_4);
     return _e26;
 }
@@ -2272,19 +2279,19 @@ float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
 }
 
 LightNode fetchLightNode(uint i_20) {
-    vec4 t0_6 = texelFetch(sceneTable, ivec2(uvec2(0u, i_20)), 0);
-    vec4 t1_5 = texelFetch(sceneTable, ivec2(uvec2(1u, i_20)), 0);
-    vec4 t2_3 = texelFetch(sceneTable, ivec2(uvec2(2u, i_20)), 0);
-    vec4 t3_3 = texelFetch(sceneTable, ivec2(uvec2(3u, i_20)), 0);
-    vec4 t4_3 = texelFetch(sceneTable, ivec2(uvec2(4u, i_20)), 0);
-    vec4 t5_2 = texelFetch(sceneTable, ivec2(uvec2(5u, i_20)), 0);
-    vec4 t6_1 = texelFetch(sceneTable, ivec2(uvec2(6u, i_20)), 0);
-    vec4 t7_ = texelFetch(sceneTable, ivec2(uvec2(7u, i_20)), 0);
-    vec4 t8_ = texelFetch(sceneTable, ivec2(uvec2(8u, i_20)), 0);
-    vec4 t9_ = texelFetch(sceneTable, ivec2(uvec2(9u, i_20)), 0);
-    vec4 t10_ = texelFetch(sceneTable, ivec2(uvec2(10u, i_20)), 0);
-    vec4 t11_ = texelFetch(sceneTable, ivec2(uvec2(11u, i_20)), 0);
-    return LightNode(t0_6.xyzw, t1_5.xyzw, t2_3.xyzw, t3_3.xyzw, t4_3.xyzw, t5_2.xyzw, t6_1.xyzw, t7_.xyzw, t8_.xyzw, t9_.xyzw, t10_.xyzw, t11_.xyzw);
+    vec4 _e2 = tableTexel(0u, i_20);
+    vec4 _e4 = tableTexel(1u, i_20);
+    vec4 _e6 = tableTexel(2u, i_20);
+    vec4 _e8 = tableTexel(3u, i_20);
+    vec4 _e10 = tableTexel(4u, i_20);
+    vec4 _e12 = tableTexel(5u, i_20);
+    vec4 _e14 = tableTexel(6u, i_20);
+    vec4 _e16 = tableTexel(7u, i_20);
+    vec4 _e18 = tableTexel(8u, i_20);
+    vec4 _e20 = tableTexel(9u, i_20);
+    vec4 _e22 = tableTexel(10u, i_20);
+    vec4 _e24 = tableTexel(11u, i_20);
+    return LightNode(_e2.xyzw, _e4.xyzw, _e6.xyzw, _e8.xyzw, _e10.xyzw, _e12.xyzw, _e14.xyzw, _e16.xyzw, _e18.xyzw, _e20.xyzw, _e22.xyzw, _e24.xyzw);
 }
 
 vec4 sineOf(vec4 cosine_2) {
@@ -2672,16 +2679,16 @@ LightSample sampleBox(Emitter e_18, vec3 point_14, vec2 u_11) {
 ChosenTriangle chooseTriangle(Emitter e_19, vec2 u_12) {
     uint _e4 = frame.lampTables;
     uint first_2 = (_e4 + uint(e_19.table));
-    uint column_1 = min(uint((u_12.x * e_19.triangles)), (uint(e_19.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first_2 + column_1));
+    uint column_2 = min(uint((u_12.x * e_19.triangles)), (uint(e_19.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_19.triangles);
-    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
+    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_9 = (x_23 < _e18.own);
     float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_7 = pick(own_9, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_1) + place_7) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_7) - _e18.place));
     float density_1 = _e67.density;
     return ChosenTriangle(place_7, density_1, vec2(min(rest_2, 1.0), u_12.y));
 }
@@ -2748,8 +2755,8 @@ vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_25 = (t_5.first + pair);
-    uint row_12 = (i_25 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_25 - (row_12 * width_2)), row_12)), 0);
+    uint row_13 = (i_25 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_25 - (row_13 * width_2)), row_13)), 0);
     return _e15;
 }
 
@@ -3201,9 +3208,9 @@ float stretched(vec3 w_1, float alpha_3) {
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
-    uint code_11 = uint(s_15.code);
-    bool _e5 = isConductor(code_11);
-    bool _e6 = isDielectric(code_11);
+    uint code_12 = uint(s_15.code);
+    bool _e5 = isConductor(code_12);
+    bool _e6 = isDielectric(code_12);
     o_4 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasLayers;
     if (_e17) {
@@ -3218,14 +3225,14 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     if (_e28) {
         float _e31 = o_4.share;
         float _e35 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
-        bool _e36 = isMetallicRoughness(code_11);
+        bool _e36 = isMetallicRoughness(code_12);
         o_4.share = pick(_e36, _e35, _e31);
     }
     const bool _e39 = hasGlass;
     if (_e39) {
-        bool _e44 = isThin(code_11);
+        bool _e44 = isThin(code_12);
         float _e45 = indexRatio(s_15.eta.x, wo_1.z, _e44);
-        bool _e46 = isDielectric(code_11);
+        bool _e46 = isDielectric(code_12);
         o_4.ratio = pick(_e46, _e45, 1.0);
     }
     const bool _e50 = hasConductors;
@@ -3233,7 +3240,7 @@ Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
     const bool _e55 = hasGlass;
     if (pick(pick(_e50, true, _e52), true, _e55)) {
         float _e59 = reflectionBound(wo_1, s_15.alpha);
-        bool _e60 = isDielectric(code_11);
+        bool _e60 = isDielectric(code_12);
         o_4.bound = pick(_e60, 1.0, _e59);
         float _e65 = stretched(wo_1, s_15.alpha);
         o_4.stretched = _e65;
@@ -3309,7 +3316,7 @@ float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
 
 vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     vec3 reflectance = vec3(0.0);
-    uint code_12 = uint(s_16.code);
+    uint code_13 = uint(s_16.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
         vec3 _e12 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
@@ -3320,15 +3327,15 @@ vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     if (_e15) {
         vec3 _e16 = reflectance;
         vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
-        bool _e21 = isConductor(code_12);
+        bool _e21 = isConductor(code_13);
         reflectance = pick(_e21, _e20, _e16);
     }
     const bool _e24 = hasGlass;
     if (_e24) {
         vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_12);
+        bool _e26 = isThin(code_13);
         float _e27 = glassReflectance(cosine_15, ratio_4, _e26);
-        bool _e29 = isDielectric(code_12);
+        bool _e29 = isDielectric(code_13);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
     vec3 _e31 = reflectance;
@@ -3452,9 +3459,9 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     const bool _e22 = hasMetallicRoughness;
     const bool _e25 = hasGlass;
     if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_13 = uint(s_19.code);
-        bool _e29 = isDielectric(code_13);
-        bool _e30 = isSmooth(code_13);
+        uint code_14 = uint(s_19.code);
+        bool _e29 = isDielectric(code_14);
+        bool _e30 = isSmooth(code_14);
         vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_27.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
@@ -3464,7 +3471,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         weight = (_e38 / vec3(o_9.share));
         const bool _e55 = hasGlass;
         if (_e55) {
-            bool _e56 = isThin(code_13);
+            bool _e56 = isThin(code_14);
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_10, _e33, o_9.ratio);
             wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
@@ -3518,10 +3525,14 @@ float facetDensity(vec3 h_3, float alpha_9) {
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
+bool hidesApart(uint code_11) {
+    return ((code_11 & 64u) != 0u);
+}
+
 vec3 compensation(Surface s_20, float cosine_16) {
-    uint code_14 = uint(s_20.code);
-    bool _e8 = isDielectric(code_14);
-    bool asked_1 = pick(((code_14 & 8u) != 0u), !(_e8), false);
+    uint code_15 = uint(s_20.code);
+    bool _e8 = isDielectric(code_15);
+    bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
     float _e12 = singleScatteringAlbedo(cosine_16, s_20.alpha);
     vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
@@ -3540,23 +3551,25 @@ FacetLobe evaluateFacets(Surface s_21, Outgoing o_10, vec3 wi_1) {
     float ih = dot(wi_1, h_10);
     float zo = abs(wo_11.z);
     float zi_1 = abs(wi_1.z);
-    bool faces_1 = pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false);
-    float _e52 = facetDensity(h_10, s_21.alpha);
-    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e52), 0.0));
-    vec3 _e60 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
-    passes = pick(crossing_3, (vec3(1.0) - _e60), _e60);
+    bool faces_1 = pick(!(crossing_3), true, pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false));
+    float _e54 = facetDensity(h_10, s_21.alpha);
+    float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
+    vec3 _e62 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
+    passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
     float _e69 = stretched(wi_1, s_21.alpha);
-    float masked = (zi_1 / max(((zi_1 * o_10.stretched) + (zo * _e69)), 1e-20));
-    float _e76 = passes.x;
-    float chosen_3 = (pick(_e6, _e76, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
-    const bool _e86 = hasCompensation;
-    if (_e86) {
-        vec3 _e87 = passes;
-        vec3 _e88 = compensation(s_21, zo);
-        passes = (_e87 * _e88);
+    float apart = ((0.5 * (zo + o_10.stretched)) * (zi_1 + _e69));
+    bool _e82 = hidesApart(uint(s_21.code));
+    float masked = (zi_1 / max(pick(_e82, apart, ((zi_1 * o_10.stretched) + (zo * _e69))), 1e-20));
+    float _e88 = passes.x;
+    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
+    const bool _e98 = hasCompensation;
+    if (_e98) {
+        vec3 _e99 = passes;
+        vec3 _e100 = compensation(s_21, zo);
+        passes = (_e99 * _e100);
     }
-    vec3 _e90 = passes;
-    return FacetLobe(((_e90 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
+    vec3 _e102 = passes;
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
 }
 
 vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
@@ -3570,24 +3583,24 @@ vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
     const bool _e25 = hasMetallicRoughness;
     const bool _e28 = hasGlass;
     if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_15 = uint(s_22.code);
+        uint code_16 = uint(s_22.code);
         FacetLobe _e32 = evaluateFacets(s_22, o_11, wi_2);
         const bool _e37 = hasMetallicRoughness;
         if (_e37) {
             vec3 _e38 = base;
             vec3 _e42 = metallicRoughnessDiffuse(s_22.baseColor, s_22.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_15);
+            bool _e43 = isMetallicRoughness(code_16);
             base = pick(_e43, _e42, _e38);
         }
-        bool _e52 = isSmooth(code_15);
+        bool _e52 = isSmooth(code_16);
         vec4 rough_1 = pick(_e52, vec4(0.0), vec4(_e32.value, (o_11.share * _e32.pdf)));
         vec3 _e54 = base;
         vec4 _e61 = value;
-        uint _e62 = kindOf(code_15);
+        uint _e62 = kindOf(code_16);
         value = pick((_e62 == diffuse0_), _e61, (rough_1 + (vec4(_e54, (1.0 - o_11.share)) * lambert)));
         bool _e66 = dark;
-        bool _e67 = isSmooth(code_15);
-        bool _e68 = isDielectric(code_15);
+        bool _e67 = isSmooth(code_16);
+        bool _e68 = isDielectric(code_16);
         dark = pick(_e68, _e67, _e66);
     }
     float _e71 = mirrorShare(s_22.reflectivity);
@@ -3928,30 +3941,31 @@ void main() {
     vec4 fragment = gl_FragCoord;
     Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
-    uvec2 pixel_3 = uvec2(fragment.xy);
-    uint _e5 = frame.sampleIndex;
-    Path _e6 = startPath(pixel_3, _e5);
-    p = _e6;
+    uvec2 texel_2 = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uint _e9 = frame.sampleIndex;
+    Path _e10 = startPath((_e5 + texel_2), _e9);
+    p = _e10;
     while(true) {
         extendPath(p);
-        Path _e8 = p;
-        bool _e9 = isOver(_e8);
-        if (_e9) {
+        Path _e12 = p;
+        bool _e13 = isOver(_e12);
+        if (_e13) {
             break;
         }
     }
-    uint _e18 = frame.sampleIndex;
-    if ((_e18 > 0u)) {
-        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
-        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
-        film = Film(_e23, _e26);
+    uint _e22 = frame.sampleIndex;
+    if ((_e22 > 0u)) {
+        vec4 _e27 = texelFetch(previousFilm, ivec2(texel_2), 0);
+        vec4 _e30 = texelFetch(previousSquares, ivec2(texel_2), 0);
+        film = Film(_e27, _e30);
     }
-    vec4 _e29 = film.sums;
-    vec3 _e31 = p.radiance;
-    vec4 _e36 = film.squares;
-    vec3 _e38 = p.radiance;
-    vec3 _e40 = p.radiance;
-    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
+    vec4 _e33 = film.sums;
+    vec3 _e35 = p.radiance;
+    vec4 _e40 = film.squares;
+    vec3 _e42 = p.radiance;
+    vec3 _e44 = p.radiance;
+    Film _tmp_return = Film((_e33 + vec4(_e35, 1.0)), (_e40 + vec4((_e42 * _e44), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

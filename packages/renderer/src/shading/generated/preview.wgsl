@@ -1,6 +1,6 @@
 // Linked from integrator/classic/preview.wesl by `npm run shaders`. Do not edit.
 @fragment fn preview(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
-  let camera = centralRay(fragment.xy);
+  let camera = centralRay(vec2f(frame.origin) + fragment.xy);
   var ray = Ray(onCamera(camera.origin), camera.direction);
   var radiance = sky(ray.direction);
   var normal = vec3f(0.0);
@@ -42,6 +42,8 @@ fn centralRay(filmPosition: vec2f) -> CameraRay {
   return rayThroughLens(filmPosition, vec2f(0.0));
 }
 
+@group(0) @binding(0) var<uniform> frame: Frame;
+
 struct Ray {
   start: Start,
   direction: vec3f,
@@ -56,8 +58,6 @@ fn onCamera(point: vec3f) -> Start {
 fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
-
-@group(0) @binding(0) var<uniform> frame: Frame;
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn closestHit(ray: Ray) -> Hit {
@@ -136,13 +136,13 @@ fn isFlat(i: u32) -> bool {
 }
 
 fn fetchMaterial(i: u32) -> Material {
-  let t0 = textureLoad(sceneTable, vec2u(3u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(4u, i), 0);
+  let t0 = tableTexel(3u, i);
+  let t1 = tableTexel(4u, i);
   return Material(t0.xyz, t0.w, t1.x, t1.y, t1.z, t1.w);
 }
 
 fn fetchBounds(i: u32) -> Bounds {
-  let t0 = textureLoad(sceneTable, vec2u(0u, i), 0);
+  let t0 = tableTexel(0u, i);
   return Bounds(t0.xyz, t0.w);
 }
 
@@ -155,8 +155,8 @@ fn isPlane(i: u32) -> bool {
 }
 
 fn fetchExtent(i: u32) -> Extent {
-  let t0 = textureLoad(sceneTable, vec2u(1u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(2u, i), 0);
+  let t0 = tableTexel(1u, i);
+  let t1 = tableTexel(2u, i);
   return Extent(t0.xyzw, t1.xyzw);
 }
 
@@ -183,9 +183,10 @@ fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
   return rotate(vec4f(-q.xyz, q.w), v);
 }
 
-@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+fn tableTexel(column: u32, row: u32) -> vec4f {
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+}
 
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
 struct Bounds {
   // centre of the bounding sphere, eye-relative; of a plane: its unit normal
   center: vec3f,
@@ -193,6 +194,15 @@ struct Bounds {
   radius: f32,
 }
 
+
+@group(0) @binding(1) var sceneTable: texture_2d<f32>;
+
+// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+@group(0) @binding(15) var nearest: sampler;
+
+// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
+// Texels in a row of the scene table.
+const tableWidth = 20.0;
 
 struct Extent {
   // box: rotation from world to box as a quaternion (x, y, z, w); quad: reciprocal of its u edge
@@ -258,10 +268,10 @@ struct Material {
 
 
 fn fetchLight(i: u32) -> Light {
-  let t0 = textureLoad(sceneTable, vec2u(5u, i), 0);
-  let t1 = textureLoad(sceneTable, vec2u(6u, i), 0);
-  let t2 = textureLoad(sceneTable, vec2u(7u, i), 0);
-  let t3 = textureLoad(sceneTable, vec2u(8u, i), 0);
+  let t0 = tableTexel(5u, i);
+  let t1 = tableTexel(6u, i);
+  let t2 = tableTexel(7u, i);
+  let t3 = tableTexel(8u, i);
   return Light(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w);
 }
 
@@ -376,14 +386,47 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi * x;
+      let latitude = 0.5 * pi * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
+  }
+  return ray;
+}
+
+override hasOtherProjections = false;
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+const pi = 3.14159265358979;
+
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -399,7 +442,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -443,42 +486,12 @@ struct Frame {
   farEmitters: u32,
   // row of the root of the light tree
   lightTree: u32,
+  // of the scene table, the whole table being 1
+  rowHeight: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
-
-
-// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
-// middle of the lens it is the pinhole's to the last digit.
-fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
-  let x = 2.0 * filmPosition.x / frame.width - 1.0;
-  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
-  let across = x * frame.right + y * frame.up;
-  let orthographic = hasOtherProjections & (frame.projection == 1u);
-  let ahead = select(frame.forward + across, frame.forward, orthographic);
-  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
-  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
-  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections) {
-    if (frame.projection == 2u) {
-      let longitude = pi * x;
-      let latitude = 0.5 * pi * y;
-      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
-    }
-  }
-  return ray;
-}
-
-override hasOtherProjections = false;
-
-struct CameraRay {
-  origin: vec3f,
-  direction: vec3f,
-}
-
-
-const pi = 3.14159265358979;
