@@ -9,7 +9,15 @@ import { Film } from './film/film.ts';
 import { FilmError } from './film/film-error.ts';
 import type { FrameController } from './frame-controller.ts';
 import { GeometryBuffer } from './geometry-buffer.ts';
-import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
+import {
+  checkTableRows,
+  type Device,
+  type FilmArea,
+  type Pass,
+  type Region,
+  type TableTexture,
+  type UniformBuffer,
+} from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { drawPath, groupsOf, MOST_GROUPS } from './integrator/path/path.ts';
@@ -181,6 +189,19 @@ export class Stages {
     this.#aim(shot, width, height);
   }
 
+  /**
+   * The model on show has been left: gives back what only it used, without waiting for the next film to begin. A sample of which rows are
+   * still to be submitted needs it for these; then it goes when the next film begins.
+   */
+  leaveModel(): void {
+    if (this.#pending) return;
+    this.#environment.release();
+    this.#geometry.release();
+    this.#texels.release();
+    this.#sketcher.release();
+    this.#packed = undefined;
+  }
+
   /** Makes ready what the next samples need. */
   #aim(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
@@ -206,6 +227,7 @@ export class Stages {
     if (packed.textures) this.#texels.hold(packed.textures);
     else this.#texels.release();
     if (!this.#table || this.#table.height < packed.rows) {
+      checkTableRows(this.device, packed.rows);
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
     } else if (packed.source === before?.source) return;

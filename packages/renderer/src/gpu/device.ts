@@ -162,6 +162,15 @@ export function checkFilmSize(device: Device, width: number, height: number): vo
   );
 }
 
+/** Throws a `DeviceError` when the device has no textures of as many rows as a scene table needs. */
+export function checkTableRows(device: Device, rows: number): void {
+  if (rows <= device.maxTextureSize) return;
+  throw new DeviceError(
+    `The shapes, lights and layered materials of this scene need a table of ${rows} rows; this device has at most ${device.maxTextureSize} (maxTextureSize).`,
+    { limit: 'maxTextureSize', available: device.maxTextureSize, needed: rows },
+  );
+}
+
 /** `available` and `needed` bytes. */
 export function noRoom(what: string, limit: string, available: number, needed: number): DeviceError {
   const mebibytes = (bytes: number) => `${(bytes / 2 ** 20).toFixed(1)} MiB`;
