@@ -13,3 +13,17 @@ export const layoutWithoutDocs = () => ({
   enforce: 'pre',
   transform: (code, id) => (id.endsWith('/packed-scene/layout.ts') ? withoutDocs(code) : null),
 });
+
+/**
+ * What a built-in scene's file says about itself is for those who open the file; a page shows it nowhere.
+ * @returns {import('vite').Plugin}
+ */
+export const scenesWithoutDocs = () => ({
+  name: 'scenes-without-docs',
+  enforce: 'pre',
+  transform(code, id) {
+    if (!id.endsWith('.scene.json')) return null;
+    const { $schema: _, description: __, ...scene } = JSON.parse(code);
+    return JSON.stringify(scene);
+  },
+});

@@ -20,21 +20,22 @@ export const zhCN: Dictionary = {
   openFile: '打开文件…',
   openFolder: '打开文件夹…',
   openHint: '也可以直接拖到页面任意处：glTF、GLB、OBJ、PLY、STL 或 scene.json，连同用到的文件，或打包成 zip。',
-  dropHere: '松开即可打开模型（连同用到的文件）、文件夹或 zip；.hdr、.exr 用作环境光',
+  get dropHere() {
+    return seldom().dropHere;
+  },
   get tooManyFiles() {
     return seldom().tooManyFiles;
   },
 
   opening: (file) => `正在打开 ${file}`,
-  phases: {
-    reading: '读取文件',
-    geometry: '生成三角形',
-    images: '解码图片',
-    trees: '构建加速结构',
+  get phases() {
+    return seldom().phases;
   },
   cancel: '取消',
   compiling: '正在准备路径追踪',
-  compilingFor: (backend) => `同类模型只需在 ${backend} 上准备一次，完成之前先显示草图。`,
+  get compilingFor() {
+    return seldom().compilingFor;
+  },
 
   model: '模型',
   factFile: '文件',
@@ -73,9 +74,15 @@ export const zhCN: Dictionary = {
   integratorNames: { classic: '经典光线追踪', path: '路径追踪' },
   maxDepth: '路径段数',
   noLimit: '不限',
-  compareClassic: '对比的是经典光线追踪的参数，请先切换到该渲染方法。',
-  comparePicture: '对比的是渲染画面，请先把“显示内容”改回“画面”。',
-  classicHasNoMeshes: '经典光线追踪无法绘制三角形网格，因此模型始终使用路径追踪。',
+  get compareClassic() {
+    return seldom().compareClassic;
+  },
+  get comparePicture() {
+    return seldom().comparePicture;
+  },
+  get classicHasNoMeshes() {
+    return seldom().classicHasNoMeshes;
+  },
   reflections: '反射次数',
   lightSamples: '光源采样数',
   lightSamplesCustom: '自定义',
@@ -101,7 +108,9 @@ export const zhCN: Dictionary = {
   step: '前进 1/60 秒',
   speed: '速度',
   time: '时间',
-  stillDoesNotPlay: 'CPU 静帧不能播放，可以拖动时间选择画面。',
+  get stillDoesNotPlay() {
+    return seldom().stillDoesNotPlay;
+  },
   seconds: (n) => `${n} 秒`,
 
   view: '视角',
@@ -121,17 +130,25 @@ export const zhCN: Dictionary = {
   focusDistance: '对焦距离',
   metres: (n) => `${n} 米`,
   focusNeedsAperture: '光圈为 0 时，画面处处清晰，无需对焦',
-  focusByClick: '点按画面中的物体，或按 O 键，即可对焦。',
-  stillHasNoLens: 'CPU 静帧不支持镜头景深。',
+  get focusByClick() {
+    return seldom().focusByClick;
+  },
+  get stillHasNoLens() {
+    return seldom().stillHasNoLens;
+  },
   noLensInPanorama: '全景相机没有镜头',
-  noticeNothingInFocus: '这里没有可以对焦的物体。',
+  get noticeNothingInFocus() {
+    return seldom().noticeNothingInFocus;
+  },
   get noticeCpuShowsClassic() {
     return seldom().noticeCpuShowsClassic;
   },
   get noticeMadeForPaths() {
     return seldom().noticeMadeForPaths;
   },
-  stillShowsPicture: 'CPU 静帧只能显示画面本身。',
+  get stillShowsPicture() {
+    return seldom().stillShowsPicture;
+  },
   resetView: '还原视角',
   fullScreen: '全屏',
   leaveFullScreen: '退出全屏',
@@ -164,20 +181,32 @@ export const zhCN: Dictionary = {
   unitTime: '用时',
 
   problemsTitle: (file) => `无法打开 ${file}`,
-  problemsIntro: '发现以下问题，原来的场景不受影响。',
+  get problemsIntro() {
+    return seldom().problemsIntro;
+  },
   problem: problemText,
   wholeFile: '（整个文件）',
   copy: '复制',
   copied: '已复制',
-  fileUnreadable: (file, reason) => `读取 ${file} 失败：${reason}`,
+  get fileUnreadable() {
+    return seldom().fileUnreadable;
+  },
 
   get noticeCpuAlone() {
     return seldom().noticeCpuAlone;
   },
-  noticeCpuChosen: '这是由 CPU 以双精度计算的静态画面。',
-  noticeCpuComputes: 'CPU 正在计算画面，完成之前继续显示原来的画面。',
-  noticeLost: '图形设备连接中断，正在恢复画面……',
-  noticeFailed: (reason) => `图形设备已不可用：${reason}`,
+  get noticeCpuChosen() {
+    return seldom().noticeCpuChosen;
+  },
+  get noticeCpuComputes() {
+    return seldom().noticeCpuComputes;
+  },
+  get noticeLost() {
+    return seldom().noticeLost;
+  },
+  get noticeFailed() {
+    return seldom().noticeFailed;
+  },
   get noticeSwitchFailed() {
     return seldom().noticeSwitchFailed;
   },
@@ -188,8 +217,12 @@ export const zhCN: Dictionary = {
   get noticeSceneFailed() {
     return seldom().noticeSceneFailed;
   },
-  noticeParameters: (problems) => `网址中有参数取值无效，已忽略：${problems}`,
-  noticeUnknownParameters: (names) => `网址中有无法识别或重复的参数，已忽略：${names}`,
+  get noticeParameters() {
+    return seldom().noticeParameters;
+  },
+  get noticeUnknownParameters() {
+    return seldom().noticeUnknownParameters;
+  },
   noticeError: (reason) => `出错了：${reason}`,
 
   keysTitle: '键盘',
