@@ -253,11 +253,19 @@ const LOADER_CODE = `
 const beside = (name) => new Promise((resolve, reject) => {
   const code = () => self.mirrorballParts?.[name];
   const missing = 'mirrorball-' + name + '.js is missing: it belongs into the folder of this page.';
-  const end = () => (code() === undefined ? reject(new Error(missing)) : resolve(new Blob([code()])));
+  const end = () => {
+    if (code() === undefined) return reject(new Error(missing));
+    // As a blob it is no burden on the page's heap any more.
+    if (typeof code() === 'string') self.mirrorballParts[name] = new Blob([code()]);
+    resolve(code());
+  };
   if (code() !== undefined) return end();
   const script = document.createElement('script');
   script.src = 'mirrorball-' + name + '.js';
-  script.onload = script.onerror = end;
+  script.onload = script.onerror = () => {
+    script.remove();
+    end();
+  };
   document.head.append(script);
 });
 const asked = (name) => new Promise((resolve, reject) => {

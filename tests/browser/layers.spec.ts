@@ -86,7 +86,7 @@ for (const backend of backends) {
       const asked = [backend, cosine, seed] as const;
       const reports = await harness.evaluate(([b, c, s]) => window.harness.layersOverSphere(b, c, s), asked);
       expect(reports.length).toBeGreaterThan(20);
-      for (const { name, z, integral, share, albedo, weight, error, heaviest } of reports) {
+      for (const { name, z, integral, share, albedo, weight, error, heaviest, unfound } of reports) {
         // Of 5 · 10⁻⁶ probability each; 4096 samples; the quadrature is good to 0.2 %.
         expect.soft(z, name).toBeLessThan(4.5);
         expect
@@ -95,6 +95,7 @@ for (const backend of backends) {
         expect.soft(Math.abs(albedo - weight), name).toBeLessThan(0.002 * albedo + 4.5 * error);
         // Light that leaves a body of index 1.7 in one colour of three has 3 · 1.7² of its radiance.
         expect.soft(heaviest, name).toBeLessThan(9);
+        expect.soft(unfound, name).toBe(0);
       }
     });
 

@@ -362,7 +362,7 @@ test.describe('on a phone, in Chinese and in the dark', () => {
     await shown(page, '三角');
     await page.locator('#panel-toggle').tap();
     await expect(page.getByRole('heading', { name: '模型' })).toBeVisible();
-    await page.getByRole('button', { name: '缩放至全貌' }).scrollIntoViewIfNeeded();
+    await page.getByRole('button', { name: '显示全部' }).scrollIntoViewIfNeeded();
     await expect(fact(page, '三角形')).toHaveText('1');
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(wide, 'nothing sticks out').toBeLessThanOrEqual(0);

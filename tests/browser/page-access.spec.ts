@@ -29,7 +29,7 @@ test.describe('in Chinese', () => {
       const buffer = Buffer.from(JSON.stringify({ version: 1, name: 'x', camera: { eye: [0, 1, 5], target: 7 } }));
       await page.locator('#scene-file').setInputFiles({ name: 'x.json', mimeType: 'application/json', buffer });
       const dialog = page.getByRole('dialog', { name: '无法打开 x.json' });
-      await expect(dialog).toContainText('在 /camera/target 处：找到 7，应为由三个数组成的列表');
+      await expect(dialog).toContainText('在 /camera/target 处：值为 7，应为由三个数组成的列表');
       for (const problem of await dialog.getByRole('listitem').all())
         expect((await problem.innerText()).match(/应为/g), 'what is allowed is told once').toHaveLength(1);
       await page.keyboard.press('Escape');

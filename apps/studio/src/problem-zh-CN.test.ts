@@ -55,10 +55,10 @@ test('sentences', () => {
   scene.materials.clay.colour = [1, 0, 0];
   delete scene.name;
   const sentences = problemsOf(scene).map(problemInChinese);
-  expect(sentences).toContain('在 /camera/verticalFov 处：找到 180，应为 0.01 到 179 之间的数。');
-  expect(sentences).toContain('在 /name 处：缺少内容，应为不超过 200 个字符的文本。');
+  expect(sentences).toContain('在 /camera/verticalFov 处：值为 180，应为 0.01 到 179 之间的数。');
+  expect(sentences).toContain('在 /name 处：缺少此项，应为不超过 200 个字符的文本。');
   expect(
-    sentences.find((sentence) => sentence.startsWith('在 /materials/clay/colour 处：找到未知的键 "colour"')),
+    sentences.find((sentence) => sentence.startsWith('在 /materials/clay/colour 处：含有未知的键 "colour"')),
   ).toBeDefined();
   expect(problemInChinese({ path: '', found: '7 more', allowed: 'none', message: '' })).toBe('……另有 7 个问题。');
 });
@@ -77,19 +77,19 @@ test('files that cannot be used: what is wrong inside of them stays in English',
     throw new Error('there is no such file');
   });
   expect(loaded.ok ? [] : loaded.problems.map(problemInChinese)).toEqual([
-    '在 /meshes/gone/file 处：找到无法使用的文件 "gone.ply"（there is no such file），应为三角形网格的文件名（.ply、.obj 或 .stl），从场景所在的文件夹算起，文件夹之间用 "/"（.glb 和 .gltf 请写在 "models" 里）。',
-    '在 /meshes/lid/part 处：找到名称 "lid"，应为不写 "part"，因为该文件没有分部。',
-    '在 /meshes/pot/part 处：找到名称 "x"，应为不写 "part"，因为该文件没有分部。',
+    '在 /meshes/gone/file 处：文件 "gone.ply" 无法使用（there is no such file），应为三角形网格的文件名（.ply、.obj 或 .stl），路径相对于场景所在的文件夹，用 "/" 分隔（.glb 和 .gltf 请写在 "models" 里）。',
+    '在 /meshes/lid/part 处：名称为 "lid"，应为空（该文件没有分部，请去掉 "part"）。',
+    '在 /meshes/pot/part 处：名称为 "x"，应为空（该文件没有分部，请去掉 "part"）。',
   ]);
 });
 
 test('models and images that cannot be used', () => {
   const say = (found: string, allowed: string) => problemInChinese({ path: '/x', found, allowed, message: '' });
   expect(say('17 lights together with those of the scene', 'at most 16')).toBe(
-    '在 /x 处：找到连同场景自己的共 17 个光源，应为最多 16 个。',
+    '在 /x 处：连同场景自带的共有 17 个光源，应为最多 16 个。',
   );
   expect(say('images of 9 bytes once they are decoded', 'at most 8 bytes')).toBe(
-    '在 /x 处：找到解码后共 9 字节的图片，应为最多 8 字节。',
+    '在 /x 处：图片解码后共 9 字节，应为最多 8 字节。',
   );
   expect(say('the name "dusk"', 'no "variant", as the file has none')).toContain('没有其他外观');
   expect(say('nothing', 'a glTF 2.0 file that can be read')).toContain('应为可以读取的 glTF 2.0 文件');
@@ -97,6 +97,6 @@ test('models and images that cannot be used', () => {
 
 test('a phrase that has no form here stays as it is', () => {
   expect(problemInChinese({ path: '/x', found: 'a unicorn', allowed: 'a horse', message: '' })).toBe(
-    '在 /x 处：找到 a unicorn，应为 a horse。',
+    '在 /x 处：值为 a unicorn，应为 a horse。',
   );
 });

@@ -5,7 +5,7 @@ import type { ReportEntry } from 'mirrorball';
 type Form = readonly [pattern: RegExp, say: (...parts: string[]) => string];
 
 const forms: readonly Form[] = [
-  [/^An animation moves nothing of the scene; it is left out\.$/, () => '有动画没有作用于场景中的任何内容，已略去。'],
+  [/^An animation moves nothing of the scene; it is left out\.$/, () => '有动画没有带动场景中的任何物体，已略去。'],
   [/^The attribute (\S+) of instances is left out\.$/, (name) => `略去了实例的属性 ${name}。`],
   [/^The attribute (\S+) is left out\.$/, (name) => `略去了顶点属性 ${name}。`],
   [/^The range of a light is not used/, () => '不采用光源的作用范围：光会像真实的光一样逐渐减弱，不会截断。'],
@@ -18,15 +18,18 @@ const forms: readonly Form[] = [
   [/^A rotation is no unit quaternion/, () => '有旋转不是单位四元数，已归一化。'],
   [/^The scene shown uses some of the file's (\w+) only\.$/, (list) => `当前场景只用到文件中的一部分 ${list}。`],
   [/^(\S+) is (\S+) where (\S+) to (\S+) is allowed; it counts as (\S+)\.$/, (what, value, least, most, kept) => `${what} 的值 ${value} 超出 ${least} 到 ${most} 的范围，按 ${kept} 处理。`], // biome-ignore format: one line each
-  [/^A node has a skin, but its mesh no joints/, () => '有节点指定了蒙皮，但网格没有关节和权重，因此由节点直接带动。'],
+  [
+    /^A node has a skin, but its mesh no joints/,
+    () => '有节点指定了蒙皮，但其网格没有关节和权重，因此网格直接跟随节点运动。',
+  ],
   [
     /^A material has a normal map or anisotropy/,
     () => '有材质使用法线贴图或各向异性，但网格没有纹理坐标，因此不起作用。',
   ],
   [/^The extension (\S+) is not read\.$/, (name) => `不支持扩展 ${name}。`],
   [/^Images of the kind (\S+) cannot be decoded here; the texture is left out\.$/, (type) => `此处无法解码 ${type} 图片，略去了该贴图。`], // biome-ignore format: one line each
-  [/^Images of the kind (\S+) cannot be decoded here; another image/, (type) => `此处无法解码 ${type} 图片，改用该贴图的另一图片。`], // biome-ignore format: one line each
-  [/^A texture has no image; it is left out\.$/, () => '有贴图没有图片，已略去。'],
+  [/^Images of the kind (\S+) cannot be decoded here; another image/, (type) => `此处无法解码 ${type} 图片，改用该贴图的备用图片。`], // biome-ignore format: one line each
+  [/^A texture has no image; it is left out\.$/, () => '有贴图缺少图片，已略去。'],
   [/^Meshes have two sets of texture coordinates/, () => '网格只支持 0、1 两组纹理坐标，略去了使用其他坐标的贴图。'],
   [/^Channels of (\d+) bits are rounded to 8\.$/, (bits) => `${bits} 位的颜色通道已取整为 8 位。`],
   [/^Light meets surfaces only: (\S+) are left out\.$/, (what) => `光线只与表面相交，略去了 ${what}。`],
@@ -47,7 +50,7 @@ const forms: readonly Form[] = [
   [/^Nothing is made of (.*) of the material (".*")\.$/, (words, name) => `材质 ${name} 的 ${words} 未被采用。`],
   [/^The image (".*") cannot be read, so that what it covers is plain: .*$/, (file) => `找不到图像 ${file}，用到它的表面没有贴图。请把它和模型一起打开。`], // biome-ignore format: one line each
   [/^The material (".*") has textures, and its triangles have no texture coordinates\.$/, (name) => `材质 ${name} 有贴图，但它的三角形没有纹理坐标。`], // biome-ignore format: one line each
-  [/^The same is true of (\d+) more materials\.$/, (count) => `另有 ${count} 种材质也是如此。`],
+  [/^The same is true of (\d+) more materials\.$/, (count) => `还有 ${count} 种材质也是如此。`],
   [/^Nothing is made of its lines (.*)\.$/, (lines) => `文件中的 ${lines} 行未被采用。`],
 ];
 

@@ -1,7 +1,8 @@
 import { builtInScenes } from 'mirrorball/built-in';
+import { DeviceError } from 'mirrorball/headless';
 import { expect, test } from 'vitest';
 import type { RenderOptions } from './arguments.ts';
-import { areaOf, settingsOf, wantedOf } from './render-request.ts';
+import { areaOf, inParts, settingsOf, wantedOf } from './render-request.ts';
 
 const size = { width: 64, height: 40 };
 const scene = builtInScenes[0]!.scene;
@@ -20,6 +21,12 @@ test('a region or pixel must lie in the picture', () => {
   expect(() => areaOf({ size, region: { x: 0, y: 40, width: 5, height: 1 } })).toThrow(
     'The region 0,40,5,1 lies outside:',
   );
+});
+
+test('a film too large for the device can be had in parts; other errors have no such remedy', () => {
+  const limits = { available: 8192, needed: 20_000 };
+  expect(inParts(new DeviceError('', { limit: 'maxTextureSize', ...limits }))).toContain('--region');
+  expect([new DeviceError('', { limit: 'maxBufferSize', ...limits }), new Error('')].map(inParts)).toEqual(['', '']);
 });
 
 test('which samples', () => {

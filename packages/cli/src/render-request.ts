@@ -1,5 +1,5 @@
 /** What options mean together: which pixels, which samples, which settings. Pure. */
-import { type FilmArea, type FilmSettings, HEADLESS_INTEGRATORS } from 'mirrorball/headless';
+import { DeviceError, type FilmArea, type FilmSettings, HEADLESS_INTEGRATORS } from 'mirrorball/headless';
 import type { Scene } from 'mirrorball/scene';
 import type { RenderOptions } from './arguments.ts';
 import { usage } from './exit-codes.ts';
@@ -23,6 +23,12 @@ export function areaOf({ size, region, pixel }: Pick<RenderOptions, 'size' | 're
     `${what} ${isBeside ? 'lies outside:' : reach} the picture has ${size.width} × ${size.height} pixels (--size).`,
   );
 }
+
+/** What to do about a film that is larger than the device can hold; nothing about other errors. */
+export const inParts = (error: unknown): string =>
+  error instanceof DeviceError && error.limit === 'maxTextureSize'
+    ? ' Render it part by part with --region, and `merge` the parts.'
+    : '';
 
 export function wantedOf(options: Pick<RenderOptions, 'spp' | 'samples' | 'untilError' | 'untilTime'>): SampleRange {
   const { spp, samples, untilError, untilTime } = options;

@@ -326,6 +326,16 @@ describe(`films, by ${backend}`, () => {
     expect(stdout.trim().split(' ').map(Number)).toEqual(Array.from(all.subarray(at, at + 3)));
   });
 
+  test('a region of a picture that no device could hold is traced alone', async () => {
+    const huge = `render materials --backend ${backend} --integrator classic --size 32768x32000 --light-samples 4 --spp 3`;
+    const [column, row] = [14_321, 20_007];
+    expect((await mirrorball(`${huge} --region ${column - 2},${row - 1},5,3 -o huge.npy`)).code).toBe(0);
+    const { stdout } = await mirrorball(`${huge} --pixel ${column},${row}`);
+    const pixel = stdout.trim().split(' ').map(Number);
+    expect(Math.max(...pixel)).toBeGreaterThan(0);
+    expect(Array.from(pixelsOf('huge.npy').subarray(21, 24))).toEqual(pixel);
+  });
+
   test('regions merged are the whole picture, samples and all; where one is missing, with a word only', async () => {
     const tiles = ['0,0,10,16', '10,0,14,9', '10,9,14,7'];
     const files = tiles.map((_, i) => `tile${i}.part`);

@@ -6,6 +6,7 @@ import { GpuRenderer } from './gpu-renderer.ts';
 import { UntraceableSceneError } from './packed-scene/refuse-meshes.ts';
 import type { RendererOptions } from './renderer-types.ts';
 import { builtInScenes } from './scene/built-in/index.ts';
+import type { Scene } from './scene/scene.ts';
 
 /** A device that draws nothing and remembers what it was asked for. Its work is finished when the test says so. */
 class FakeDevice implements Device {
@@ -250,6 +251,52 @@ describe('a sample of many submits', () => {
     await pass(60);
     const first = device.drawn.find((draw) => draw.pass === 'classic')!;
     expect(first.rows).toBeLessThan(16);
+  });
+});
+
+describe('models', () => {
+  const place = { translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1] } as const;
+  const cubes = (count: number) => {
+    const cube = { type: 'mesh', mesh: 'cube', material: 'white', ...place } as const;
+    const shapes = Object.fromEntries(Array.from({ length: count }, (_, i) => [`cube ${i}`, cube]));
+    const scene = testScene(shapes, {}, { meshes: { cube: { data: cubeMesh() } } });
+    return { ...scene, render: { ...scene.render, integrator: 'path' as const } };
+  };
+  async function settled(renderer: GpuRenderer, scene: Scene): Promise<void> {
+    let drawn = false;
+    const work = renderer.setScene(scene).then(() => renderer.set({ integrator: scene.render.integrator }));
+    void work.then(() => renderer.render()).then(() => (drawn = true));
+    // Parts are loaded in time of their own.
+    for (; !drawn; await new Promise((resolve) => setImmediate(resolve))) await pass(10);
+  }
+
+  test('what only a model used is given back when it is left, though nothing is drawn', async () => {
+    const device = new FakeDevice();
+    const renderer = await started(device);
+    renderer.stop();
+    await settled(renderer, cubes(1));
+    const { buffers } = device.counts;
+    void renderer.setScene(scenes[0]!);
+    await pass(0);
+    // Of triangles and of textures.
+    expect(device.counts.buffers).toBe(buffers - 2);
+    await settled(renderer, scenes[0]!);
+    expect(device.counts.buffers).toBe(buffers - 2);
+    await settled(renderer, cubes(1));
+    expect(device.counts.buffers).toBe(buffers);
+  });
+
+  test('more shapes than its tables have rows for are refused, and the scene before stays', async () => {
+    const device = new FakeDevice();
+    const renderer = await started(device);
+    await pass(50);
+    const many = cubes(device.maxTextureSize + 1);
+    const refused = await renderer.setScene(many).catch((error: unknown) => error);
+    expect(refused).toBeInstanceOf(DeviceError);
+    expect((refused as DeviceError).message).toMatch(
+      /a table of 4097 rows; this device has at most 4096 \(maxTextureSize\)/,
+    );
+    expect(renderer.scene).toBe(scenes[0]);
   });
 });
 

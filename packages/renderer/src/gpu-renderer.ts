@@ -1,6 +1,6 @@
 import { FrameController } from './frame-controller.ts';
 import { FrameFigures } from './frame-figures.ts';
-import { type Device, DeviceError } from './gpu/device.ts';
+import { checkTableRows, type Device, DeviceError } from './gpu/device.ts';
 import { areMeshesReady, prepareMeshes } from './packed-scene/geometry-packer.ts';
 import type { Preparation } from './packed-scene/pack-in-worker.ts';
 import { packPathScene } from './packed-scene/pack-path-scene.ts';
@@ -142,6 +142,7 @@ export class GpuRenderer implements Renderer {
     }
     if (hasMeshes(good)) this.#tryOut(good);
     this.#view.setScene(good);
+    if (!hasMeshes(good)) this.#painter?.stages.leaveModel();
     this.#workChanged();
     const wanted = this.#view.revision;
     const { canvas } = this;
@@ -149,9 +150,10 @@ export class GpuRenderer implements Renderer {
       await nextFrame();
   }
 
-  /** Throws now what would otherwise end the drawing later: meshes for which the device has no room, trees that kernels cannot go down. */
+  /** Throws now what would otherwise end the drawing later: what the device has no room for, trees that kernels cannot go down. */
   #tryOut(scene: Scene): void {
-    const { geometry, textures } = packPathScene(new Motion(scene).at(0), scene.camera.eye);
+    const { geometry, textures, rows } = packPathScene(new Motion(scene).at(0), scene.camera.eye);
+    checkTableRows(this.#device, rows);
     if (geometry) this.#device.checkData(geometry.rows, 'meshes');
     if (textures) this.#device.checkData(textures.rows, 'textures');
   }

@@ -8,7 +8,7 @@ export async function readShown({ film, shown }: Stages): Promise<ShownFilm> {
   const { width, height, samples } = film;
   if (!shown) return { view: 'picture', width, height, pixels: await film.read() };
   const { view, scene, camera, integrator } = shown;
-  const sums = await film.readSums({ x: 0, y: 0, width, height }, 2);
+  const sums = await film.readSums(2);
   const values = firstHitAov(view, sums, { ...scene, camera }, integrator);
   const channels = values.length / (width * height);
   const pixels = new Float32Array(width * height * 4);

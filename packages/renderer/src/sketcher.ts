@@ -85,7 +85,7 @@ export class Sketcher {
       this.#sketch?.film.destroy();
       this.#sketch = { film: this.#device.createFilm(width, height), width, height };
     }
-    this.#device.write(this.#sketch.film.layers[0]!, pixels, { x: 0, y: 0, width, height });
+    this.#device.write(this.#sketch.film.layers[0]!, pixels, width, height);
   }
 
   /** The real picture is there. */

@@ -9,7 +9,15 @@ import { Film } from './film/film.ts';
 import { FilmError } from './film/film-error.ts';
 import type { FrameController } from './frame-controller.ts';
 import { GeometryBuffer } from './geometry-buffer.ts';
-import type { Device, FilmArea, Pass, Region, TableTexture, UniformBuffer } from './gpu/device.ts';
+import {
+  checkTableRows,
+  type Device,
+  type FilmArea,
+  type Pass,
+  type Region,
+  type TableTexture,
+  type UniformBuffer,
+} from './gpu/device.ts';
 import { aovFrame, drawAov } from './integrator/aov/aov.ts';
 import { createPreviewPass, drawClassic } from './integrator/classic/classic.ts';
 import { drawPath, groupsOf, MOST_GROUPS } from './integrator/path/path.ts';
@@ -31,7 +39,7 @@ import { TexelBuffer } from './texel-buffer.ts';
 export interface Shot extends Subject, Moment {
   /** At most. */
   readonly raysPerPixel: number;
-  /** The only part of the film to be drawn; all of it when left out. What is drawn there is the same. */
+  /** The part of the picture that the film holds; all of it when left out. What is drawn there is the same. */
   readonly area?: FilmArea;
 }
 
@@ -62,6 +70,8 @@ export class Stages {
   readonly #geometry: GeometryBuffer;
   readonly #texels: TexelBuffer;
   #shot: Shot | null = null;
+  /** Pixels of the shot's whole picture. */
+  #picture = { width: 0, height: 0 };
   /** What draws the samples of the shot, and what it draws; null: the preview. */
   #pass: Pass;
   #content: Content | null = null;
@@ -172,15 +182,30 @@ export class Stages {
     return this.has(subject) ? layersOf(contentOfSubject(subject)) : 1;
   }
 
-  /** Points the film at a new shot, empty, of this size in pixels. */
+  /** Points the film at a new shot, empty; the whole picture has this size in pixels. */
   begin(shot: Shot, width: number, height: number): void {
-    this.film.restart(width, height);
+    const held = shot.area ?? { width, height };
+    this.film.restart(held.width, held.height);
     this.#aim(shot, width, height);
+  }
+
+  /**
+   * The model on show has been left: gives back what only it used, without waiting for the next film to begin. A sample of which rows are
+   * still to be submitted needs it for these; then it goes when the next film begins.
+   */
+  leaveModel(): void {
+    if (this.#pending) return;
+    this.#environment.release();
+    this.#geometry.release();
+    this.#texels.release();
+    this.#sketcher.release();
+    this.#packed = undefined;
   }
 
   /** Makes ready what the next samples need. */
   #aim(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
+    this.#picture = { width, height };
     const { integrator } = shot.settings;
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
@@ -202,6 +227,7 @@ export class Stages {
     if (packed.textures) this.#texels.hold(packed.textures);
     else this.#texels.release();
     if (!this.#table || this.#table.height < packed.rows) {
+      checkTableRows(this.device, packed.rows);
       this.#table?.destroy();
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
     } else if (packed.source === before?.source) return;
@@ -227,36 +253,32 @@ export class Stages {
   ): Promise<boolean> {
     const { film, device } = this;
     const { width, height } = film;
-    const { x, y, ...area } = this.#shot!.area ?? { x: 0, y: 0, width, height };
     const pass = this.#pass;
     if (pass.addsMany && groupsOf(film.nextSample, count) > MOST_GROUPS)
       throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);
     this.#writeFrame(count);
-    const columns = { firstColumn: x, columnCount: area.width, tile: workgroupOf(count).tile };
-    const end = y + area.height;
-    let row = y;
+    const { tile } = workgroupOf(count);
+    let row = 0;
     this.#pending = true;
     try {
       for (;;) {
-        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, area.width * count), end - row);
+        const rowCount = Math.min(this.#rowsPerSubmit(controller, pass, width * count), height - row);
         const begun = performance.now();
-        this.#draw(pass, { width, height, firstRow: row, rowCount, ...columns });
+        this.#draw(pass, { width, height, firstRow: row, rowCount, tile });
         row += rowCount;
-        if (row === end) this.#complete(count, submitted);
-        const done = device
-          .finished()
-          .then(() => this.#measure(controller, pass, area.width * rowCount * count, begun));
+        if (row === height) this.#complete(count, submitted);
+        const done = device.finished().then(() => this.#measure(controller, pass, width * rowCount * count, begun));
         done.catch(() => {}); // awaited below, or one submit later, or not at all when something else failed first
         // Two submits at once, so that the device has the next one when it has finished one.
         const before = this.#before;
         this.#before = done;
-        await (row === end ? done : before);
-        if (row === end) return true;
+        await (row === height ? done : before);
+        if (row === height) return true;
         if (unwanted()) return false;
       }
     } finally {
       // Once all is submitted, `pending` may be the next sample's.
-      if (row < end) this.#pending = false;
+      if (row < height) this.#pending = false;
     }
   }
 
@@ -276,8 +298,9 @@ export class Stages {
   }
 
   #writeFrame(count: number): void {
-    const { camera, settings } = this.#shot!;
-    packFrame(this.#frameBlock, this.film, camera, this.#packed!, settings, this.film.nextSample, count);
+    const { camera, settings, area } = this.#shot!;
+    const held = area ? { ...this.#picture, origin: [area.x, area.y] as const } : this.#picture;
+    packFrame(this.#frameBlock, held, camera, this.#packed!, settings, this.film.nextSample, count);
     writeStruct(this.#frameBlock, 'Frame', 0, { rowHeight: 1 / this.#table!.height });
     if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);

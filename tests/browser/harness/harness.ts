@@ -1,6 +1,5 @@
 import { aovFilms } from './aov.ts';
 import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
-import { treesFromWorker } from './bvh.ts';
 import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
 import { describeDevices } from './devices.ts';
@@ -73,7 +72,6 @@ export const harness = {
   switchMovingScenes,
   texturedSights,
   tiltedLight,
-  treesFromWorker,
   compileAll,
   chiSquareSamples,
   probeEdges,

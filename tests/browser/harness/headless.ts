@@ -1,10 +1,22 @@
-import { type FilmSums, GpuFilmTracer, openWebGl2, openWebGpu } from 'mirrorball/headless';
+import {
+  addReferenceSample,
+  type FilmJob,
+  type FilmSums,
+  GpuFilmTracer,
+  openWebGl2,
+  openWebGpu,
+  referenceRows,
+} from 'mirrorball/headless';
 import type { GpuBackend } from './parity.ts';
 import { sceneNamed } from './scenes.ts';
 
 const WIDTH = 40;
 const HEIGHT = 24;
 const AREA = { x: 9, y: 5, width: 17, height: 11 };
+
+/** More pixels than any device holds, and a part of them in a soft shadow, where each pixel has its own numbers. */
+const HUGE = { width: 40_000, height: 30_000 };
+const PENUMBRA = { x: 20_011, y: 25_007, width: 17, height: 11 };
 
 /** How many values of two films differ, and by how much at most. */
 function difference(a: FilmSums, b: FilmSums) {
@@ -32,6 +44,9 @@ export async function headlessFilms(backend: GpuBackend) {
   const [first, last] = [await tracer.trace(0, 3, null), await tracer.trace(3, 3, null)];
   await tracer.begin({ ...job, area: AREA });
   const part = await tracer.trace(2, 4, await tracer.trace(0, 2, null));
+  const huge = { ...job, ...HUGE, area: PENUMBRA };
+  await tracer.begin(huge);
+  const partOfHuge = await tracer.trace(0, 6, null);
   tracer.dispose();
   return {
     samples: whole[3],
@@ -42,5 +57,13 @@ export async function headlessFilms(backend: GpuBackend) {
       first.map((value, i) => value + last[i]!),
       whole,
     ),
+    huge: { ...difference(partOfHuge, reference(huge, 6)), values: new Set(partOfHuge).size },
   };
+}
+
+function reference(job: FilmJob, samples: number): FilmSums {
+  const rows = referenceRows(job);
+  const film = new Float32Array(job.area.width * job.area.height * 4);
+  for (let s = 0; s < samples; s++) addReferenceSample(film, rows(s, job.area.y, job.area.height), job);
+  return film;
 }

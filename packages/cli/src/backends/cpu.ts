@@ -103,7 +103,6 @@ class Run {
   readonly #count: number;
   readonly #samples = new Map<number, Sample>();
   #given = 0;
-  #taken = 0;
   #added = 0;
 
   constructor(job: FilmJob, threads: number, first: number, count: number, sums: FilmSums) {
@@ -119,8 +118,10 @@ class Run {
   get done(): boolean {
     return this.#added === this.#count;
   }
+  /** Whole samples, and what there is of the next one: others may have come before it, and wait. */
   get progress(): number {
-    return this.#taken / this.#stripes;
+    const next = this.#samples.get(this.#first + this.#added);
+    return this.#added + (next ? 1 - next.missing / this.#stripes : 0);
   }
   owns = (reply: RowsReply): boolean => reply.run === this.#run;
 
@@ -135,7 +136,6 @@ class Run {
   }
 
   take({ sample, firstRow, pixels }: RowsReply): void {
-    this.#taken++;
     let held = this.#samples.get(sample);
     if (!held) {
       held = { pixels: new Float32Array(this.#sums.length), missing: this.#stripes };

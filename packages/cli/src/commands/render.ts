@@ -18,7 +18,7 @@ import { type Interruption, listenForInterruption } from '../interruption.ts';
 import { type Part, readPart, writePart } from '../part-file.ts';
 import { checkOutputName, isPart, PART, writeFilm } from '../picture-file.ts';
 import { startProgress } from '../progress.ts';
-import { areaOf, settingsOf, wantedOf } from '../render-request.ts';
+import { areaOf, inParts, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
 import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
 import { noSavings, type Savings, startSavings } from '../savings.ts';
@@ -120,7 +120,7 @@ async function renderFrame(run: Run, frame: Frame): Promise<void> {
   } catch (error) {
     if (error instanceof CommandError) throw error;
     const saved = await save(part, held, partFile);
-    throw new CommandError(EXIT.failed, `${frame.name} failed: ${(error as Error).message} ${saved}`);
+    throw new CommandError(EXIT.failed, `${frame.name} failed: ${(error as Error).message}${inParts(error)} ${saved}`);
   }
   if (traced.ending === 'interrupted') interruption.check(await save(part, held, partFile));
   const files = frame.output ? await writeFilm(frame.output, part, options, aovs) : [];

@@ -12,7 +12,7 @@ test('a format is known by its ending, in letters of any size', () => {
 
 test.each(['out.jpg', 'exr', 'out', 'exr.', ''])('%j is no picture file that can be written', (name) => {
   expect(() => formatOf(name)).toThrow(ImageError);
-  expect(() => formatOf(name)).toThrow('Allowed is this: .exr, .png, .pfm, .npy, .hdr.');
+  expect(() => formatOf(name)).toThrow('expected .exr, .png, .pfm, .npy, .hdr.');
 });
 
 test.each(PICTURE_FORMATS)(

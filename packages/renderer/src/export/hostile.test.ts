@@ -93,6 +93,6 @@ test('an error names the part, what was found and what is allowed', () => {
       found: '0 bytes left',
       allowed: 'the 1 byte that it needs',
     });
-    expect(message).toBe('The PFM line of sizes has 0 bytes left. Allowed is this: the 1 byte that it needs.');
+    expect(message).toBe('The PFM line of sizes has 0 bytes left; expected the 1 byte that it needs.');
   }
 });

@@ -16,7 +16,7 @@ export class ImageError extends Error {
   readonly allowed: string;
 
   constructor(part: string, found: string, allowed: string) {
-    super(`The ${part} has ${found}. Allowed is this: ${allowed}.`);
+    super(`The ${part} has ${found}; expected ${allowed}.`);
     this.name = 'ImageError';
     this.part = part;
     this.found = found;

@@ -42,7 +42,7 @@ test("Fortran's order", () => {
 test.each([
   [npy('<c8', '(1, 1)', []), 'NPY head has another type of number'],
   [npy('constructor', '(1, 1)', []), 'NPY head has another type of number'],
-  [npy('<f4', '(99999, 99999, 99999)', []), 'numbers. Allowed is this: at most 536870912 of them'],
+  [npy('<f4', '(99999, 99999, 99999)', []), 'numbers; expected at most 536870912 of them'],
   [npy('<f4', '(9999, 9999)', []), 'NPY data has 0 bytes left'],
   [npy('<f4', '(0, 5)', []), '1 to 65536 pixels a side'],
   [npy('<f4', '(2,)', [0, 0, 0, 0, 0, 0, 0, 0]), '1 dimensions'],
@@ -70,5 +70,5 @@ test('an archive cannot claim that it unfolds to more than it can', () => {
   const view = new DataView(file.buffer);
   const at = file.findIndex((_, i) => i < file.length - 4 && view.getUint32(i, true) === 0x02014b50);
   view.setUint32(at + 24, 2 ** 31, true);
-  expect(() => readNpz(file).read('mean')).toThrow('packed bytes. Allowed is this: at least');
+  expect(() => readNpz(file).read('mean')).toThrow('packed bytes; expected at least');
 });

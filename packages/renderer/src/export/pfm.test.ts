@@ -25,7 +25,7 @@ test.each([
   ['PF\n1 x\n-1\n', 'PFM line of sizes'],
   ['PF\n1 99999\n-1\n', '1 to 65536 pixels a side'],
   ['PF\n60000 60000\n-1\n', 'at most 536870912 values'],
-  ['PF\n6000 6000\n-1\n', 'The PFM pixel data has 0 bytes left. Allowed is this: the 432000000 bytes that it needs.'],
+  ['PF\n6000 6000\n-1\n', 'The PFM pixel data has 0 bytes left; expected the 432000000 bytes that it needs.'],
   ['PF\n1 1\n0\n', 'PFM line of the scale'],
   [`PF\n${'1'.repeat(100)}`, 'a text without end'],
 ])('%j is refused', (text, message) => {

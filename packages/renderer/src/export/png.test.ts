@@ -34,12 +34,14 @@ test('texts come back; Latin-1 stands in tEXt, the rest in iTXt', () => {
 test('channels that PNG cannot hold are refused', () => {
   const layers = wildPicture(32, 1, 1, ['R', 'G', 'B', 'depth.Z']);
   expect(() => writePng(layers)).toThrow(
-    'The PNG file to write has the channels R G B depth.Z. Allowed is this: Y, or Y A, or R G B, or R G B A.',
+    'The PNG file to write has the channels R G B depth.Z; expected Y, or Y A, or R G B, or R G B A.',
   );
 });
 
 test('damage shows by the check sums', () => {
   const file = writePng(tamePicture(33, 4, 4, ['Y']));
   file[20]! ^= 1;
-  expect(() => readPng(file)).toThrow('The PNG chunk IHDR has bytes that do not fit their check sum.');
+  expect(() => readPng(file)).toThrow(
+    'The PNG chunk IHDR has bytes that do not fit their check sum; expected unchanged bytes.',
+  );
 });

@@ -3,7 +3,7 @@
  * samples' squares, from which the standard error follows. Two films take turns, since a pass cannot read what it draws. They are as large as the largest picture; smaller ones use their first columns and rows, so that a change
  * of resolution allocates nothing.
  */
-import type { Device, FilmArea, FilmTexture } from '../gpu/device.ts';
+import type { Device, FilmTexture } from '../gpu/device.ts';
 
 /** A whole picture: the first width × height pixels of the film. */
 export interface Picture {
@@ -71,26 +71,28 @@ export class Film {
     this.#firstSample = 0;
   }
 
-  /** Goes on at sample `next`: from sums that were read before, of `samples` samples in this area, or from none. */
-  resume(next: number, samples: number, sums: Float32Array<ArrayBuffer> | null, area: FilmArea): void {
+  /** Goes on at sample `next`: from sums that were read before, of `samples` samples, or from none. */
+  resume(next: number, samples: number, sums: Float32Array<ArrayBuffer> | null): void {
+    const [width, height] = [this.#width, this.#height];
+    const texels = 4 * width * height;
     this.#samples = samples;
     this.#firstSample = next - samples;
-    if (!sums || sums.length < 4 * area.width * area.height * this.current.layers.length)
-      this.#device.clear(this.current);
+    if (!sums || sums.length < texels * this.current.layers.length) this.#device.clear(this.current);
     if (!sums) return;
-    const texels = 4 * area.width * area.height;
     this.current.layers.forEach((layer, i) => {
-      if (sums.length >= (i + 1) * texels) this.#device.write(layer, sums.subarray(i * texels, (i + 1) * texels), area);
+      const own = sums.subarray(i * texels, (i + 1) * texels);
+      if (own.length === texels) this.#device.write(layer, own, width, height);
     });
   }
 
-  /** The first `count` layers' sums of an area as they are, layer after layer, row 0 first: RGB + samples, then RGB of the squares and 0. */
-  async readSums({ x, y, width, height }: FilmArea, count: number): Promise<Float32Array<ArrayBuffer>> {
+  /** The first `count` layers' sums as they are, layer after layer, row 0 first: RGB + samples, then RGB of the squares and 0. */
+  async readSums(count: number): Promise<Float32Array<ArrayBuffer>> {
+    const [width, height] = [this.#width, this.#height];
     const texels = 4 * width * height;
     const layers = this.current.layers.slice(0, count);
     const sums = new Float32Array(texels * layers.length);
     // At once, since samples may be added meanwhile.
-    const read = await Promise.all(layers.map((layer) => this.#device.read(layer, width, height, x, y)));
+    const read = await Promise.all(layers.map((layer) => this.#device.read(layer, width, height)));
     for (const [i, values] of read.entries()) sums.set(values, i * texels);
     return sums;
   }

@@ -91,12 +91,12 @@ function doubled(clips: Readonly<Record<string, Clip>>, camera: string): Record<
   );
 }
 
-/** A file without any light is shown in a studio. */
+/** A file without any light is shown in a studio. What glows by a texture, such as a dial, is no lamp unless its strength says so. */
 function skyFor(scene: Scene, { environment = 'auto' }: GltfOptions): Sky {
   const isLit = Object.keys(scene.lights).length > 0 || Object.values(scene.materials).some(shines);
   if (environment === 'none' || (environment === 'auto' && isLit)) return BLACK;
   return studioSky();
 }
 
-const shines = ({ emission, emissionStrength = 1 }: Scene['materials'][string]): boolean =>
-  emissionStrength * Math.max(...emission) > 0;
+const shines = ({ emission, emissionStrength = 1, emissionTexture }: Scene['materials'][string]): boolean =>
+  emissionStrength * Math.max(...emission) > 0 && (emissionTexture === undefined || emissionStrength > 1);

@@ -30,7 +30,7 @@ const primitive = (file: GltfFile): Draft => file.json.meshes[0].primitives[0];
 const BROKEN: readonly (readonly [string, (file: GltfFile) => void, string, string])[] = [
   ['no version', (f) => delete f.json.asset.version, '/asset/version', 'no version'],
   ['version 1', (f) => Object.assign(f.json.asset, { version: '1.0' }), '/asset/version', '"1.0"'],
-  ['a list that is none', (f) => Object.assign(f.json, { nodes: 7 }), '/nodes', 'has 7'],
+  ['a list that is none', (f) => Object.assign(f.json, { nodes: 7 }), '/nodes', 'found 7'],
   [
     'an index beyond its list',
     (f) => Object.assign(f.json.nodes[0], { mesh: 5 }),

@@ -329,5 +329,9 @@ describe('lights and cameras', () => {
     const lamp = painted({ emissiveFactor: [1, 1, 1] });
     expect((await imported(lamp)).scene.sky.map).toBeUndefined();
     expect((await imported(lamp, { environment: 'studio' })).scene.sky.map).toBeDefined();
+    const dial = { emissiveFactor: [1, 1, 1], emissiveTexture: { index: 0 } };
+    expect((await imported(painted(dial))).scene.sky.map).toBeDefined();
+    const extensions = { KHR_materials_emissive_strength: { emissiveStrength: 5 } };
+    expect((await imported(painted({ ...dial, extensions }))).scene.sky.map).toBeUndefined();
   });
 });

@@ -3,8 +3,8 @@ import { describe, type Path, type ProblemList, visible } from '../scene-file/pr
 
 /** Adds a problem of a glTF file: paths are those of its JSON. */
 export function addProblem(problems: ProblemList, path: Path, found: string, allowed: string): void {
-  const place = path.length === 0 ? 'The glTF file' : `At ${visible(formatPointer(path))} the glTF file`;
-  problems.add(path, found, allowed, `${place} has ${found}. Allowed is this: ${allowed}.`);
+  const place = path.length === 0 ? 'In the glTF file' : `In the glTF file, at ${visible(formatPointer(path))}`;
+  problems.add(path, found, allowed, `${place}: found ${found}; expected ${allowed}.`);
 }
 
 export { describe, type Path };

@@ -40,6 +40,8 @@ export class TextureReader {
   readonly #decoder: ImageDecoder;
   readonly #sources: Sources;
   readonly #files = new Map<number, Promise<ImageFile | null>>();
+  /** By place in the file's list of images: pixels, or why there are none. */
+  readonly #decoded = new Map<number, Promise<ImagePixels | { readonly reason: string }>>();
   /** By place in the file's list of textures: the image taken, or null when none can be. */
   readonly #chosen = new Map<number, number | null>();
   /** By image and sampler. */
@@ -53,9 +55,16 @@ export class TextureReader {
     this.#sources = sources;
   }
 
-  /** Finds the file of each texture. To be called with all textures in use, before `use`. */
+  /**
+   * Finds the file of each texture, and has the images decoded while other things are read. To be called with all textures in use, before
+   * `use`.
+   */
   async open(textures: Iterable<number>): Promise<void> {
     for (const index of new Set(textures)) this.#chosen.set(index, await this.#choose(index));
+    const images = [...new Set(this.#chosen.values())].filter((image) => image !== null);
+    const files = await Promise.all(images.map(async (index) => ({ index, file: await this.#files.get(index)! })));
+    const whole = files.filter((entry): entry is { index: number; file: ImageFile } => entry.file !== null);
+    if (this.#checkSizes(whole)) this.#decodeAll(whole);
   }
 
   /** The first of a texture's images that can be decoded. */
@@ -175,16 +184,19 @@ export class TextureReader {
   /** Decodes all images that uses have named. Adds problems for those that are damaged. */
   async load(onEach: (done: number, total: number) => void): Promise<void> {
     const wanted = [...this.#files.keys()].filter((index) => this.images.nameOf(index) !== undefined);
-    const files = await Promise.all(wanted.map(async (index) => ({ index, file: (await this.#files.get(index))! })));
-    if (!this.#checkSizes(files)) return;
-    let [next, done] = [0, 0];
-    const work = async (): Promise<void> => {
-      for (let at = next++; at < files.length; at = next++) {
-        await this.#decode(files[at]!.index, files[at]!.file);
-        onEach(++done, files.length);
-      }
-    };
-    await Promise.all(Array.from({ length: AT_ONCE }, work));
+    for (const [i, index] of wanted.entries()) {
+      this.#take(index, (await this.#files.get(index))!, await this.#decoded.get(index)!);
+      onEach(i + 1, wanted.length);
+    }
+  }
+
+  #decodeAll(files: readonly { index: number; file: ImageFile }[]): void {
+    const lanes: Promise<unknown>[] = Array.from({ length: AT_ONCE }, () => Promise.resolve());
+    for (const [i, { index, file }] of files.entries()) {
+      const decoded = lanes[i % AT_ONCE]!.then(() => this.#decode(file));
+      lanes[i % AT_ONCE] = decoded;
+      this.#decoded.set(index, decoded);
+    }
   }
 
   /** Before anything is decoded: files of a few bytes may stand for pixels without end. */
@@ -213,23 +225,27 @@ export class TextureReader {
     return problems.isEmpty;
   }
 
-  async #decode(index: number, { bytes, head }: ImageFile): Promise<void> {
+  async #decode({ bytes, head }: ImageFile): Promise<ImagePixels | { readonly reason: string }> {
+    try {
+      return await this.#decoder.decode(bytes, head.type);
+    } catch (error) {
+      return { reason: (error instanceof Error ? error.message : String(error)).replace(/\.$/, '') };
+    }
+  }
+
+  #take(index: number, { head }: ImageFile, decoded: ImagePixels | { readonly reason: string }): void {
     const { problems, report } = this.#reading;
     const path = ['images', index];
     const name = this.images.nameOf(index)!;
     if (head.depth > 8)
       report.add('changed', `${head.depth}-bit image`, path, `Channels of ${head.depth} bits are rounded to 8.`);
-    try {
-      const data: ImagePixels = await this.#decoder.decode(bytes, head.type);
-      this.images.things[name] = { data };
-    } catch (error) {
-      const reason = (error instanceof Error ? error.message : String(error)).replace(/\.$/, '');
+    if (!('reason' in decoded)) this.images.things[name] = { data: decoded };
+    else
       addProblem(
         problems,
         path,
-        `the image ${quote(name)}, which cannot be decoded (${reason})`,
+        `the image ${quote(name)}, which cannot be decoded (${decoded.reason})`,
         `a whole ${head.type}`,
       );
-    }
   }
 }

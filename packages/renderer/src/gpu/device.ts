@@ -19,8 +19,8 @@ export class DeviceError extends Error {
 }
 
 /**
- * The same work as a compute pass: after the bindings come the region (first column and row, columns and rows, as vec4u) and the layers
- * of the film as storage textures.
+ * The same work as a compute pass: after the bindings come the region (first row, columns and rows, as vec3u) and the layers of the film
+ * as storage textures.
  */
 export interface ComputeSource {
   readonly wgsl: string;
@@ -98,13 +98,10 @@ export interface Region {
   readonly height: number;
   readonly firstRow: number;
   readonly rowCount: number;
-  /** Which columns; all when left out. */
-  readonly firstColumn?: number;
-  readonly columnCount?: number;
   /** For compute passes: pixels of a workgroup. */
   readonly tile?: readonly [width: number, height: number];
 }
-/** A rectangle of film pixels, (x, y) its top left corner. */
+/** A rectangle of pixels, (x, y) its top left corner. */
 export interface FilmArea {
   readonly x: number;
   readonly y: number;
@@ -143,10 +140,10 @@ export interface Device {
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
   /** Resolves when all that was drawn so far is done. */
   finished(): Promise<void>;
-  /** RGBA float32 of the first columns and rows of a layer, or of those from (x, y) on, row 0 first. */
-  read(layer: FloatTexture, width: number, height: number, x?: number, y?: number): Promise<Float32Array<ArrayBuffer>>;
-  /** The other way: puts RGBA float32 texels into a layer of a film. */
-  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, area: FilmArea): void;
+  /** RGBA float32 of the first columns and rows of a layer, row 0 first. */
+  read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;
+  /** The other way: puts RGBA float32 texels into the first columns and rows of a layer of a film. */
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, width: number, height: number): void;
   /** Makes all layers of a film zero. */
   clear(film: FilmTexture): void;
   /** Resolves with the reason when the device is lost, not when it is destroyed on purpose. */
@@ -162,6 +159,15 @@ export function checkFilmSize(device: Device, width: number, height: number): vo
   throw new DeviceError(
     `A film of ${width} × ${height} pixels was asked for; this device draws at most ${device.maxTextureSize} along a side.`,
     { limit: 'maxTextureSize', available: device.maxTextureSize, needed },
+  );
+}
+
+/** Throws a `DeviceError` when the device has no textures of as many rows as a scene table needs. */
+export function checkTableRows(device: Device, rows: number): void {
+  if (rows <= device.maxTextureSize) return;
+  throw new DeviceError(
+    `The shapes, lights and layered materials of this scene need a table of ${rows} rows; this device has at most ${device.maxTextureSize} (maxTextureSize).`,
+    { limit: 'maxTextureSize', available: device.maxTextureSize, needed: rows },
   );
 }
 

@@ -59,7 +59,8 @@ export class GpuFilmTracer implements FilmTracer {
     const { film } = this.#stages;
     const subject = { content, scene, camera: scene.camera, settings: { ...DEFAULT_SETTINGS, ...settings } };
     await this.#orLost(this.#stages.ready(subject));
-    film.reserve(width, height, this.#stages.layersFor(subject));
+    // The area alone: a part of a picture that is too large for the device is none.
+    film.reserve(area.width, area.height, this.#stages.layersFor(subject));
     this.#stages.begin({ ...subject, ...stillMoment(scene), raysPerPixel: rays, area }, width, height);
   }
 
@@ -71,9 +72,9 @@ export class GpuFilmTracer implements FilmTracer {
     const held = onto && counted ? samplesIn(onto, pixels) : 0;
     if (held + count > this.#device.maxFilmSamples)
       throw new RangeError(`This device sums up at most ${this.#device.maxFilmSamples} samples at once.`);
-    film.resume(first, held, onto, area);
+    film.resume(first, held, onto);
     await this.#orLost(this.#addSamples(count, held, options));
-    const sums = await this.#orLost(film.readSums(area, squares || content !== 'light' ? 2 : 1));
+    const sums = await this.#orLost(film.readSums(squares || content !== 'light' ? 2 : 1));
     if (counted) samplesIn(sums, pixels, film.samples);
     return sums;
   }

@@ -45,7 +45,7 @@ export class FileProblems {
       return;
     }
     const where = place.line !== undefined ? `At line ${place.line} ` : place.byte !== undefined ? `At byte ${place.byte} ` : ''; // biome-ignore format: one choice
-    const message = `${where}${quote(this.name)} has ${found}. Allowed is this: ${allowed}.`;
+    const message = `${where}${quote(this.name)} has ${found}; expected ${allowed}.`;
     this.#kept.push({ ...place, found, allowed, message });
   }
 

@@ -219,9 +219,9 @@ export const STRUCTS = {
   },
   Frame: {
     right: field('vec3f', 'camera r times half the width of what is seen: camera.wesl'),
-    width: field('f32', 'film pixels'),
+    width: field('f32', 'of the whole picture, pixels'),
     up: field('vec3f', 'camera u times half the height of what is seen'),
-    height: field('f32', 'film pixels'),
+    height: field('f32', 'of the whole picture, pixels'),
     forward: field('vec3f', 'camera f'),
     lightCount: field('u32', 'lights in use'),
     horizon: field('vec3f', 'sky colour at the horizon; in paths the map of the sky is multiplied by it'),
@@ -229,7 +229,7 @@ export const STRUCTS = {
     zenith: field('vec3f', 'sky colour overhead; likewise'),
     seed: field('u32', 'of the random numbers'),
     jitter: field('vec2f', 'position inside the pixel, 0 to 1'),
-    dividers: field('vec2f', 'film columns where the second and third panel begin'),
+    dividers: field('vec2f', 'columns of the picture where the second and third panel begin'),
     shapeEnds: field('vec4u', 'index past the last sphere, box, quad and plane'),
     occluderEnd: field('u32', 'index past the last shape that may stand between a light and a point'),
     seenLightEnd: field('u32', 'index past the last light that camera and mirrors see'),
@@ -260,6 +260,7 @@ export const STRUCTS = {
     rowHeight: field('f32', 'of the scene table, the whole table being 1'),
     lightTreeDepth: field('u32', 'levels of it; 0: there is none, and all emitters are looked at'),
     lampTables: field('u32', 'row of the geometry where the tables of lamps begin'),
+    origin: field('vec2u', 'column and row of the picture that the first texel of the film holds'),
   },
   Display: {
     exposure: field('f32', 'factor, 2^stops'),

@@ -1,11 +1,12 @@
 /**
  * The sky's map → the texture that the kernels look up and sample (shading/light/emitter/environment.wesl). The upper rows are the
- * map: radiance, and in alpha the density of directions times sin θ at the texel's centre. Below lies the alias table of the cells
- * between texel centres, (height + 1) rows of them, two rows of cells in one row of texels: the cell's own share and, when that is
- * not taken, which other cell is. 24 bytes a texel in all: 48 MiB for 2048 × 1024, 192 MiB for 4096 × 2048.
+ * map: radiance, and in alpha the density of directions times sin θ at the texel's centre. Below, two entries a texel, lie the tables
+ * that choose one of the (height + 1) rows of cells between texel centres, and in each row one of its cells. 24 bytes a texel in all:
+ * 48 MiB for 2048 × 1024, 192 MiB for 4096 × 2048.
  */
 import { type EnvironmentMap, environmentFault } from '../scene/environment.ts';
-import { aliasTable, sumOf } from './alias-table.ts';
+import { sumOf } from './alias-table.ts';
+import { inversionTableSize, writeInversionTable } from './inversion-table.ts';
 
 export interface PackedEnvironment {
   /** Of the map. */
@@ -18,8 +19,9 @@ export interface PackedEnvironment {
   readonly meanRadiance: number;
 }
 
-/** Texture rows that a map of this height needs. */
-export const environmentRows = (height: number): number => height + Math.ceil((height + 1) / 2);
+/** Texture rows that a map of this size needs. */
+export const environmentRows = (width: number, height: number): number =>
+  height + Math.ceil((inversionTableSize(height + 1) + (height + 1) * inversionTableSize(width)) / (4 * width));
 
 const packed = new WeakMap<EnvironmentMap, PackedEnvironment>();
 
@@ -50,6 +52,23 @@ function weightsOf({ width, height, data }: EnvironmentMap): Float64Array {
 }
 
 /**
+ * The weights of what is brighter than the map in the mean, and by how much: Karlík, Šik, Vévoda, Skřivan & Křivánek, "MIS Compensation:
+ * Optimizing Sampling Techniques in Multiple Importance Sampling", SIGGRAPH Asia 2019. What all directions have alike is found by the
+ * BSDF anyway; light sampling is for the sun.
+ */
+function compensated(weights: Float64Array, width: number, height: number): Float64Array {
+  const sines = Float64Array.from({ length: height }, (_, j) => Math.sin((Math.PI * (j + 0.5)) / height));
+  const mean = sumOf(weights) / (width * sumOf(sines));
+  const rest = new Float64Array(weights.length);
+  for (let j = 0, k = 0; j < height; j++)
+    for (let i = 0; i < width; i++, k++) rest[k] = Math.max(weights[k]! - mean * sines[j]!, 0);
+  return rest;
+}
+
+/** Of a map that is nearly the same everywhere there is nothing left to compensate but rounding: then it is sampled as it is. */
+const LEAST_LEFT = 1e-3;
+
+/**
  * Integrals of the bilinear weights over the cells, in cells of full size. In the half cells at the poles the weight goes from 0 at the
  * pole to that of the first row.
  */
@@ -71,13 +90,19 @@ function cellsOf(weights: Float64Array, width: number, height: number): Float64A
 
 function pack(map: EnvironmentMap): PackedEnvironment {
   const { width, height, data } = map;
-  const rows = environmentRows(height);
+  const rows = environmentRows(width, height);
   const texels = new Float32Array(width * rows * 4);
-  const weights = weightsOf(map);
-  const cells = cellsOf(weights, width, height);
-  const total = sumOf(cells);
+  let weights = weightsOf(map);
+  let cells = cellsOf(weights, width, height);
+  let total = sumOf(cells);
   const cellSize = ((2 * Math.PI) / width) * (Math.PI / height);
   const meanRadiance = (total * cellSize) / (4 * Math.PI);
+  const left = compensated(weights, width, height);
+  if (sumOf(left) > LEAST_LEFT * sumOf(weights)) {
+    weights = left;
+    cells = cellsOf(weights, width, height);
+    total = sumOf(cells);
+  }
   // Millions of texels: no calls in here.
   for (let k = 0; k < width * height; k++) {
     texels[4 * k] = data[3 * k]!;
@@ -85,17 +110,16 @@ function pack(map: EnvironmentMap): PackedEnvironment {
     texels[4 * k + 2] = data[3 * k + 2]!;
     texels[4 * k + 3] = total > 0 ? weights[k]! / (total * cellSize) : 0;
   }
-  if (total > 0) writeTable(texels, cells, width, height);
+  if (total > 0) writeTables(texels, cells, width, height);
   return { width, height, rows, texels, meanRadiance };
 }
 
-function writeTable(texels: Float32Array, cells: Float64Array, width: number, height: number): void {
-  const { own, other } = aliasTable(cells);
-  const firstHalf = width * Math.floor((height + 2) / 2);
-  for (let k = 0; k < cells.length; k++) {
-    const second = k >= firstHalf;
-    const at = 4 * (width * height + k - (second ? firstHalf : 0)) + (second ? 2 : 0);
-    texels[at] = own[k]!;
-    texels[at + 1] = other[k]!;
-  }
+/** First which row, then for each row which cell of it. */
+function writeTables(texels: Float32Array, cells: Float64Array, width: number, height: number): void {
+  const rowOf = (j: number) => cells.subarray(j * width, (j + 1) * width);
+  const masses = Float64Array.from({ length: height + 1 }, (_, j) => sumOf(rowOf(j)));
+  let at = 4 * width * height;
+  writeInversionTable(texels, at, masses);
+  at += inversionTableSize(height + 1);
+  for (let j = 0; j <= height; j++, at += inversionTableSize(width)) writeInversionTable(texels, at, rowOf(j));
 }

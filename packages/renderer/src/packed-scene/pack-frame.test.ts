@@ -109,6 +109,20 @@ test('numbers of the frame', () => {
   expect([...floats('horizon', 3), ...floats('zenith', 3)]).toEqual([1, 2, 3, 4, 5, 6]);
 });
 
+test('a film that holds a part of a picture says where; all else is as for the whole', () => {
+  const blocks = [{}, { origin: [31, 7] as const }].map((held) => {
+    const block = createBlock(structSize('Frame'));
+    packFrame(block, { ...film, ...held }, camera, packScene({ ...scene, sky }, camera.eye), settings, 0);
+    return block.u32;
+  });
+  const [whole, part] = blocks as [Uint32Array, Uint32Array];
+  const at = fieldOffset('Frame', 'origin') / 4;
+  expect(Array.from(whole.subarray(at, at + 2))).toEqual([0, 0]);
+  expect(Array.from(part.subarray(at, at + 2))).toEqual([31, 7]);
+  part.fill(0, at, at + 2);
+  expect(part).toEqual(whole);
+});
+
 describe('panels', () => {
   test('without a comparison there is one, whichever panel a column is in', () => {
     const { wholes, floats } = frame();

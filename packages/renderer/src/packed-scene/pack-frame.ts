@@ -65,9 +65,17 @@ export function filmJitter(s: number): readonly [number, number] {
   return [(0.5 + s * 0.7548776662466927) % 1, (0.5 + s * 0.5698402909980532) % 1];
 }
 
+/** What of a picture a film holds: the picture's size, and which of its pixels the first texel is. */
+export interface HeldPicture {
+  readonly width: number;
+  readonly height: number;
+  /** Column and row. Default: the first. */
+  readonly origin?: readonly [column: number, row: number];
+}
+
 export function packFrame(
   block: Block,
-  film: { width: number; height: number },
+  picture: HeldPicture,
   camera: Camera,
   packed: PackedScene,
   settings: FrameSettings,
@@ -75,14 +83,14 @@ export function packFrame(
   sampleCount = 1,
 ): void {
   const whole = wholeCamera(camera);
-  const { right, up, forward } = filmPlane(camera, film, settings.framing ?? null);
+  const { right, up, forward } = filmPlane(camera, picture, settings.framing ?? null);
   const panels = settings.comparison?.panels ?? [settings, settings, settings];
   const dividers = settings.comparison?.dividers ?? [2, 2];
   writeStruct(block, 'Frame', 0, {
     right,
-    width: film.width,
+    width: picture.width,
     up,
-    height: film.height,
+    height: picture.height,
     forward,
     lightCount: packed.lightCount,
     horizon: packed.horizon,
@@ -92,7 +100,7 @@ export function packFrame(
     zenith: packed.zenith,
     seed: settings.seed,
     jitter: filmJitter(sampleIndex),
-    dividers: [dividers[0] * film.width, dividers[1] * film.width],
+    dividers: [dividers[0] * picture.width, dividers[1] * picture.width],
     shapeEnds: packed.shapeEnds,
     occluderEnd: packed.occluderEnd,
     seenLightEnd: packed.seenLightEnd,
@@ -101,6 +109,7 @@ export function packFrame(
     lightTree: packed.lightTree,
     lightTreeDepth: packed.lightTreeDepth,
     lampTables: packed.geometry?.lampTables ?? 0,
+    origin: picture.origin ?? [0, 0],
     maxDepth: settings.maxDepth < 0 ? 0xffffffff : settings.maxDepth,
     panels: panels.flatMap((p) => [p.maxReflections, p.lightSamples, 0, 0]),
     filterPieces: packFilter(settings.pixelFilter ?? 'box'),

@@ -34,7 +34,7 @@ export function checkPlaying(
   const names = Object.keys(clips);
   const meant = nearest(clip, names);
   const listed = listOfNames(names, 'a clip');
-  const message = `The clip ${quote(clip)} should play, which this scene does not have; it needs ${listed}.${meant === null ? '' : ` Did you mean ${quote(meant)}?`}`;
+  const message = `The clip ${quote(clip)} is to play, but this scene does not have it; expected ${listed}.${meant === null ? '' : ` Did you mean ${quote(meant)}?`}`;
   problems.add(['clip'], `the name ${quote(clip)}`, listed, message);
 }
 
@@ -46,13 +46,14 @@ function checkTrack(
   problems: ProblemList,
 ): void {
   const late = times.findIndex((time, i) => i > 0 && time < times[i - 1]!);
-  if (late > 0) problems.add([...path, 'times'], `${times[late]} after ${times[late - 1]}`, 'times that do not fall');
+  if (late > 0)
+    problems.add([...path, 'times'], `${times[late]} after ${times[late - 1]}`, 'times that never decrease');
   const [section = '', name] = parsePointer(pointer) ?? [];
   if (faulty.has(section, name)) return;
   const target = resolveClipTarget(scene, pointer);
   if (target === null) {
     const meant = nearestTarget(scene, pointer);
-    const message = `Nothing that can move is at ${quote(pointer, 80)}; a target is ${MOVABLE}.${meant === null ? '' : ` Did you mean ${quote(meant, 80)}?`}`;
+    const message = `Nothing at ${quote(pointer, 80)} can be animated; a target is ${MOVABLE}.${meant === null ? '' : ` Did you mean ${quote(meant, 80)}?`}`;
     problems.add([...path, 'target'], `the target ${quote(pointer, 80)}`, MOVABLE, message);
     return;
   }

@@ -11,8 +11,8 @@ export function checkModels(scene: Sections, faulty: FaultyPlaces, problems: Pro
       if (faulty.has(section)) continue;
       for (const name of Object.keys(scene[section] ?? {})) {
         if (!belongsTo(model, name) || (name === model && section !== 'nodes')) continue;
-        const message = `The name ${quote(name)} belongs to the model ${quote(model)}, whose own things get such names; please choose any other.`;
-        problems.add([section, name], `the name ${quote(name)}`, 'any other name', message);
+        const message = `The name ${quote(name)} belongs to the model ${quote(model)}, whose own things get such names; please choose another.`;
+        problems.add([section, name], `the name ${quote(name)}`, 'another name', message);
       }
     }
 }

@@ -14,7 +14,7 @@ export function checkNodes(scene: Sections, faulty: FaultyPlaces, problems: Prob
     if (faulty.has('skins', name) || matrices === undefined || matrices.length === joints.length * AFFINE_LENGTH)
       continue;
     const wanted = `${joints.length * AFFINE_LENGTH} numbers, 12 for each of its joints`;
-    const message = `The matrices of the skin ${quote(name)} are ${matrices.length} numbers; it needs ${wanted}.`;
+    const message = `The matrices of the skin ${quote(name)} are ${matrices.length} numbers; expected ${wanted}.`;
     problems.add(['skins', name, 'inverseBindMatrices'], `${matrices.length} numbers`, wanted, message);
   }
   if (faulty.touches('nodes')) return;

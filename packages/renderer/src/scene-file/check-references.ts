@@ -42,7 +42,7 @@ export class References {
     const listed = listOfNames(names, `a${kind === 'image' ? 'n' : ''} ${kind}`);
     const meant = nearest(wanted, names);
     const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
-    const message = `${who} uses the ${kind} ${quote(wanted)}, which this scene does not have; it needs ${listed}.${hint}`;
+    const message = `${who} uses the ${kind} ${quote(wanted)}, which this scene does not have; expected ${listed}.${hint}`;
     this.#problems.add(path, `the name ${quote(wanted)}`, listed, message);
   }
 
@@ -57,6 +57,7 @@ export class References {
 /** In words what may stand where one of these names is wanted. */
 export function listOfNames(names: readonly string[], one: string): string {
   if (names.length === 0) return `${one}; this scene has none yet`;
+  if (names.length === 1) return quote(names[0]!);
   const more = names.length > 8 ? ` and ${names.length - 8} more` : '';
   return `one of ${names.slice(0, 8).map((name) => quote(name)).join(', ')}${more}`; // biome-ignore format: one phrase
 }

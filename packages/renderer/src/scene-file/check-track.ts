@@ -66,7 +66,7 @@ export class TrackChecker {
     for (let k = 1; k < keys.length; k++) {
       const [before, time] = [keys[k - 1]!.time, keys[k]!.time];
       if (time - before >= SHORTEST_STEP) continue;
-      const message = `The keys of track ${path[1]} do not follow one another: ${time} s comes after ${before} s.`;
+      const message = `The keys of track ${path[1]} must be in order of time: ${time} s comes after ${before} s.`;
       this.#problems.add([...path, 'keys', k, 'time'], `${time} after ${before}`, `a time after ${before}`, message);
     }
   }
@@ -88,7 +88,7 @@ export class TrackChecker {
     const meant = nearestTarget(this.#scene, pointer);
     const hint = meant === null ? '' : ` Did you mean ${quote(meant, 80)}?`;
     const found = `the target ${quote(pointer, 80)}`;
-    const message = `Nothing that can move is at ${quote(pointer, 80)}; a target is ${MOVABLE}.${hint}`;
+    const message = `Nothing at ${quote(pointer, 80)} can be animated; a target is ${MOVABLE}.${hint}`;
     this.#problems.add([...path, 'target'], found, MOVABLE, message);
   }
 }

@@ -121,12 +121,12 @@ function copyNamed(schema: SchemaTree, object: object, path: Path, progress: Pro
     const value = read(object, name);
     if (value === undefined) continue;
     if (RESERVED.includes(name)) {
-      const allowed = 'any other name';
+      const allowed = 'another name';
       progress.problems.add(
         [...path, name],
         `the reserved name "${name}"`,
         allowed,
-        `"${name}" cannot be a name, as JavaScript uses it for itself; please choose any other.`,
+        `"${name}" cannot be a name, as JavaScript uses it for itself; please choose another.`,
       );
       continue;
     }

@@ -100,8 +100,8 @@ test('all that is wrong with all files, each at its place', async () => {
     /^\/meshes\/broken\/file The mesh "broken" cannot be used\. At byte 292 "broken.ply" has a list of 3 items, and 7 bytes left/,
   );
   expect(told.filter((line) => line.startsWith('/meshes/bad/file'))).toHaveLength(5);
-  expect(told[2]).toBe('/meshes/bad/file The mesh "bad" cannot be used. At line 2 "bad.obj" has the number 2 of a vertex. Allowed is this: at most 1.'); // biome-ignore format: long
-  expect(told.at(-2)).toBe('/meshes/cap/part The mesh "cap" is the part "wod" of "parts/pot.obj", which has no such part; it needs one of "iron", "wood". Did you mean "wood"?'); // biome-ignore format: long
-  expect(told.at(-1)).toContain('it needs no "part", as the file has none.');
+  expect(told[2]).toBe('/meshes/bad/file The mesh "bad" cannot be used. At line 2 "bad.obj" has the number 2 of a vertex; expected at most 1.'); // biome-ignore format: long
+  expect(told.at(-2)).toBe('/meshes/cap/part The mesh "cap" is the part "wod" of "parts/pot.obj", which has no such part; expected one of "iron", "wood". Did you mean "wood"?'); // biome-ignore format: long
+  expect(told.at(-1)).toContain('expected no "part", as the file has none.');
   expect(problems[2]!.found).toBe('the file "bad.obj", which cannot be used (line 2: the number 2 of a vertex)');
 });

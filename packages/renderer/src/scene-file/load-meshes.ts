@@ -3,6 +3,7 @@ import type { MeshContent, MeshFile } from '../mesh-file/mesh-file.ts';
 import { shadedMesh } from '../mesh-file/shaded-mesh.ts';
 import { type LoadedMesh, lacksData, type Mesh, type MeshSource } from '../scene/mesh.ts';
 import { crowdFault } from '../scene/mesh-fault.ts';
+import { listOfNames } from './check-references.ts';
 import { nearest, type ProblemList, quote, sentence } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
 import { meshFileRule } from './shape-schema.ts';
@@ -83,10 +84,10 @@ function partOf({ parts }: MeshContent, name: string, { file, part }: MeshSource
   const found = part === undefined ? parts[0] : parts.find((one) => one.name === part);
   if (found) return found.mesh;
   const names = parts.map((one) => one.name).filter((one) => one !== '');
-  const listed = names.length === 0 ? 'no "part", as the file has none' : `one of ${names.slice(0, 8).map((one) => quote(one)).join(', ')}${names.length > 8 ? ` and ${names.length - 8} more` : ''}`; // biome-ignore format: one phrase
+  const listed = names.length === 0 ? 'no "part", as the file has none' : listOfNames(names, '');
   const meant = nearest(part!, names);
   const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
-  const message = `The mesh ${quote(name)} is the part ${quote(part!)} of ${quote(file!)}, which has no such part; it needs ${listed}.${hint}`;
+  const message = `The mesh ${quote(name)} is the part ${quote(part!)} of ${quote(file!)}, which has no such part; expected ${listed}.${hint}`;
   problems.add(['meshes', name, 'part'], `the name ${quote(part!)}`, listed, message);
   return null;
 }

@@ -84,8 +84,8 @@ describe('models in a scene', () => {
     };
     const other = { models: { fox: { file: 'fox.glb', variant: 'nihgt' } } };
     expect(await problems(other)).toEqual([
-      '/models/fox/variant The model "fox" has no variant "nihgt"; it needs one of "night". Did you mean "night"?',
-      expect.stringContaining('/clip The clip "fox/walk" should play'),
+      '/models/fox/variant The model "fox" has no variant "nihgt"; expected "night". Did you mean "night"?',
+      expect.stringContaining('/clip The clip "fox/walk" is to play'),
     ]);
     expect(await problems({ clip: 'fox/wlak' })).toEqual([expect.stringContaining('Did you mean "fox/walk"?')]);
     const gone = await problems({ models: { fox: { file: 'gone.glb' } }, clip: undefined }, () =>

@@ -6,6 +6,7 @@ import { crowdFault } from '../scene/mesh-fault.ts';
 import { lacksModel, type ModelSource } from '../scene/models.ts';
 import type { Scene } from '../scene/scene.ts';
 import { withVariant } from '../scene/variants.ts';
+import { listOfNames } from './check-references.ts';
 import { mergeModel } from './merge-model.ts';
 import { nearest, type ProblemList, quote, sentence } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
@@ -67,10 +68,10 @@ async function readModel(
 function chooseVariant(name: string, model: Scene, variant: string, problems: ProblemList): Scene | null {
   const names = Object.keys(model.variants ?? {});
   if (names.includes(variant)) return withVariant(model, variant);
-  const listed = names.length === 0 ? 'no "variant", as the file has none' : `one of ${names.slice(0, 8).map((one) => quote(one)).join(', ')}`; // biome-ignore format: one phrase
+  const listed = names.length === 0 ? 'no "variant", as the file has none' : listOfNames(names, '');
   const meant = nearest(variant, names);
   const hint = meant === null ? '' : ` Did you mean ${quote(meant)}?`;
-  const message = `The model ${quote(name)} has no variant ${quote(variant)}; it needs ${listed}.${hint}`;
+  const message = `The model ${quote(name)} has no variant ${quote(variant)}; expected ${listed}.${hint}`;
   problems.add(['models', name, 'variant'], `the name ${quote(variant)}`, listed, message);
   return null;
 }

@@ -120,7 +120,7 @@ const name = text('the name of a material of this scene', SCENE_LIMITS.nameLengt
 export const variant = v.record(v.string(), name, 'a variant: an object with materials by the names of shapes');
 
 export const modelFileRule =
-  'the name of a file with a model, .glb or .gltf, from the folder of the scene on, with "/" between folders';
+  'the name of a file with a model, .glb or .gltf, relative to the scene\'s folder, with "/" between folders';
 export const model = object('a model: an object with "file"', {
   file: fileName(modelFileRule, ['glb', 'gltf']),
   ...placement,

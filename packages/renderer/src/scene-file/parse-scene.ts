@@ -91,7 +91,7 @@ function readText(text: string, problems: ProblemList): { read: unknown } | null
   if (!json.ok) {
     const { line, column, excerpt } = json.at;
     const found = excerpt === '' ? 'nothing more' : quote(excerpt);
-    const message = `The file is not JSON: line ${line}, column ${column} has ${found}, where it needs ${json.expected}.`;
+    const message = `The file is not JSON: line ${line}, column ${column} has ${found}; expected ${json.expected}.`;
     problems.add([], `${found} at line ${line}, column ${column}`, json.expected, message);
     return null;
   }

@@ -36,12 +36,12 @@ export class ProblemList {
       this.#beyond++;
       return;
     }
-    const place = pointer === '' ? 'The scene' : `At ${visible(pointer)} the scene`;
+    const place = pointer === '' ? 'In the scene' : `At ${visible(pointer)}`;
     this.#kept.push({
       path: pointer,
       found,
       allowed,
-      message: message ?? `${place} has ${found}. Allowed is this: ${allowed}.`,
+      message: message ?? `${place}: found ${found}; expected ${allowed}.`,
     });
   }
 

@@ -63,7 +63,7 @@ const camera = object('the camera: an object with "eye" and "target"', {
 });
 
 export const imageRule =
-  'the name of a file with a picture of all around, .hdr, .exr, .npy or .pfm, from the folder of the scene on, with "/" between folders';
+  'the name of a panorama file, .hdr, .exr, .npy or .pfm, relative to the scene\'s folder, with "/" between folders';
 const image = fileName(imageRule, ['hdr', 'exr', 'npy', 'pfm']);
 
 const skyRule = 'the sky: one colour [red, green, blue], or an object with "horizon" and "zenith", or with "image"';
@@ -127,7 +127,7 @@ const conductor = v.pipe(
   v.description(conductorRule),
   v.transform((value) => (typeof value === 'string' ? METALS[value] : value)),
 );
-const iorRule = 'the index of refraction: a number from 1 to 4, or 0 for an endless one';
+const iorRule = 'the index of refraction: a number from 1 to 4, or 0 for an infinite one';
 const ior = v.pipe(
   v.number(iorRule),
   v.minValue(0, iorRule),

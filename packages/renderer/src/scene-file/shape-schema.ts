@@ -9,11 +9,11 @@ const SMALLEST = 1e-6;
 const LARGEST = 1e9;
 
 export const meshFileRule =
-  'the name of a file with triangles, .ply, .obj or .stl, from the folder of the scene on, with "/" between folders (.glb and .gltf belong to "models")';
+  'the name of a file with triangles, .ply, .obj or .stl, relative to the scene\'s folder, with "/" between folders (.glb and .gltf belong to "models")';
 export const mesh = object('a mesh: an object with "file"', {
   file: fileName(meshFileRule, MESH_ENDINGS),
   part: v.optional(text('the name of the part of the file that is meant', 1000)),
-  shading: v.optional(choice('how normals come about', MESH_SHADINGS), 'auto'),
+  shading: v.optional(choice('where normals come from', MESH_SHADINGS), 'auto'),
 });
 
 const materialName = nameOf('a material');

@@ -29,7 +29,7 @@ export interface EnvironmentReport {
   readonly name: string;
   /** Of the distribution of directions, see `chiSquareZ`. */
   readonly z: number;
-  /** Of the mean of radiance / density over the samples from the integral, relative, and its standard error. */
+  /** Of the mean of radiance / density over the samples, as a path weighs it, from the integral, relative, and its standard error. */
   readonly error: number;
   readonly noise: number;
   readonly faults: number;
@@ -142,20 +142,23 @@ async function judge(probe: EmitterProbe, name: string, map: EnvironmentMap): Pr
 
 const summary = (faults: readonly string[]) => ({ faults: faults.length, examples: faults.slice(0, 4) });
 
+/** The power heuristic's share of light samples beside samples that are uniform: light sampling alone does not find all of a map. */
+const share = (pdf: number): number => pdf ** 2 / (pdf ** 2 + 1 / (4 * Math.PI) ** 2);
+
 /** The green channel's, as it is the least like the mean that is sampled. */
 function meanOf(map: EnvironmentMap, samples: readonly Answer[], lights: readonly Answer[]) {
-  const values = samples.map((sample, k) => (sample[3] > 0 ? lights[k]![1] / sample[3] : 0));
+  const values = samples.map(({ 3: pdf }, k) => (pdf > 0 ? (share(pdf) * lights[k]![1]) / pdf : 0));
   const average = values.reduce((sum, value) => sum + value, 0) / values.length;
   const variance = values.reduce((sum, value) => sum + (value - average) ** 2, 0) / values.length ** 2;
-  // The rule of midpoints is exact along a row, and off by step² / 24 of the angle along a column.
-  const [step, down] = [1 / 2, Math.min(map.height / 256, 1)];
+  const pdfOf = densityOnMap(map);
+  const [step, down] = [Math.min(map.width / 256, 1 / 2), Math.min(map.height / 256, 1)];
   let exact = 0;
   for (let y = down / 2; y < map.height; y += down) {
     const theta = (Math.PI * y) / map.height;
     for (let x = step / 2; x < map.width; x += step) {
       const phi = (2 * Math.PI * x) / map.width;
       const direction: Vec3 = [Math.sin(theta) * Math.sin(phi), Math.cos(theta), -Math.sin(theta) * Math.cos(phi)];
-      exact += SCALE * radianceOfMap(map, direction)[1] * Math.sin(theta);
+      exact += share(pdfOf(direction)) * SCALE * radianceOfMap(map, direction)[1] * Math.sin(theta);
     }
   }
   exact *= (2 * Math.PI ** 2 * step * down) / (map.width * map.height);

@@ -135,6 +135,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;

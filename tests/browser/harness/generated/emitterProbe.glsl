@@ -58,6 +58,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Emitter {
     vec3 position;
@@ -190,9 +191,13 @@ struct ChosenCell {
     uvec2 cell;
     vec2 rest;
 };
-struct Parts {
-    uvec2 whole;
-    vec2 rest;
+struct Table {
+    uint first;
+    uint entries;
+};
+struct Choice {
+    uint entry;
+    float rest;
 };
 struct Corners {
     vec4 a;
@@ -564,13 +569,13 @@ TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) 
         uint byChance = ((uint((at_1 >= _e27.x)) + uint((at_1 >= two))) + uint((at_1 >= three)));
         uint _e68 = level;
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
-        bool low = (child < 2u);
+        bool low_1 = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own_1 = pick(low, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
-        float before = pick(low, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float own_1 = pick(low_1, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before = pick(low_1, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
         choice.probability = (_e95 * (own_1 / max(total_2, 1e-37)));
-        choice.emitter = uint(pick(low, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        choice.emitter = uint(pick(low_1, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
         rest = clamp(((at_1 - before) / max(own_1, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node;
         node = (((4u * _e121) + 1u) + child);
@@ -759,15 +764,15 @@ QuadView viewQuad(Emitter e_5, vec3 point_7) {
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
     bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high = (low_1 + lengths);
-    vec2 y_5 = vec2(low_1.y, high.y);
-    float _e44 = stretch(low_1.x, y_5, height_2);
-    float _e46 = stretch(high.x, y_5, height_2);
+    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_2 + lengths);
+    vec2 y_5 = vec2(low_2.y, high_1.y);
+    float _e44 = stretch(low_2.x, y_5, height_2);
+    float _e46 = stretch(high_1.x, y_5, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_10 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_1, high, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 vec2 cosineAndSine(float x_2) {
@@ -786,8 +791,8 @@ vec3 sphericalRectangle(QuadView q, vec2 u_4) {
     float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
     float x_9 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q.low.x, q.high.x);
     float d2_ = ((x_9 * x_9) + (h_3 * h_3));
-    vec2 ends = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
-    float v_5 = mix(ends.x, ends.y, u_4.y);
+    vec2 ends_1 = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
+    float v_5 = mix(ends_1.x, ends_1.y, u_4.y);
     float atY = clamp(((v_5 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_5 * v_5)), 1e-12))), y_6.x, y_6.y);
     return (((x_9 * q.axisX) + (atY * q.axisY)) + (h_3 * q.axisZ));
 }
@@ -820,8 +825,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q_2, vec3 v_1) {
-    vec3 t_6 = (2.0 * cross(q_2.xyz, v_1));
-    return ((v_1 + (q_2.w * t_6)) + cross(q_2.xyz, t_6));
+    vec3 t_8 = (2.0 * cross(q_2.xyz, v_1));
+    return ((v_1 + (q_2.w * t_8)) + cross(q_2.xyz, t_8));
 }
 
 BoxView viewBox(Emitter e_7, vec3 point_9) {
@@ -908,8 +913,8 @@ ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
     LampTriangle _e18 = fetchLampTriangle((first + column_1));
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
-    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column_1)) + fine), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
+    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
     bool own_2 = (x_10 < _e18.own);
     float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
@@ -935,9 +940,9 @@ Triangle fetchTriangle(uint row_3) {
 }
 
 vec2 weightsOnTriangle(vec2 u_9) {
-    float low_2 = (0.5 * min(u_9.x, u_9.y));
-    float high_1 = (max(u_9.x, u_9.y) - low_2);
-    return pick((u_9.x < u_9.y), vec2(low_2, high_1), vec2(high_1, low_2));
+    float low_3 = (0.5 * min(u_9.x, u_9.y));
+    float high_2 = (max(u_9.x, u_9.y) - low_3);
+    return pick((u_9.x < u_9.y), vec2(low_3, high_2), vec2(high_2, low_3));
 }
 
 vec3 outOfMesh(Instance i_5, vec3 p) {
@@ -992,32 +997,80 @@ LightSample sampleDirectional(Emitter e_14, vec2 u_11) {
     return LightSample(_e10.direction, 1e30, e_14.radiance, pick(delta, 1.0, (1.0 / max(e_14.area, 1e-31))), delta);
 }
 
-Parts splitProduct(vec2 u_12, uvec2 n_1) {
-    uvec2 digits = uvec2((u_12 * 16777216.0));
-    uvec2 low_3 = ((digits & uvec2(4095u)) * n_1);
-    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_3 >> uvec2(12u)));
-    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_3 & uvec2(4095u)))));
+vec4 fetchEntries(Table t_1, uint pair) {
+    float _e5 = frame.environmentSize.x;
+    uint width_2 = uint(_e5);
+    uint i_26 = (t_1.first + pair);
+    uint row_9 = (i_26 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_9 * width_2)), row_9)), 0);
+    return _e15;
 }
 
-ChosenCell chooseCell(vec2 u_13) {
+vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
+    uvec2 further = (uvec2(pair_1.yw) & uvec2(4095u));
+    return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
+}
+
+Choice chooseEntry(Table t_2, uint digits_1, uint fine_1) {
+    uint low = 0u;
+    uint high = 0u;
+    vec2 ends = vec2(1.0);
+    uint step_ = 0u;
+    uint pairs = ((t_2.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_2.entries) + (((digits_1 & 4095u) * t_2.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_2, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
+    while(true) {
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_2, next);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_8 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_8, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_8, next, _e62);
+        uint _e66 = low;
+        low = pick(found_8, _e66, (next + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
+        }
+    }
+    uint _e76 = high;
+    uint pair_2 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_2, (max(pair_2, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before_1 = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst, pick((pair_2 == 0u), none, before_1), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst, _e106, _e104);
+    return Choice(min(((2u * pair_2) + pick(isFirst, 0u, 1u)), (t_2.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_12) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_1 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_13, (size_1 + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
-    uint hash_1 = (_e17 >> 8u);
-    float _e26 = frame.environmentSize.x;
-    float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
-    float x_12 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
-    uint rows = ((size_1.y + 2u) / 2u);
-    bool second = (_e9.whole.y >= rows);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_1.y) - pick(second, rows, 0u)))), 0);
-    vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own_3 = (x_12 < entry.x);
-    uint other = uint(entry.y);
-    uint otherRow = (other / size_1.x);
-    uvec2 cell_1 = pick(own_3, _e9.whole, uvec2((other - (otherRow * size_1.x)), otherRow));
-    float rest_3 = pick(own_3, (x_12 / max(entry.x, 1e-37)), ((x_12 - entry.x) / max((1.0 - entry.x), 1e-7)));
-    return ChosenCell(cell_1, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
+    uvec2 digits_2 = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uint columns = ((size_1.x + 1u) / 2u);
+    uint tables = (size_1.x * size_1.y);
+    Choice _e29 = chooseEntry(Table(tables, (size_1.y + 1u)), digits_2.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_1.y + 2u) / 2u)) + (_e29.entry * columns)), size_1.x), digits_2.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
 Corners environmentCorners(uvec2 cell) {
@@ -1036,9 +1089,9 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above_2 * _e52), (above_2 * _e57), (below * _e62), (below * _e67));
 }
 
-float linearSample(float u_14, float a, float b_1) {
-    vec2 ends_1 = (vec2(a, b_1) / vec2(max((a + b_1), 1e-37)));
-    return min((u_14 / max((ends_1.x + sqrt(mix((ends_1.x * ends_1.x), (ends_1.y * ends_1.y), u_14))), 1e-9)), 1.0);
+float linearSample(float u_13, float a, float b_1) {
+    vec2 ends_2 = (vec2(a, b_1) / vec2(max((a + b_1), 1e-37)));
+    return min((u_13 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_13))), 1e-9)), 1.0);
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -1046,27 +1099,27 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_15) {
+EnvironmentSample sampleEnvironment(vec2 u_14) {
     vec2 size_3 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_15);
+    ChosenCell _e4 = chooseCell(u_14);
     Corners _e6 = environmentCorners(_e4.cell);
-    vec2 cell_2 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_3.y));
+    vec2 cell_1 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_1.y == 0.0), (cell_1.y == size_3.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_7 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_7), mix(_e6.b.w, _e6.d.w, t_7));
-    bool isLower = ((2.0 * cell_2.y) > size_3.y);
-    float fromPole = pick(isLower, ((size_3.y - cell_2.y) + (0.5 - t_7)), (cell_2.y + (t_7 - 0.5)));
+    float t_9 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_9), mix(_e6.b.w, _e6.d.w, t_9));
+    bool isLower = ((2.0 * cell_1.y) > size_3.y);
+    float fromPole = pick(isLower, ((size_3.y - cell_1.y) + (0.5 - t_9)), (cell_1.y + (t_9 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_3.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float halfTurns = (2.0 * (((cell_1.x + (_e55 - 0.5)) / size_3.x) - _e85));
     float nearest_1 = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest_1)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_1) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
     vec3 direction_21 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_7), sine_4);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_4);
     return EnvironmentSample(direction_21, _e119);
 }
 
@@ -1076,13 +1129,13 @@ vec3 sky(vec3 direction_1) {
     return mix(_e3, _e6, max(direction_1.y, 0.0));
 }
 
-LightSample sampleSky(vec2 u_16) {
+LightSample sampleSky(vec2 u_15) {
     EnvironmentSample s_1 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_15);
     s_1 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_16);
+        EnvironmentSample _e13 = sampleEnvironment(u_15);
         s_1 = _e13;
     }
     vec3 _e15 = s_1.direction;
@@ -1093,33 +1146,33 @@ LightSample sampleSky(vec2 u_16) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_17) {
+LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_16) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
         if ((e_15.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_15, point_14, u_17);
+            LightSample _e19 = sampleSphere(e_15, point_14, u_16);
             s_2 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
         if ((e_15.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_15, point_14, u_17);
+            LightSample _e25 = sampleQuad(e_15, point_14, u_16);
             s_2 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
         if ((e_15.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_15, point_14, u_17);
+            LightSample _e31 = sampleBox(e_15, point_14, u_16);
             s_2 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
         if ((e_15.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_15, point_14, u_17);
+            LightSample _e37 = sampleMesh(e_15, point_14, u_16);
             s_2 = _e37;
         }
     }
@@ -1140,14 +1193,14 @@ LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_17) {
     const bool _e51 = hasSuns;
     if (_e51) {
         if ((e_15.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_15, u_17);
+            LightSample _e55 = sampleDirectional(e_15, u_16);
             s_2 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
         if ((e_15.kind == 6.0)) {
-            LightSample _e61 = sampleSky(u_17);
+            LightSample _e61 = sampleSky(u_16);
             s_2 = _e61;
         }
     }
@@ -1171,23 +1224,23 @@ float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along_2 - half_);
     float far_3 = (along_2 + half_);
-    float t_8 = pick((near > tMin), near, far_3);
-    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
+    float t_10 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_10 > tMin), false), t_10, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_1) {
-    bool own_4 = (i_7 == p_1.shape);
-    float pathT = pick(pick(own_4, !(p_1.inwards), false), 1e30, t_1.x);
-    float lightT = pick(pick(pick(own_4, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_1.y);
+PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_3) {
+    bool own_3 = (i_7 == p_1.shape);
+    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t_3.x);
+    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_3.y);
     bool nearer_1 = (pathT < found.t);
     return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_7, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_8) {
     Bounds _e3 = fetchBounds(i_8);
-    bool own_5 = (i_8 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.lightInwards, false));
+    bool own_4 = (i_8 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
     PairHit _e23 = meet(found_1, p_2, i_8, vec2(_e13, _e21));
     return _e23;
 }
@@ -1206,19 +1259,19 @@ vec3 turned(vec4 q_4, vec3 v_3) {
 
 float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_3, direction_3, halfSize_1);
-    float t_9 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_9 > tMin_1), false), t_9, 1e30));
+    float t_11 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_11 > tMin_1), false), t_11, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_9) {
     Bounds _e3 = fetchBounds(i_9);
     Extent _e4 = fetchExtent(i_9);
-    bool own_6 = (i_9 == p_3.shape);
+    bool own_5 = (i_9 == p_3.shape);
     vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.inwards, false));
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
     vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.lightInwards, false));
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
     PairHit _e31 = meet(found_2, p_3, i_9, vec2(_e20, _e29));
     return _e31;
 }
@@ -1227,10 +1280,10 @@ float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_11 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_11);
     vec3 toCenter_2 = (center_1 - origin_4);
-    float t_10 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_10 = ((t_10 * direction_4) - toCenter_2);
+    float t_12 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_10 = ((t_12 * direction_4) - toCenter_2);
     bool within_1 = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_10 > tMin_2), (t_10 < 1e30), false), within_1, false), t_10, 1e30);
+    return pick(pick(pick((t_12 > tMin_2), (t_12 < 1e30), false), within_1, false), t_12, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_10) {
@@ -1244,11 +1297,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_10) {
 
 float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_6, float offset, float tMin_3) {
     float speed_1 = dot(direction_5, normal_6);
-    float t_11 = ((offset - dot(origin_5, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_13 = ((offset - dot(origin_5, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_11 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_13 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_11, 0.0), 1e30);
+    return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_13, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_11) {
@@ -1264,7 +1317,7 @@ vec4 planes(uint row_4, float inverse_, float offset_1) {
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
-vec4 enterChildren(uint node_1, SlabRay r, float t_2) {
+vec4 enterChildren(uint node_1, SlabRay r, float t_4) {
     uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
@@ -1274,7 +1327,7 @@ vec4 enterChildren(uint node_1, SlabRay r, float t_2) {
     vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
     vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
     vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_4))));
 }
 
 vec3 turnedTo(uint axis_2, vec3 v_4) {
@@ -1353,11 +1406,11 @@ Neighbours neighbours(float x_4, uint size, bool clamps, bool mirrors, bool near
     float low_4 = floor(at_3);
     int last = (int(size) - 1);
     int first_1 = int(low_4);
-    int second_1 = (first_1 + 1);
+    int second = (first_1 + 1);
     bool repeats = !(pick(clamps, true, mirrors));
-    int before_1 = pick(repeats, last, 0);
+    int before_2 = pick(repeats, last, 0);
     int after = pick(repeats, 0, last);
-    return Neighbours(uint(pick((first_1 < 0), before_1, min(max(first_1, 0), last))), uint(pick((second_1 > last), after, min(max(second_1, 0), last))), pick(nearest, 0.0, (at_3 - low_4)));
+    return Neighbours(uint(pick((first_1 < 0), before_2, min(max(first_1, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_3 - low_4)));
 }
 
 vec3 linearFromSrgb(vec3 c) {
@@ -1372,18 +1425,18 @@ vec4 decoded(uint texel, bool colored) {
 
 uint texelAt(uint i_13) {
     uvec4 _e3 = texelRow((i_13 >> 2u));
-    uvec2 pair = pick(((i_13 & 2u) != 0u), _e3.zw, _e3.xy);
-    return pick(((i_13 & 1u) != 0u), pair.y, pair.x);
+    uvec2 pair_3 = pick(((i_13 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_13 & 1u) != 0u), pair_3.y, pair_3.x);
 }
 
-vec4 lookUp(TextureUse t_3, vec2 uv) {
+vec4 lookUp(TextureUse t_5, vec2 uv) {
     vec3 place_5 = vec3(uv, 1.0);
-    bool nearest_2 = ((t_3.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_3.toU, place_5), t_3.width, ((t_3.flags & clampsU) != 0u), ((t_3.flags & mirrorsU) != 0u), nearest_2);
-    Neighbours _e36 = neighbours(dot(t_3.toV, place_5), t_3.height, ((t_3.flags & clampsV) != 0u), ((t_3.flags & mirrorsV) != 0u), nearest_2);
-    uint upper_1 = (t_3.first + (_e36.first * t_3.width));
-    uint lower_1 = (t_3.first + (_e36.second * t_3.width));
-    bool colored_1 = ((t_3.flags & isColor) != 0u);
+    bool nearest_2 = ((t_5.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_5.toU, place_5), t_5.width, ((t_5.flags & clampsU) != 0u), ((t_5.flags & mirrorsU) != 0u), nearest_2);
+    Neighbours _e36 = neighbours(dot(t_5.toV, place_5), t_5.height, ((t_5.flags & clampsV) != 0u), ((t_5.flags & mirrorsV) != 0u), nearest_2);
+    uint upper_1 = (t_5.first + (_e36.first * t_5.width));
+    uint lower_1 = (t_5.first + (_e36.second * t_5.width));
+    bool colored_1 = ((t_5.flags & isColor) != 0u);
     uint _e54 = texelAt((upper_1 + _e22.first));
     vec4 _e55 = decoded(_e54, colored_1);
     uint _e58 = texelAt((upper_1 + _e22.second));
@@ -1413,21 +1466,21 @@ bool isThere(uint instance, uint place, vec2 weights, uint number) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_9 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_9);
+    uint row_10 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_10);
     vec3 share_3 = vec3(((1.0 - weights.x) - weights.y), weights);
-    uvec3 rows_1 = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
+    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
     opacity = _e19.opacity;
     if ((_e10.vertexRows != 0u)) {
-        Vertex _e45 = fetchVertex(rows_1.x);
-        Vertex _e50 = fetchVertex(rows_1.y);
-        Vertex _e56 = fetchVertex(rows_1.z);
+        Vertex _e45 = fetchVertex(rows.x);
+        Vertex _e50 = fetchVertex(rows.y);
+        Vertex _e56 = fetchVertex(rows.z);
         uv_1 = vec4((((share_3.x * _e45.uv) + (share_3.y * _e50.uv)) + (share_3.z * _e56.uv)), 0.0, 0.0);
     }
     if ((_e10.vertexRows > vertexRows)) {
-        VertexMore _e69 = fetchVertexMore((rows_1.x + vertexRows));
-        VertexMore _e73 = fetchVertexMore((rows_1.y + vertexRows));
-        VertexMore _e77 = fetchVertexMore((rows_1.z + vertexRows));
+        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
+        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
+        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
         vec4 _e78 = uv_1;
         uv_1 = vec4(_e78.xy, (((share_3.x * _e69.uv) + (share_3.y * _e73.uv)) + (share_3.z * _e77.uv)));
         float _e92 = opacity;
@@ -1437,7 +1490,7 @@ bool isThere(uint instance, uint place, vec2 weights, uint number) {
         opacity = (_e92 * dot(share_3, vec3(_e94.y, _e97.y, _e100.y)));
     }
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_9 + materialTexturesRows));
+        TextureUse _e112 = fetchTextureUse((row_10 + materialTexturesRows));
         float _e113 = opacity;
         vec4 _e114 = uv_1;
         vec4 _e116 = uv_1;
@@ -1716,11 +1769,11 @@ PairHit meetMeshes(PairHit found_6, RayPair p_6) {
 PairHit tracePair(RayPair p_7) {
     PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
     uint i_14 = 0u;
-    uvec4 ends_2 = frame.shapeEnds;
+    uvec4 ends_3 = frame.shapeEnds;
     const bool _e17 = hasSpheres;
     if (_e17) {
         uint _e18 = i_14;
-        if ((_e18 < ends_2.x)) {
+        if ((_e18 < ends_3.x)) {
             while(true) {
                 PairHit _e21 = found_7;
                 uint _e22 = i_14;
@@ -1729,7 +1782,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e25 = i_14;
                 i_14 = (_e25 + 1u);
                 uint _e27 = i_14;
-                if ((_e27 >= ends_2.x)) {
+                if ((_e27 >= ends_3.x)) {
                     break;
                 }
             }
@@ -1738,7 +1791,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e31 = hasBoxes;
     if (_e31) {
         uint _e32 = i_14;
-        if ((_e32 < ends_2.y)) {
+        if ((_e32 < ends_3.y)) {
             while(true) {
                 PairHit _e35 = found_7;
                 uint _e36 = i_14;
@@ -1747,7 +1800,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e39 = i_14;
                 i_14 = (_e39 + 1u);
                 uint _e41 = i_14;
-                if ((_e41 >= ends_2.y)) {
+                if ((_e41 >= ends_3.y)) {
                     break;
                 }
             }
@@ -1756,7 +1809,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e45 = hasQuads;
     if (_e45) {
         uint _e46 = i_14;
-        if ((_e46 < ends_2.z)) {
+        if ((_e46 < ends_3.z)) {
             while(true) {
                 PairHit _e49 = found_7;
                 uint _e50 = i_14;
@@ -1765,7 +1818,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e53 = i_14;
                 i_14 = (_e53 + 1u);
                 uint _e55 = i_14;
-                if ((_e55 >= ends_2.z)) {
+                if ((_e55 >= ends_3.z)) {
                     break;
                 }
             }
@@ -1774,7 +1827,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e59 = hasPlanes;
     if (_e59) {
         uint _e60 = i_14;
-        if ((_e60 < ends_2.w)) {
+        if ((_e60 < ends_3.w)) {
             while(true) {
                 PairHit _e63 = found_7;
                 uint _e64 = i_14;
@@ -1783,7 +1836,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e67 = i_14;
                 i_14 = (_e67 + 1u);
                 uint _e69 = i_14;
-                if ((_e69 >= ends_2.w)) {
+                if ((_e69 >= ends_3.w)) {
                     break;
                 }
             }
@@ -1819,10 +1872,10 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     vec3 geometric = normalize((turn_1 * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
     p_8 = MeshPoint(geometric, geometric, vec3(0.0), vec3(0.0), geometric, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
-        uvec3 rows_2 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
-        Vertex _e54 = fetchVertex(rows_2.x);
-        Vertex _e56 = fetchVertex(rows_2.y);
-        Vertex _e58 = fetchVertex(rows_2.z);
+        uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
+        Vertex _e54 = fetchVertex(rows_1.x);
+        Vertex _e56 = fetchVertex(rows_1.y);
+        Vertex _e58 = fetchVertex(rows_1.z);
         vec3 share_4 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
@@ -1837,9 +1890,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         if (_e103) {
             p_8.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
             if ((_e9.vertexRows > vertexRows)) {
-                VertexMore _e125 = fetchVertexMore((rows_2.x + vertexRows));
-                VertexMore _e129 = fetchVertexMore((rows_2.y + vertexRows));
-                VertexMore _e133 = fetchVertexMore((rows_2.z + vertexRows));
+                VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
+                VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
+                VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
                 vec4 _e136 = p_8.uv;
                 p_8.uv = vec4(_e136.xy, (((share_4.x * _e125.uv) + (share_4.y * _e129.uv)) + (share_4.z * _e133.uv)));
                 vec2 _e152 = pairOf(_e125.redGreen);
@@ -1868,8 +1921,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     return _e223;
 }
 
-uint emitterOfTriangle(Emitter e_16, LeftTriangle t_4) {
-    return (((t_4.instance - uint(e_16.instance)) * uint(e_16.cosInner)) + (t_4.triangle >> uint(e_16.radius)));
+uint emitterOfTriangle(Emitter e_16, LeftTriangle t_6) {
+    return (((t_6.instance - uint(e_16.instance)) * uint(e_16.cosInner)) + (t_6.triangle >> uint(e_16.radius)));
 }
 
 float spherePdf(Emitter e_17, vec3 point_15, vec3 direction_9) {
@@ -1894,8 +1947,8 @@ float boxPdf(Emitter e_19, vec3 point_17, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_10 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_10);
+    uint row_11 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
+    LampTriangle _e20 = fetchLampTriangle(row_11);
     float _e26 = areaPdf((e_20.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
     return _e26;
 }
@@ -2030,19 +2083,19 @@ vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4,
     Slabs _e5 = boxSlabs(origin_10, direction_14, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_12 = pick(entering, _e5.near, _e5.far);
+    float t_14 = pick(entering, _e5.near, _e5.far);
     vec3 side_4 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
-    bool onX_1 = (crossed.x == t_12);
-    bool onY_1 = pick(!(onX_1), (crossed.y == t_12), false);
+    bool onX_1 = (crossed.x == t_14);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_14), false);
     return (side_4 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
-vec3 outwardNormal(uint i_25, Ray ray_7, float t_5) {
+vec3 outwardNormal(uint i_25, Ray ray_7, float t_7) {
     Bounds _e3 = fetchBounds(i_25);
     vec3 origin_11 = (ray_7.start.point - _e3.center);
     bool _e8 = isSphere(i_25);
     if (_e8) {
-        return normalize((origin_11 + (t_5 * ray_7.direction)));
+        return normalize((origin_11 + (t_7 * ray_7.direction)));
     }
     bool _e13 = isPlane(i_25);
     if (_e13) {
@@ -2090,12 +2143,12 @@ EnvironmentLight lookUpEnvironment(vec3 direction_17) {
     float _e35 = frame.environmentTurn;
     float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_11 = floor(fromPole_1);
+    float row_12 = floor(fromPole_1);
     bool isLower_1 = (direction_17.y < 0.0);
-    vec2 cell_3 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_11), row_11));
-    float within_3 = (fromPole_1 - row_11);
-    vec2 at_4 = vec2((column_2 - cell_3.x), pick(isLower_1, (1.0 - within_3), within_3));
-    Corners _e66 = environmentCorners(uvec2(cell_3));
+    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_12), row_12));
+    float within_3 = (fromPole_1 - row_12);
+    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
+    Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
     return _e67;
 }

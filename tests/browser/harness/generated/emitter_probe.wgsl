@@ -217,11 +217,11 @@ override hasManyLights = true;
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -237,7 +237,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -287,6 +287,8 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 
@@ -2079,22 +2081,14 @@ fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
 
 fn chooseCell(u: vec2f) -> ChosenCell {
   let size = vec2u(frame.environmentSize);
-  let place = splitProduct(u, size + vec2u(0u, 1u));
-  // The digits that the choice of a column has used up are replaced by hashed ones: probabilities in the table may be small.
-  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
-  let fine = f32(hash) * 5.9604644775390625e-8 * frame.environmentSize.x;
-  let x = min((place.rest.x + fine) * 5.9604644775390625e-8, 0.99999994);
-  // Two rows of cells share a row of texels.
-  let rows = (size.y + 2u) / 2u;
-  let second = place.whole.y >= rows;
-  let entries = textureLoad(environment, vec2u(place.whole.x, place.whole.y + size.y - select(0u, rows, second)), 0);
-  let entry = select(entries.xy, entries.zw, second);
-  let own = x < entry.x;
-  let other = u32(entry.y);
-  let otherRow = other / size.x;
-  let cell = select(vec2u(other - otherRow * size.x, otherRow), place.whole, own);
-  let rest = select((x - entry.x) / max(1.0 - entry.x, 1e-7), x / max(entry.x, 1e-37), own);
-  return ChosenCell(cell, vec2f(min(rest, 1.0), place.rest.y * 5.9604644775390625e-8));
+  let digits = vec2u(u * 16777216.0);
+  // Further digits, hashed: shares in a table may be small.
+  let hash = mixBits(digits.x ^ (digits.y * 0x9e3779b1u));
+  let columns = (size.x + 1u) / 2u;
+  let tables = size.x * size.y;
+  let y = chooseEntry(Table(tables, size.y + 1u), digits.y, hash & 4095u);
+  let x = chooseEntry(Table(tables + (size.y + 2u) / 2u + y.entry * columns, size.x), digits.x, hash >> 20u);
+  return ChosenCell(vec2u(x.entry, y.entry), vec2f(x.rest, y.rest));
 }
 
 fn environmentCorners(cell: vec2u) -> Corners {
@@ -2119,29 +2113,74 @@ fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
   return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
 }
 
-fn splitProduct(u: vec2f, n: vec2u) -> Parts {
-  let digits = vec2u(u * 16777216.0);
-  let low = (digits & vec2u(4095u)) * n;
-  let high = (digits >> vec2u(12u)) * n + (low >> vec2u(12u));
-  return Parts(high >> vec2u(12u), vec2f(((high & vec2u(4095u)) << vec2u(12u)) | (low & vec2u(4095u))));
+// The number is digits + fine / 4096, in steps of 2^-24. From the guide's pair of entries on in steps that double, until the share is
+// beyond it; then by halves.
+fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
+  let pairs = (t.entries + 1u) / 2u;
+  // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
+  let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
+  let guide = fetchEntries(t, part / 2u);
+  var low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
+  var high = pairs;
+  var ends = vec2f(1.0);
+  var step = 0u;
+  loop {
+    let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
+    let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
+    let found = beyond.y > 0.0;
+    ends = select(ends, beyond, found);
+    high = select(high, next, found);
+    low = select(next + 1u, low, found);
+    step = 2u * step + 1u;
+    if (low >= high) {
+      break;
+    }
+  }
+  let pair = min(high, pairs - 1u);
+  let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
+  let none = -(f32(digits) + f32(fine) * 0.000244140625);
+  let isFirst = ends.x > 0.0;
+  let start = select(ends.x, select(before, none, pair == 0u), isFirst);
+  let end = select(ends.y, ends.x, isFirst);
+  return Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
 }
 
-// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
-@group(0) @binding(4) var environment: texture_2d<f32>;
+// packed-scene/inversion-table.ts says what is in a table: two entries a texel, from this texel on, row after row.
+struct Table {
+  first: u32,
+  entries: u32,
+}
 
-// The cell, and what is left of u, in [0, 1).
+
+// The cell, and where in it.
 struct ChosenCell {
   cell: vec2u,
   rest: vec2f,
 }
 
 
-// u n for whole n up to 4096, without rounding: the whole part, and what is left of it in units of 2^-24.
-struct Parts {
-  whole: vec2u,
-  rest: vec2f,
+fn fetchEntries(t: Table, pair: u32) -> vec4f {
+  let width = u32(frame.environmentSize.x);
+  let i = t.first + pair;
+  let row = i / width;
+  return textureLoad(environment, vec2u(i - row * width, row), 0);
 }
 
+// The entry that was chosen, and where in its share the number lies, in [0, 1].
+struct Choice {
+  entry: u32,
+  rest: f32,
+}
+
+
+// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
+fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
+  let further = vec2u(pair.yw) & vec2u(4095u);
+  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
+}
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
 
 // The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
 // the upper pole, j = rows that at the lower.

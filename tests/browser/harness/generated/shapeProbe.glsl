@@ -63,6 +63,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Extent {
     vec4 a;

@@ -210,11 +210,11 @@ const tableWidth = 20.0;
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -230,7 +230,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -280,6 +280,8 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 

@@ -29,6 +29,8 @@ export interface SphereReport {
   readonly error: number;
   /** Largest weight of a sample. */
   readonly heaviest: number;
+  /** Directions with a value, but without a density: samples would not find their light. */
+  readonly unfound: number;
 }
 
 function atBin(row: number, column: number): Vec3 {
@@ -124,6 +126,7 @@ function reportOf(values: readonly Answer[], directions: readonly Answer[], weig
     weight,
     error: Math.sqrt(variance / SAMPLES),
     heaviest: Math.max(...weights.map(([r, g, b]) => Math.max(r, g, b))),
+    unfound: values.filter(([r, g, b, pdf]) => Math.max(r, g, b) > 0 && !(pdf > 0)).length,
   };
 }
 

@@ -4,7 +4,6 @@ import {
   type Device,
   type DeviceCounts,
   DeviceError,
-  type FilmArea,
   type FilmTexture,
   type FloatTexture,
   noRoom,
@@ -276,7 +275,7 @@ class WebGl2Device implements Device {
     });
     if (region) {
       gl.enable(gl.SCISSOR_TEST);
-      gl.scissor(region.firstColumn ?? 0, region.firstRow, region.columnCount ?? width, region.rowCount);
+      gl.scissor(0, region.firstRow, width, region.rowCount);
     }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     if (region) gl.disable(gl.SCISSOR_TEST);
@@ -292,7 +291,7 @@ class WebGl2Device implements Device {
     gl.deleteSync(sync);
   }
 
-  async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
+  async read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
     const gl = this.#gl;
     const pixels = new Float32Array(width * height * 4);
     // By way of a buffer, which is read when it is ready: to read at once would stall the page until all that was drawn is done.
@@ -300,7 +299,7 @@ class WebGl2Device implements Device {
     const framebuffer = this.#framebuffer([layer as unknown as GlTexture]);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.bufferData(gl.PIXEL_PACK_BUFFER, pixels.byteLength, gl.STREAM_READ);
-    gl.readPixels(x, y, width, height, gl.RGBA, gl.FLOAT, 0);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     gl.deleteFramebuffer(framebuffer);
     await this.finished();
@@ -311,10 +310,10 @@ class WebGl2Device implements Device {
     return pixels;
   }
 
-  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, { x, y, width, height }: FilmArea): void {
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, width: number, height: number): void {
     const gl = this.#gl;
     gl.bindTexture(gl.TEXTURE_2D, (layer as unknown as GlTexture).texture);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RGBA, gl.FLOAT, texels);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, texels);
   }
 
   clear(film: FilmTexture): void {

@@ -4,7 +4,6 @@ import {
   type Device,
   type DeviceCounts,
   DeviceError,
-  type FilmArea,
   type FilmTexture,
   type FloatTexture,
   noRoom,
@@ -270,8 +269,7 @@ class WebGpuDevice implements Device {
     renderPass.setBindGroup(0, this.#group(pass as WebGpuPass, inputs));
     if (region) {
       renderPass.setViewport(0, 0, region.width, region.height, 0, 1);
-      const { firstColumn = 0, columnCount = region.width } = region;
-      renderPass.setScissorRect(firstColumn, region.firstRow, columnCount, region.rowCount);
+      renderPass.setScissorRect(0, region.firstRow, region.width, region.rowCount);
     }
     renderPass.draw(3);
     renderPass.end();
@@ -280,16 +278,16 @@ class WebGpuDevice implements Device {
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
     const { pipeline } = pass;
-    const { firstColumn = 0, firstRow, columnCount = region.width, rowCount, tile = [8, 8] } = region;
+    const { width, firstRow, rowCount, tile } = region;
     this.#region ??= this.createUniforms(16);
-    this.#region.write(new Uint32Array([firstColumn, firstRow, columnCount, rowCount]).buffer);
+    this.#region.write(new Uint32Array([firstRow, width, rowCount]).buffer);
     const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const computePass = encoder.beginComputePass();
     computePass.setPipeline(pipeline as GPUComputePipeline);
     computePass.setBindGroup(0, this.#group(pass, [...inputs, ...viewsOf(film)]));
-    const [width, height] = tile;
-    computePass.dispatchWorkgroups(Math.ceil(columnCount / width), Math.ceil(rowCount / height));
+    const [columns, rows] = tile ?? [8, 8];
+    computePass.dispatchWorkgroups(Math.ceil(width / columns), Math.ceil(rowCount / rows));
     computePass.end();
     this.#device.queue.submit([encoder.finish()]);
   }
@@ -312,37 +310,36 @@ class WebGpuDevice implements Device {
     return this.#device.queue.onSubmittedWorkDone();
   }
 
-  async read(layer: FloatTexture, width: number, height: number, x = 0, y = 0): Promise<Float32Array<ArrayBuffer>> {
+  async read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>> {
     const pixels = new Float32Array(width * height * 4);
     const most = Math.max(Math.floor(READ_BYTES / (width * 16 + 256)), 1);
     for (let row = 0; row < height; row += most) {
-      const stripe = { x, y: y + row, width, height: Math.min(most, height - row) };
-      await this.#readStripe(layer, stripe, pixels.subarray(row * width * 4));
+      const rows = Math.min(most, height - row);
+      await this.#readRows(layer, width, row, rows, pixels.subarray(row * width * 4));
     }
     return pixels;
   }
 
-  async #readStripe(layer: FloatTexture, { x, y, width, height }: FilmArea, into: Float32Array): Promise<void> {
+  async #readRows(layer: FloatTexture, width: number, first: number, count: number, into: Float32Array): Promise<void> {
     const { texture } = layer as FloatTexture & { texture: GPUTexture };
     const bytesPerRow = Math.ceil((width * 16) / 256) * 256;
     const usage = GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ;
-    const buffer = this.#device.createBuffer({ size: bytesPerRow * height, usage });
+    const buffer = this.#device.createBuffer({ size: bytesPerRow * count, usage });
     const encoder = this.#device.createCommandEncoder();
-    encoder.copyTextureToBuffer({ texture, origin: [x, y] }, { buffer, bytesPerRow }, [width, height]);
+    encoder.copyTextureToBuffer({ texture, origin: [0, first] }, { buffer, bytesPerRow }, [width, count]);
     this.#device.queue.submit([encoder.finish()]);
     await buffer.mapAsync(GPUMapMode.READ);
     const padded = new Float32Array(buffer.getMappedRange());
-    for (let row = 0; row < height; row++) {
+    for (let row = 0; row < count; row++) {
       const start = (row * bytesPerRow) / 4;
       into.set(padded.subarray(start, start + width * 4), row * width * 4);
     }
     buffer.destroy();
   }
 
-  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, { x, y, width, height }: FilmArea): void {
+  write(layer: FloatTexture, texels: Float32Array<ArrayBuffer>, width: number, height: number): void {
     const { texture } = layer as FloatTexture & { texture: GPUTexture };
-    const layout = { bytesPerRow: width * 16 };
-    this.#device.queue.writeTexture({ texture, origin: [x, y] }, texels, layout, [width, height]);
+    this.#device.queue.writeTexture({ texture }, texels, { bytesPerRow: width * 16 }, [width, height]);
   }
 
   clear(film: FilmTexture): void {

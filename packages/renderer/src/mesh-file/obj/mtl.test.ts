@@ -99,7 +99,7 @@ test.each([
   ['nothing', '', 'no material'],
   ['a statement before any material', 'Kd 1 1 1\nnewmtl m', 'At line 1 "it.mtl" has "Kd" before any material'],
   ['no name', 'newmtl\nKd 1 1 1', 'At line 1 "it.mtl" has a material without a name'],
-  ['a word as number', 'newmtl m\nNs high', 'At line 2 "it.mtl" has "high" as "Ns". Allowed is this: a number.'],
+  ['a word as number', 'newmtl m\nNs high', 'At line 2 "it.mtl" has "high" as "Ns"; expected a number.'],
   ['two numbers of a colour', 'newmtl m\nKd 1 1', 'At line 2 "it.mtl" has "" as "Kd"'],
   ['no number', 'newmtl m\nd', 'At line 2 "it.mtl" has "" as "d"'],
   ['infinite light', 'newmtl m\nKe inf 0 0', '"inf" as "Ke"'],

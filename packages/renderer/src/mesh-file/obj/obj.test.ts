@@ -136,10 +136,10 @@ test('references to what comes later in the file', () =>
   expect(read(`f 1 2 3\n${SQUARE}`).mesh.indices).toHaveLength(3));
 
 test.each([
-  ['a vertex that is not there', `${SQUARE}f 1 2 5`, 'At line 5 "it.obj" has the number 5 of a vertex. Allowed is this: at most 4.'],
-  ['a texture coordinate that is not there', `${SQUARE}vt 0 0\nf 1/1 2/2 3/1`, 'the number 2 of a texture coordinate. Allowed is this: at most 1.'],
-  ['a normal that is not there', `${SQUARE}vn 0 0 1\nf 1//1 2//2 3//1`, 'At line 6 "it.obj" has the number 2 of a normal. Allowed is this: at most 1.'],
-  ['too far back', `${SQUARE}f -5 -4 -3`, 'At line 5 "it.obj" has "-5" as corner 1 of a face.'],
+  ['a vertex that is not there', `${SQUARE}f 1 2 5`, 'At line 5 "it.obj" has the number 5 of a vertex; expected at most 4.'],
+  ['a texture coordinate that is not there', `${SQUARE}vt 0 0\nf 1/1 2/2 3/1`, 'the number 2 of a texture coordinate; expected at most 1.'],
+  ['a normal that is not there', `${SQUARE}vn 0 0 1\nf 1//1 2//2 3//1`, 'At line 6 "it.obj" has the number 2 of a normal; expected at most 1.'],
+  ['too far back', `${SQUARE}f -5 -4 -3`, 'At line 5 "it.obj" has "-5" as corner 1 of a face; expected numbers'],
   ['number 0', `${SQUARE}f 1 0 2`, '"0" as corner 2 of a face'],
   ['words as corners', `${SQUARE}f 1 b 2`, '"b" as corner 2 of a face'],
   ['fractions', `${SQUARE}f 1.5 2 3`, '"1.5" as corner 1 of a face'],
@@ -148,8 +148,8 @@ test.each([
   ['two coordinates', 'v 1 2\nf 1 1 1', 'At line 1 "it.obj" has the vertex 1 2 NaN'],
   ['a word as coordinate', `v 1 two 3\n${SQUARE}f 1 2 3`, 'the vertex 1 NaN 3'],
   ['an infinite vertex', `${SQUARE}v 1 inf 3\nf 1 2 3`, 'At line 5 "it.obj" has the vertex 1 Infinity 3'],
-  ['a word as normal', `${SQUARE}vn up 0 0\nf 1 2 3`, 'At line 5 "it.obj" has too few numbers, or others. Allowed is this: 3 numbers.'],
-  ['no faces', SQUARE, 'no faces. Allowed is this: lines that begin with "f"'],
+  ['a word as normal', `${SQUARE}vn up 0 0\nf 1 2 3`, 'At line 5 "it.obj" has too few numbers, or others; expected 3 numbers.'],
+  ['no faces', SQUARE, 'no faces; expected lines that begin with "f"'],
   ['nothing', '', 'no faces'],
   ['triangles without area', 'v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3', '1 triangles, none of which has an area'],
   ['what is no OBJ file', '\u0001\u0002\u0003 x', 'the word "\\u0001\\u0002\\u0003"'],

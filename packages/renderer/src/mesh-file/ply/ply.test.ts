@@ -138,10 +138,10 @@ describe.each(PLY_FORMS)('%s', (form) => {
     ];
     const lines = problems(plyFile(form, tables)).split('\n');
     expect(lines.map((line) => line.replace(/^At (?:line|byte) \d+ "it.ply" has /, ''))).toEqual([
-      'NaN as "y" of vertex 1. Allowed is this: a number from -1e9 to 1e9.',
-      '-Infinity as "z" of vertex 9. Allowed is this: a number from -1e9 to 1e9.',
-      'the vertex 10 in face 1. Allowed is this: a whole number from 0 to 9.',
-      'the vertex -1 in face 2. Allowed is this: a whole number from 0 to 9.',
+      'NaN as "y" of vertex 1; expected a number from -1e9 to 1e9.',
+      '-Infinity as "z" of vertex 9; expected a number from -1e9 to 1e9.',
+      'the vertex 10 in face 1; expected a whole number from 0 to 9.',
+      'the vertex -1 in face 2; expected a whole number from 0 to 9.',
     ]);
     if (form === 'ascii') expect(lines[0]).toMatch(/^At line 12 /);
     else expect(lines[0]).toMatch(/^At byte \d+ /);
@@ -201,10 +201,10 @@ describe('a header that claims too much fails at once', () => {
       .replace('vertex 3', 'vertex 1000000000')
       .replace('ascii', form);
     expect(problems(text(claim))).toBe(
-      'At line 3 "it.ply" has 1000000000 vertices. Allowed is this: at most 16777216 of them.',
+      'At line 3 "it.ply" has 1000000000 vertices; expected at most 16777216 of them.',
     );
     const less = claim.replace('1000000000', '16000000');
-    expect(problems(text(less))).toMatch(/^At line 3 "it.ply" has 16000000 × "vertex", which take at least \d+ bytes, and \d+ bytes left for them\./); // biome-ignore format: long
+    expect(problems(text(less))).toMatch(/^At line 3 "it.ply" has 16000000 × "vertex", which take at least \d+ bytes, and \d+ bytes left for them; expected /); // biome-ignore format: long
   });
   test.each(PLY_FORMS)('a milliard of faces, or of anything else (%s)', (form) => {
     const good = [...HEAD, ...FACE, ...BODY, ...BODY].join('\n').replace('ascii', form);
@@ -219,7 +219,7 @@ describe('a header that claims too much fails at once', () => {
     const list = (count: string) => text(...HEAD, ...FACE, ...BODY.slice(0, 3), `${count} 0 1 2`);
     expect(problems(list('4000000000'))).toContain('a list of 4000000000 items, and 6 bytes left');
     expect(problems(list('-3'))).toContain('-3 as the length of a list');
-    expect(problems(list('3.5'))).toContain('"3.5". Allowed is this: a whole number');
+    expect(problems(list('3.5'))).toContain('"3.5"; expected a whole number');
   });
 });
 
@@ -227,13 +227,13 @@ describe('mistakes in a header', () => {
   const broken = (from: string, to: string) => problems(text([...HEAD, ...FACE, ...BODY].join('\n').replace(from, to)));
   test('none', () => expect(broken('', '')).toBe('none'));
   test.each([
-    ['no ply', 'ply', 'plx', 'At line 1 "it.ply" has "plx" at its start. Allowed is this: the word "ply".'],
+    ['no ply', 'ply', 'plx', 'At line 1 "it.ply" has "plx" at its start; expected the word "ply".'],
     ['an unknown format', 'ascii', 'text', 'At line 2 "it.ply" has the format "text"'],
     ['another version', '1.0', '2.0', 'At line 2 "it.ply" has the version "2.0"'],
     ['no format', 'format ascii 1.0', 'comment none', 'no line "format" in its header'],
     ['half a count', 'vertex 3', 'vertex 3.5', 'At line 3 "it.ply" has "3.5" as the number of "vertex"'],
     ['a negative count', 'face 1', 'face -1', 'At line 7 "it.ply" has "-1" as the number of "face"'],
-    ['an unknown type', 'float y', 'quad y', 'At line 5 "it.ply" has the type "quad". Allowed is this: one of the types char,'],
+    ['an unknown type', 'float y', 'quad y', 'At line 5 "it.ply" has the type "quad"; expected one of the types char,'],
     ['a type that objects inherit', 'float y', 'valueOf y', 'the type "valueOf"'],
     ['a property without name', 'float z', 'float', 'At line 6 "it.ply" has a property without a name'],
     ['a property first', 'element vertex 3', 'comment', 'a property before any element'],
@@ -242,12 +242,12 @@ describe('mistakes in a header', () => {
     ['no z', 'float z', 'float w', 'At line 3 "it.ply" has vertices without "x", "y" and "z"'],
     ['a list as x', 'float x', 'list uchar float x', 'vertices without'],
     ['faces without a list', 'list uchar int vertex_indices', 'int vertex_indices', '"face" without a list'],
-    ['no vertices', 'vertex 3', 'point 3', 'the vertex 0 in face 0. Allowed is this: no faces, as there are no vertices'],
+    ['no vertices', 'vertex 3', 'point 3', 'the vertex 0 in face 0; expected no faces, as there are no vertices'],
     ['no faces', 'face 1', 'face 0', 'no faces: it is a cloud of points'],
-    ['too few rows', '3 0 1 2', '', 'its end. Allowed is this: all the rows'],
-    ['too few numbers', '1 0 0', '1 0', 'At line 11 "it.ply" has too few numbers in a row. Allowed is this: a number.'],
-    ['a word as number', '0 1 0', '0 one 0', 'At line 12 "it.ply" has "one". Allowed is this: a number.'],
-    ['half a vertex', '3 0 1 2', '3 0 1 1.5', 'At line 13 "it.ply" has "1.5". Allowed is this: a whole number.'],
+    ['too few rows', '3 0 1 2', '', 'its end; expected all the rows'],
+    ['too few numbers', '1 0 0', '1 0', 'At line 11 "it.ply" has too few numbers in a row; expected a number.'],
+    ['a word as number', '0 1 0', '0 one 0', 'At line 12 "it.ply" has "one"; expected a number.'],
+    ['half a vertex', '3 0 1 2', '3 0 1 1.5', 'At line 13 "it.ply" has "1.5"; expected a whole number.'],
   ])('%s', (_, from, to, expected) => expect(broken(from, to)).toContain(expected)); // biome-ignore format: table
 
   test('several are told together', () => {

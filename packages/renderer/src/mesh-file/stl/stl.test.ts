@@ -57,10 +57,10 @@ describe('bytes', () => {
   });
   test('that end too early, or claim too much', () => {
     const bytes = stlBinary(cubeMesh());
-    expect(problems(bytes.subarray(0, -1))).toBe('At byte 80 "it.stl" has 12 as the number of triangles, and bytes for 11. Allowed is this: at most 11.'); // biome-ignore format: long
+    expect(problems(bytes.subarray(0, -1))).toBe('At byte 80 "it.stl" has 12 as the number of triangles, and bytes for 11; expected at most 11.'); // biome-ignore format: long
     new DataView(bytes.buffer).setUint32(80, 4e9, true);
     expect(problems(bytes)).toContain('4000000000 as the number of triangles, and bytes for 12');
-    expect(problems(bytes.subarray(0, 40))).toContain('40 bytes. Allowed is this: at least the 84 of a header');
+    expect(problems(bytes.subarray(0, 40))).toContain('40 bytes; expected at least the 84 of a header');
     expect(problems(new Uint8Array())).toContain('0 bytes');
   });
 });
@@ -80,12 +80,7 @@ describe('text', () => {
     ['an end within a facet', 'endfacet\n', '', 'At line 8 "it.stl" has its end within a facet'],
     ['a loop that does not end', 'endloop\nendfacet\nendsolid', '', 'its end within a loop'],
     ['a solid that does not end', 'endsolid', '', 'its end within a solid'],
-    [
-      'two corners',
-      'vertex 1 0 0\n',
-      '',
-      'At line 6 "it.stl" has a loop of 2 vertices. Allowed is this: three of them.',
-    ],
+    ['two corners', 'vertex 1 0 0\n', '', 'At line 6 "it.stl" has a loop of 2 vertices; expected three of them.'],
     ['a corner of two numbers', 'vertex 1 0 0', 'vertex 1 0', 'At line 5 "it.stl" has the corner 1 0 NaN'],
     ['a corner outside', 'outer loop\n', '', 'At line 3 "it.stl" has a vertex outside of any loop'],
     ['another word', 'outer loop', 'inner loop', 'At line 3 "it.stl" has the word "inner"'],

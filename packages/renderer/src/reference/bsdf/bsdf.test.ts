@@ -52,6 +52,16 @@ describe.each(Object.entries(SURFACES))('%s', (_, s) => {
     }
   });
 
+  // Where light samples of the sky's map do not go, this is all that finds it.
+  test(`samples may go wherever f is above 0 (seed ${seed})`, () => {
+    const random = seededRandom(seed);
+    for (const cosine of cosinesOf(s))
+      for (let i = 0; i < 400; i++) {
+        const { value, pdf } = evaluateBsdf(s, directionOf(cosine), randomDirection(random));
+        if (Math.max(...value) > 0) expect(pdf, `cosine ${cosine}`).toBeGreaterThan(0);
+      }
+  });
+
   // Compensation is a factor of wo alone: Turquin gives up reciprocity on purpose.
   test.skipIf(s.energyCompensation)(`f is the same from both ends, for glass f / index² (seed ${seed})`, () => {
     const random = seededRandom(seed);

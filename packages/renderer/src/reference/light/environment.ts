@@ -29,13 +29,43 @@ export function radianceOfMap(map: EnvironmentMap, direction: Vec3, rotation = 0
   return [channel(0), channel(1), channel(2)];
 }
 
-/** Density of places on the map, per texel and up to a factor: the mean radiance times sin θ, bilinear; the sine is odd beyond a pole. */
-export function placeDensity({ width, height, data }: EnvironmentMap, place: readonly [number, number]): number {
-  return bilinear(place, (i, j) => {
-    const at = 3 * (clamp(j, height) * width + wrap(i, width));
-    const sine = Math.sin((Math.PI * (j + 0.5)) / height);
-    return (sine * (data[at]! + data[at + 1]! + data[at + 2]!)) / 3;
-  });
+const luminance = ({ width, height, data }: EnvironmentMap, i: number, j: number): number => {
+  const at = 3 * (clamp(j, height) * width + wrap(i, width));
+  return (data[at]! + data[at + 1]! + data[at + 2]!) / 3;
+};
+const sineOf = ({ height }: EnvironmentMap, j: number): number => Math.sin((Math.PI * (j + 0.5)) / height);
+
+/** Mean radiance of the texels, each as large as it is in the sky, and the share of all light that is brighter than that. */
+function meanAndExcess(map: EnvironmentMap): { mean: number; excess: number } {
+  const sumOver = (f: (i: number, j: number) => number) => {
+    let sum = 0;
+    for (let j = 0; j < map.height; j++) for (let i = 0; i < map.width; i++) sum += f(i, j) * sineOf(map, j);
+    return sum;
+  };
+  const light = sumOver((i, j) => luminance(map, i, j));
+  const mean = light / sumOver(() => 1);
+  return { mean, excess: sumOver((i, j) => Math.max(luminance(map, i, j) - mean, 0)) / light };
+}
+
+const floors = new WeakMap<EnvironmentMap, number>();
+
+/** The radiance that light sampling leaves out: the mean, unless hardly anything is brighter. */
+function floorOf(map: EnvironmentMap): number {
+  let floor = floors.get(map);
+  if (floor === undefined) {
+    const { mean, excess } = meanAndExcess(map);
+    floors.set(map, (floor = excess > 1e-3 ? mean : 0));
+  }
+  return floor;
+}
+
+/**
+ * Density of places on the map, per texel and up to a factor: by how much the radiance is above the mean, times sin θ, bilinear; the sine
+ * is odd beyond a pole.
+ */
+export function placeDensity(map: EnvironmentMap, place: readonly [number, number]): number {
+  const floor = floorOf(map);
+  return bilinear(place, (i, j) => Math.max(luminance(map, i, j) - floor, 0) * sineOf(map, j));
 }
 
 /** The sum over all places of `f`, which is bilinear between lines half a texel apart, times the area in texels: exact. */

@@ -18,22 +18,22 @@ struct Sight {
 
 
 // As in path.wesl. The classic integrator's rays come out of it too: aov.ts gives it frames with a jitter, no filter and no lens.
-fn look(fragment: vec2f) -> Sight {
-  var s = startSampler(vec2u(fragment), frame.sampleIndex, frame.seed);
-  let filmPosition = floor(fragment) + frame.jitter + filterOffset(next2d(&s));
+fn look(pixel: vec2u) -> Sight {
+  var s = startSampler(pixel, frame.sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + frame.jitter + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, next2d(&s));
   let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  let offCentre = filmPosition - floor(fragment) - 0.5;
+  let offCentre = filmPosition - vec2f(pixel) - 0.5;
   return Sight(rays, tracePair(rays), 1.0 / (1.0 + dot(offCentre, offCentre)));
 }
 
 // Means over the samples, which denoisers want as smooth as the picture: albedo and samples; shading normal and hits.
 @fragment fn aovFeatures(@builtin(position) fragment: vec4f) -> Layers {
-  let sight = look(fragment.xy);
+  let texel = vec2u(fragment.xy);
+  let sight = look(frame.origin + texel);
   var sums = Layers(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
-    let pixel = vec2u(fragment.xy);
-    sums = Layers(textureLoad(previousFirst, pixel, 0), textureLoad(previousSecond, pixel, 0));
+    sums = Layers(textureLoad(previousFirst, texel, 0), textureLoad(previousSecond, texel, 0));
   }
   sums.first.a += 1.0;
   let shape = sight.hit.shape;
@@ -49,7 +49,8 @@ fn look(fragment: vec2f) -> Sight {
 // Of the one sample nearest to the middle of the pixel, since numbers and places cannot be averaged: place, relative to the eye, and
 // the shape's number; geometric normal and how close to the middle the sample is.
 @fragment fn aovData(@builtin(position) fragment: vec4f) -> Layers {
-  let sight = look(fragment.xy);
+  let texel = vec2u(fragment.xy);
+  let sight = look(frame.origin + texel);
   let shape = sight.hit.shape;
   var data = Layers(vec4f(0.0), vec4f(0.0, 0.0, 0.0, sight.closeness));
   if (shape != noShape) {
@@ -57,8 +58,7 @@ fn look(fragment: vec2f) -> Sight {
     data.second = vec4f(surfaceAt(sight.rays, sight.hit, shape).geometric, sight.closeness);
   }
   if (frame.sampleIndex > 0u) {
-    let pixel = vec2u(fragment.xy);
-    let previous = Layers(textureLoad(previousFirst, pixel, 0), textureLoad(previousSecond, pixel, 0));
+    let previous = Layers(textureLoad(previousFirst, texel, 0), textureLoad(previousSecond, texel, 0));
     // Of two alike the first one stays.
     if (previous.second.a >= sight.closeness) {
       return previous;
@@ -256,11 +256,11 @@ fn pcg(x: u32) -> u32 {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -276,7 +276,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -326,6 +326,8 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 

@@ -89,6 +89,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -1287,24 +1288,24 @@ PairHit tracePair(RayPair p_6) {
     return _e76;
 }
 
-Sight look(vec2 fragment_2) {
+Sight look(uvec2 pixel_2) {
     Sampler s_3 = Sampler(0u, 0u, 0u, 0u);
-    uint _e4 = frame.sampleIndex;
-    uint _e7 = frame.seed;
-    Sampler _e8 = startSampler(uvec2(fragment_2), _e4, _e7);
-    s_3 = _e8;
-    vec2 _e13 = frame.jitter;
-    vec2 _e15 = next2d(s_3);
-    vec2 _e16 = filterOffset(_e15);
-    vec2 filmPosition_2 = ((floor(fragment_2) + _e13) + _e16);
-    vec2 _e18 = next2d(s_3);
-    CameraRay _e19 = cameraRay(filmPosition_2, _e18);
-    Sampler _e22 = s_3;
-    uint _e23 = numberOfNext(_e22);
-    RayPair _e24 = oneRay(_e19.origin, _e19.direction, _e23);
-    vec2 offCentre = ((filmPosition_2 - floor(fragment_2)) - vec2(0.5));
-    PairHit _e30 = tracePair(_e24);
-    return Sight(_e24, _e30, (1.0 / (1.0 + dot(offCentre, offCentre))));
+    uint _e3 = frame.sampleIndex;
+    uint _e6 = frame.seed;
+    Sampler _e7 = startSampler(pixel_2, _e3, _e6);
+    s_3 = _e7;
+    vec2 _e12 = frame.jitter;
+    vec2 _e14 = next2d(s_3);
+    vec2 _e15 = filterOffset(_e14);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + _e12) + _e15);
+    vec2 _e17 = next2d(s_3);
+    CameraRay _e18 = cameraRay(filmPosition_2, _e17);
+    Sampler _e21 = s_3;
+    uint _e22 = numberOfNext(_e21);
+    RayPair _e23 = oneRay(_e18.origin, _e18.direction, _e22);
+    vec2 offCentre = ((filmPosition_2 - vec2(pixel_2)) - vec2(0.5));
+    PairHit _e29 = tracePair(_e23);
+    return Sight(_e23, _e29, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
 bool isPlane(uint i_11) {
@@ -1744,31 +1745,32 @@ Material fetchMaterial(uint i_18) {
 void main() {
     vec4 fragment_1 = gl_FragCoord;
     Layers data = Layers(vec4(0.0), vec4(0.0));
-    Sight _e2 = look(fragment_1.xy);
-    uint shape_1 = _e2.hit.shape;
-    data = Layers(vec4(0.0), vec4(0.0, 0.0, 0.0, _e2.closeness));
+    uvec2 texel_2 = uvec2(fragment_1.xy);
+    uvec2 _e5 = frame.origin;
+    Sight _e7 = look((_e5 + texel_2));
+    uint shape_1 = _e7.hit.shape;
+    data = Layers(vec4(0.0), vec4(0.0, 0.0, 0.0, _e7.closeness));
     if ((shape_1 != noShape)) {
-        Material _e25 = fetchMaterial(shape_1);
-        data.first = vec4((_e2.rays.point + (_e2.hit.t * _e2.rays.direction)), _e25.id);
-        SurfacePoint _e31 = surfaceAt(_e2.rays, _e2.hit, shape_1);
-        data.second = vec4(_e31.geometric, _e2.closeness);
+        Material _e30 = fetchMaterial(shape_1);
+        data.first = vec4((_e7.rays.point + (_e7.hit.t * _e7.rays.direction)), _e30.id);
+        SurfacePoint _e36 = surfaceAt(_e7.rays, _e7.hit, shape_1);
+        data.second = vec4(_e36.geometric, _e7.closeness);
     }
-    uint _e37 = frame.sampleIndex;
-    if ((_e37 > 0u)) {
-        uvec2 pixel_2 = uvec2(fragment_1.xy);
-        vec4 _e44 = texelFetch(previousFirst, ivec2(pixel_2), 0);
-        vec4 _e47 = texelFetch(previousSecond, ivec2(pixel_2), 0);
-        Layers previous = Layers(_e44, _e47);
-        if ((previous.second.w >= _e2.closeness)) {
+    uint _e42 = frame.sampleIndex;
+    if ((_e42 > 0u)) {
+        vec4 _e47 = texelFetch(previousFirst, ivec2(texel_2), 0);
+        vec4 _e50 = texelFetch(previousSecond, ivec2(texel_2), 0);
+        Layers previous = Layers(_e47, _e50);
+        if ((previous.second.w >= _e7.closeness)) {
             Layers _tmp_return = previous;
             _fs2p_location0 = _tmp_return.first;
             _fs2p_location1 = _tmp_return.second;
             return;
         }
     }
-    Layers _e53 = data;
-    _fs2p_location0 = _e53.first;
-    _fs2p_location1 = _e53.second;
+    Layers _e56 = data;
+    _fs2p_location0 = _e56.first;
+    _fs2p_location1 = _e56.second;
     return;
 }
 

@@ -89,6 +89,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -626,24 +627,24 @@ PairHit tracePair(RayPair p_5) {
     return _e72;
 }
 
-Sight look(vec2 fragment_2) {
+Sight look(uvec2 pixel_2) {
     Sampler s_3 = Sampler(0u, 0u, 0u, 0u);
-    uint _e4 = frame.sampleIndex;
-    uint _e7 = frame.seed;
-    Sampler _e8 = startSampler(uvec2(fragment_2), _e4, _e7);
-    s_3 = _e8;
-    vec2 _e13 = frame.jitter;
-    vec2 _e15 = next2d(s_3);
-    vec2 _e16 = filterOffset(_e15);
-    vec2 filmPosition_2 = ((floor(fragment_2) + _e13) + _e16);
-    vec2 _e18 = next2d(s_3);
-    CameraRay _e19 = cameraRay(filmPosition_2, _e18);
-    Sampler _e22 = s_3;
-    uint _e23 = numberOfNext(_e22);
-    RayPair _e24 = oneRay(_e19.origin, _e19.direction, _e23);
-    vec2 offCentre = ((filmPosition_2 - floor(fragment_2)) - vec2(0.5));
-    PairHit _e30 = tracePair(_e24);
-    return Sight(_e24, _e30, (1.0 / (1.0 + dot(offCentre, offCentre))));
+    uint _e3 = frame.sampleIndex;
+    uint _e6 = frame.seed;
+    Sampler _e7 = startSampler(pixel_2, _e3, _e6);
+    s_3 = _e7;
+    vec2 _e12 = frame.jitter;
+    vec2 _e14 = next2d(s_3);
+    vec2 _e15 = filterOffset(_e14);
+    vec2 filmPosition_2 = ((vec2(pixel_2) + _e12) + _e15);
+    vec2 _e17 = next2d(s_3);
+    CameraRay _e18 = cameraRay(filmPosition_2, _e17);
+    Sampler _e21 = s_3;
+    uint _e22 = numberOfNext(_e21);
+    RayPair _e23 = oneRay(_e18.origin, _e18.direction, _e22);
+    vec2 offCentre = ((filmPosition_2 - vec2(pixel_2)) - vec2(0.5));
+    PairHit _e29 = tracePair(_e23);
+    return Sight(_e23, _e29, (1.0 / (1.0 + dot(offCentre, offCentre))));
 }
 
 bool isPlane(uint i_8) {
@@ -795,29 +796,30 @@ Material fetchMaterial(uint i_13) {
 void main() {
     vec4 fragment = gl_FragCoord;
     Layers sums = Layers(vec4(0.0), vec4(0.0));
-    Sight _e2 = look(fragment.xy);
-    uint _e11 = frame.sampleIndex;
-    if ((_e11 > 0u)) {
-        uvec2 pixel_2 = uvec2(fragment.xy);
-        vec4 _e18 = texelFetch(previousFirst, ivec2(pixel_2), 0);
-        vec4 _e21 = texelFetch(previousSecond, ivec2(pixel_2), 0);
-        sums = Layers(_e18, _e21);
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    Sight _e7 = look((_e5 + texel));
+    uint _e16 = frame.sampleIndex;
+    if ((_e16 > 0u)) {
+        vec4 _e21 = texelFetch(previousFirst, ivec2(texel), 0);
+        vec4 _e24 = texelFetch(previousSecond, ivec2(texel), 0);
+        sums = Layers(_e21, _e24);
     }
-    float _e25 = sums.first.w;
-    sums.first.w = (_e25 + 1.0);
-    uint shape_1 = _e2.hit.shape;
+    float _e28 = sums.first.w;
+    sums.first.w = (_e28 + 1.0);
+    uint shape_1 = _e7.hit.shape;
     if ((shape_1 != noShape)) {
-        SurfacePoint _e34 = surfaceAt(_e2.rays, _e2.hit, shape_1);
-        vec3 direction_7 = _e2.rays.direction;
-        vec4 _e38 = sums.first;
-        vec3 _e44 = albedoOf(_e34.surface, (dot(_e34.geometric, direction_7) > 0.0));
-        sums.first = (_e38 + vec4(_e44, 0.0));
-        vec4 _e49 = sums.second;
-        sums.second = (_e49 + vec4(pick((dot(_e34.shading, direction_7) > 0.0), -(_e34.shading), _e34.shading), 1.0));
+        SurfacePoint _e37 = surfaceAt(_e7.rays, _e7.hit, shape_1);
+        vec3 direction_7 = _e7.rays.direction;
+        vec4 _e41 = sums.first;
+        vec3 _e47 = albedoOf(_e37.surface, (dot(_e37.geometric, direction_7) > 0.0));
+        sums.first = (_e41 + vec4(_e47, 0.0));
+        vec4 _e52 = sums.second;
+        sums.second = (_e52 + vec4(pick((dot(_e37.shading, direction_7) > 0.0), -(_e37.shading), _e37.shading), 1.0));
     }
-    Layers _e61 = sums;
-    _fs2p_location0 = _e61.first;
-    _fs2p_location1 = _e61.second;
+    Layers _e64 = sums;
+    _fs2p_location0 = _e64.first;
+    _fs2p_location1 = _e64.second;
     return;
 }
 

@@ -63,6 +63,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Bounds {
     vec3 center;
@@ -1062,25 +1063,27 @@ Start onCamera(vec3 point_1) {
 void main() {
     vec4 fragment = gl_FragCoord;
     vec4 sum = vec4(0.0);
-    uvec2 pixel_1 = uvec2(fragment.xy);
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uvec2 pixel_1 = (_e5 + texel);
     float column_1 = (float(pixel_1.x) + 0.5);
-    float _e12 = frame.dividers.x;
-    float _e18 = frame.dividers.y;
-    uvec4 panel = frame.panels[(uint((column_1 >= _e12)) + uint((column_1 >= _e18)))];
-    vec2 _e28 = frame.jitter;
-    CameraRay _e30 = centralRay((floor(fragment.xy) + _e28));
-    uint _e33 = frame.sampleIndex;
-    uint _e36 = frame.seed;
-    uint _e37 = pixelHash0_(pixel_1, _e33, _e36);
-    Start _e39 = onCamera(_e30.origin);
-    vec3 _e44 = trace(Ray(_e39, _e30.direction), _e37, panel.x, panel.y);
-    uint _e50 = frame.sampleIndex;
-    if ((_e50 > 0u)) {
-        vec4 _e55 = texelFetch(previousFilm, ivec2(pixel_1), 0);
-        sum = _e55;
+    float _e16 = frame.dividers.x;
+    float _e22 = frame.dividers.y;
+    uvec4 panel = frame.panels[(uint((column_1 >= _e16)) + uint((column_1 >= _e22)))];
+    vec2 _e31 = frame.jitter;
+    CameraRay _e33 = centralRay((vec2(pixel_1) + _e31));
+    uint _e36 = frame.sampleIndex;
+    uint _e39 = frame.seed;
+    uint _e40 = pixelHash0_(pixel_1, _e36, _e39);
+    Start _e42 = onCamera(_e33.origin);
+    vec3 _e47 = trace(Ray(_e42, _e33.direction), _e40, panel.x, panel.y);
+    uint _e53 = frame.sampleIndex;
+    if ((_e53 > 0u)) {
+        vec4 _e58 = texelFetch(previousFilm, ivec2(texel), 0);
+        sum = _e58;
     }
-    vec4 _e56 = sum;
-    _fs2p_location0 = (_e56 + vec4(_e44, 1.0));
+    vec4 _e59 = sum;
+    _fs2p_location0 = (_e59 + vec4(_e47, 1.0));
     return;
 }
 

@@ -39,16 +39,17 @@ fn trace(first: Ray, hash: u32, maxReflections: u32, lightSamples: u32) -> vec3f
 
 // Adds one film sample to what the film holds: RGB sums, and in alpha how many.
 @fragment fn classic(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
-  let pixel = vec2u(fragment.xy);
+  let texel = vec2u(fragment.xy);
+  let pixel = frame.origin + texel;
   let column = f32(pixel.x) + 0.5;
   let panel = frame.panels[u32(column >= frame.dividers.x) + u32(column >= frame.dividers.y)];
   // A pinhole whatever the lens: what is taught has no depth of field, and one sample a pixel could not show it.
-  let camera = centralRay(floor(fragment.xy) + frame.jitter);
+  let camera = centralRay(vec2f(pixel) + frame.jitter);
   let hash = pixelHash0(pixel, frame.sampleIndex, frame.seed);
   let radiance = trace(Ray(onCamera(camera.origin), camera.direction), hash, panel.x, panel.y);
   var sum = vec4f(0.0);
   if (frame.sampleIndex > 0u) {
-    sum = textureLoad(previousFilm, pixel, 0);
+    sum = textureLoad(previousFilm, texel, 0);
   }
   return sum + vec4f(radiance, 1.0);
 }
@@ -245,11 +246,11 @@ fn sky(direction: vec3f) -> vec3f {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -265,7 +266,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -315,6 +316,8 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
 
 

@@ -93,6 +93,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -235,9 +236,13 @@ struct ChosenCell {
     uvec2 cell;
     vec2 rest;
 };
-struct Parts {
-    uvec2 whole;
-    vec2 rest;
+struct Table {
+    uint first;
+    uint entries;
+};
+struct Choice {
+    uint entry;
+    float rest;
 };
 struct Outgoing {
     vec3 wo;
@@ -390,9 +395,9 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_14), 15.0);
-    float t_2 = (x_14 - piece);
+    float t_4 = (x_14 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
-    float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
+    float offset_2 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
     return pick((across < 0.0), -(offset_2), offset_2);
 }
 
@@ -621,8 +626,8 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far_1 = (along + half_1);
-    float t_3 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_3 > tMin), false), t_3, 1e30));
+    float t_5 = pick((near > tMin), near, far_1);
+    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -649,8 +654,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_4 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_4)) + cross(q.xyz, t_4));
+    vec3 t_6 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_6)) + cross(q.xyz, t_6));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -681,8 +686,8 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_5 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_5 > tMin_1), false), t_5, 1e30));
+    float t_7 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_7 > tMin_1), false), t_7, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
@@ -702,10 +707,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_7 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_7);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_6 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_13 = ((t_6 * direction_4) - toCenter_1);
+    float t_8 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_13 = ((t_8 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_13, reciprocalU)), abs(dot(p_13, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_6 > tMin_2), (t_6 < 1e30), false), within, false), t_6, 1e30);
+    return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -719,11 +724,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_7 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_9 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_7 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_9 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_7, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_9, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -737,11 +742,11 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
 PairHit tracePair(RayPair p_6) {
     PairHit found_5 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
     uint i_7 = 0u;
-    uvec4 ends = frame.shapeEnds;
+    uvec4 ends_1 = frame.shapeEnds;
     const bool _e17 = hasSpheres;
     if (_e17) {
         uint _e18 = i_7;
-        if ((_e18 < ends.x)) {
+        if ((_e18 < ends_1.x)) {
             while(true) {
                 PairHit _e21 = found_5;
                 uint _e22 = i_7;
@@ -750,7 +755,7 @@ PairHit tracePair(RayPair p_6) {
                 uint _e25 = i_7;
                 i_7 = (_e25 + 1u);
                 uint _e27 = i_7;
-                if ((_e27 >= ends.x)) {
+                if ((_e27 >= ends_1.x)) {
                     break;
                 }
             }
@@ -759,7 +764,7 @@ PairHit tracePair(RayPair p_6) {
     const bool _e31 = hasBoxes;
     if (_e31) {
         uint _e32 = i_7;
-        if ((_e32 < ends.y)) {
+        if ((_e32 < ends_1.y)) {
             while(true) {
                 PairHit _e35 = found_5;
                 uint _e36 = i_7;
@@ -768,7 +773,7 @@ PairHit tracePair(RayPair p_6) {
                 uint _e39 = i_7;
                 i_7 = (_e39 + 1u);
                 uint _e41 = i_7;
-                if ((_e41 >= ends.y)) {
+                if ((_e41 >= ends_1.y)) {
                     break;
                 }
             }
@@ -777,7 +782,7 @@ PairHit tracePair(RayPair p_6) {
     const bool _e45 = hasQuads;
     if (_e45) {
         uint _e46 = i_7;
-        if ((_e46 < ends.z)) {
+        if ((_e46 < ends_1.z)) {
             while(true) {
                 PairHit _e49 = found_5;
                 uint _e50 = i_7;
@@ -786,7 +791,7 @@ PairHit tracePair(RayPair p_6) {
                 uint _e53 = i_7;
                 i_7 = (_e53 + 1u);
                 uint _e55 = i_7;
-                if ((_e55 >= ends.z)) {
+                if ((_e55 >= ends_1.z)) {
                     break;
                 }
             }
@@ -795,7 +800,7 @@ PairHit tracePair(RayPair p_6) {
     const bool _e59 = hasPlanes;
     if (_e59) {
         uint _e60 = i_7;
-        if ((_e60 < ends.w)) {
+        if ((_e60 < ends_1.w)) {
             while(true) {
                 PairHit _e63 = found_5;
                 uint _e64 = i_7;
@@ -804,7 +809,7 @@ PairHit tracePair(RayPair p_6) {
                 uint _e67 = i_7;
                 i_7 = (_e67 + 1u);
                 uint _e69 = i_7;
-                if ((_e69 >= ends.w)) {
+                if ((_e69 >= ends_1.w)) {
                     break;
                 }
             }
@@ -824,10 +829,10 @@ vec3 boxNormal(vec3 origin_7, vec3 direction_6, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_7, direction_6, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_8 = pick(entering, _e5.near, _e5.far);
+    float t_10 = pick(entering, _e5.near, _e5.far);
     vec3 side = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_6, vec3(0.0))));
-    bool onX = (crossed.x == t_8);
-    bool onY = pick(!(onX), (crossed.y == t_8), false);
+    bool onX = (crossed.x == t_10);
+    bool onY = pick(!(onX), (crossed.y == t_10), false);
     return (side * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -985,10 +990,10 @@ float directionalPdf(Emitter e_1, vec3 direction_8) {
 }
 
 vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
-    vec2 low = min(x_9, y_5);
-    vec2 high = max(x_9, y_5);
-    bvec2 middle_1 = greaterThan(low, (0.41421357 * high));
-    vec2 r = (mix(low, (low - high), middle_1) / max(mix(high, (low + high), middle_1), vec2(1e-30)));
+    vec2 low_1 = min(x_9, y_5);
+    vec2 high_1 = max(x_9, y_5);
+    bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high_1));
+    vec2 r = (mix(low_1, (low_1 - high_1), middle_1) / max(mix(high_1, (low_1 + high_1), middle_1), vec2(1e-30)));
     vec2 z_1 = (r * r);
     vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
@@ -1133,15 +1138,15 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high_1 = (low_1 + lengths);
-    vec2 y_10 = vec2(low_1.y, high_1.y);
-    float _e44 = stretch(low_1.x, y_10, height_1);
-    float _e46 = stretch(high_1.x, y_10, height_1);
+    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_2 = (low_2 + lengths);
+    vec2 y_10 = vec2(low_2.y, high_2.y);
+    float _e44 = stretch(low_2.x, y_10, height_1);
+    float _e46 = stretch(high_2.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_8 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    return QuadView(corner, axisX, axisY, axisZ, low_2, high_2, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 float quadPdf(Emitter e_6, vec3 point_3, float distance_2) {
@@ -1438,8 +1443,8 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
     float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_17 * x_17) + (h_5 * h_5));
-    vec2 ends_1 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
-    float v_8 = mix(ends_1.x, ends_1.y, u_7.y);
+    vec2 ends_2 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
+    float v_8 = mix(ends_2.x, ends_2.y, u_7.y);
     float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
     return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
@@ -1514,70 +1519,118 @@ LightSample sampleDirectional(Emitter e_19, vec2 u_11) {
     return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
 }
 
-Parts splitProduct(vec2 u_12, uvec2 n_1) {
-    uvec2 digits = uvec2((u_12 * 16777216.0));
-    uvec2 low_2 = ((digits & uvec2(4095u)) * n_1);
-    uvec2 high_2 = (((digits >> uvec2(12u)) * n_1) + (low_2 >> uvec2(12u)));
-    return Parts((high_2 >> uvec2(12u)), vec2((((high_2 & uvec2(4095u)) << uvec2(12u)) | (low_2 & uvec2(4095u)))));
+vec4 fetchEntries(Table t_2, uint pair) {
+    float _e5 = frame.environmentSize.x;
+    uint width_2 = uint(_e5);
+    uint i_18 = (t_2.first + pair);
+    uint row_2 = (i_18 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_18 - (row_2 * width_2)), row_2)), 0);
+    return _e15;
 }
 
-ChosenCell chooseCell(vec2 u_13) {
+vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
+    uvec2 further = (uvec2(pair_1.yw) & uvec2(4095u));
+    return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
+}
+
+Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
+    uint low = 0u;
+    uint high = 0u;
+    vec2 ends = vec2(1.0);
+    uint step_ = 0u;
+    uint pairs = ((t_3.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_3.entries) + (((digits_1 & 4095u) * t_3.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_3, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
+    while(true) {
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_3, next);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_7 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_7, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_7, next, _e62);
+        uint _e66 = low;
+        low = pick(found_7, _e66, (next + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
+        }
+    }
+    uint _e76 = high;
+    uint pair_3 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_3, (max(pair_3, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst, pick((pair_3 == 0u), none, before), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst, _e106, _e104);
+    return Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (t_3.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_12) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_2 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_13, (size_2 + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
-    uint hash = (_e17 >> 8u);
-    float _e26 = frame.environmentSize.x;
-    float fine = ((float(hash) * 5.9604645e-8) * _e26);
-    float x_18 = min(((_e9.rest.x + fine) * 5.9604645e-8), 0.99999994);
-    uint rows = ((size_2.y + 2u) / 2u);
-    bool second = (_e9.whole.y >= rows);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_2.y) - pick(second, rows, 0u)))), 0);
-    vec2 entry = pick(second, entries.zw, entries.xy);
-    bool own_5 = (x_18 < entry.x);
-    uint other_1 = uint(entry.y);
-    uint otherRow = (other_1 / size_2.x);
-    uvec2 cell_2 = pick(own_5, _e9.whole, uvec2((other_1 - (otherRow * size_2.x)), otherRow));
-    float rest_1 = pick(own_5, (x_18 / max(entry.x, 1e-37)), ((x_18 - entry.x) / max((1.0 - entry.x), 1e-7)));
-    return ChosenCell(cell_2, vec2(min(rest_1, 1.0), (_e9.rest.y * 5.9604645e-8)));
+    uvec2 digits_2 = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uint columns = ((size_2.x + 1u) / 2u);
+    uint tables = (size_2.x * size_2.y);
+    Choice _e29 = chooseEntry(Table(tables, (size_2.y + 1u)), digits_2.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_2.y + 2u) / 2u)) + (_e29.entry * columns)), size_2.x), digits_2.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
-float linearSample(float u_14, float a, float b_2) {
-    vec2 ends_2 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
-    return min((u_14 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_14))), 1e-9)), 1.0);
+float linearSample(float u_13, float a, float b_2) {
+    vec2 ends_3 = (vec2(a, b_2) / vec2(max((a + b_2), 1e-37)));
+    return min((u_13 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_13))), 1e-9)), 1.0);
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_15) {
+EnvironmentSample sampleEnvironment(vec2 u_14) {
     vec2 size_3 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_15);
+    ChosenCell _e4 = chooseCell(u_14);
     Corners _e6 = environmentCorners(_e4.cell);
-    vec2 cell_3 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_3.y));
+    vec2 cell_2 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_3.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_9 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_9), mix(_e6.b.w, _e6.d.w, t_9));
-    bool isLower_1 = ((2.0 * cell_3.y) > size_3.y);
-    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_3.y) + (0.5 - t_9)), (cell_3.y + (t_9 - 0.5)));
+    float t_11 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_11), mix(_e6.b.w, _e6.d.w, t_11));
+    bool isLower_1 = ((2.0 * cell_2.y) > size_3.y);
+    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_2.y) + (0.5 - t_11)), (cell_2.y + (t_11 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_3.x) - _e85));
     float nearest = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_18 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
     return EnvironmentSample(direction_18, _e119);
 }
 
-LightSample sampleSky(vec2 u_16) {
+LightSample sampleSky(vec2 u_15) {
     EnvironmentSample s_9 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_16);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_15);
     s_9 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_16);
+        EnvironmentSample _e13 = sampleEnvironment(u_15);
         s_9 = _e13;
     }
     vec3 _e15 = s_9.direction;
@@ -1588,26 +1641,26 @@ LightSample sampleSky(vec2 u_16) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
+LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_16) {
     LightSample s_10 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
         if ((e_20.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_20, point_15, u_17);
+            LightSample _e19 = sampleSphere(e_20, point_15, u_16);
             s_10 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
         if ((e_20.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_20, point_15, u_17);
+            LightSample _e25 = sampleQuad(e_20, point_15, u_16);
             s_10 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
         if ((e_20.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_20, point_15, u_17);
+            LightSample _e31 = sampleBox(e_20, point_15, u_16);
             s_10 = _e31;
         }
     }
@@ -1628,14 +1681,14 @@ LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_17) {
     const bool _e45 = hasSuns;
     if (_e45) {
         if ((e_20.kind == 5.0)) {
-            LightSample _e49 = sampleDirectional(e_20, u_17);
+            LightSample _e49 = sampleDirectional(e_20, u_16);
             s_10 = _e49;
         }
     }
     const bool _e51 = hasSky;
     if (_e51) {
         if ((e_20.kind == 6.0)) {
-            LightSample _e55 = sampleSky(u_17);
+            LightSample _e55 = sampleSky(u_16);
             s_10 = _e55;
         }
     }
@@ -1730,29 +1783,29 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_18) {
-    float radius_2 = sqrt(u_18.x);
-    float phi_2 = ((6.2831855 * u_18.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_18.x))));
+vec3 sampleCosine(vec2 u_17) {
+    float radius_2 = sqrt(u_17.x);
+    float phi_2 = ((6.2831855 * u_17.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_17.x))));
 }
 
 bool isSmooth(uint code_8) {
     return ((code_8 & 32u) != 0u);
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_2, float bound, vec2 u_19) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_2, float bound, vec2 u_18) {
     float _e8 = stretched(wo_2, alpha_2);
     vec3 w_4 = (vec3((alpha_2 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_19.x) - 3.1415927);
-    float drop = (u_19.y * (1.0 + (bound * w_4.z)));
+    float phi_3 = ((6.2831855 * u_18.x) - 3.1415927);
+    float drop = (u_18.y * (1.0 + (bound * w_4.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_6 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_2 * h_6.xy), max(h_6.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_20) {
+vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_19) {
     float side_3 = pick((o_1.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_1.wo * side_3), max(alpha_3, 0.001), o_1.bound, u_20);
+    vec3 _e16 = sampleVisibleNormal((o_1.wo * side_3), max(alpha_3, 0.001), o_1.bound, u_19);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
@@ -1832,7 +1885,7 @@ vec3 mirrored(vec3 wo_4) {
     return vec3(-(wo_4.xy), wo_4.z);
 }
 
-BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
+BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_1 = 0.0;
@@ -1840,8 +1893,8 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
     vec3 wo_5 = o_2.wo;
     float _e5 = mirrorShare(s_13.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_1 = ((u_21.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_21.xy);
+    float choice_1 = ((u_20.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_20.xy);
     drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
@@ -1850,7 +1903,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
         uint code_12 = uint(s_13.code);
         bool _e29 = isDielectric(code_12);
         bool _e30 = isSmooth(code_12);
-        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_21.xy);
+        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_20.xy);
         float oh = max(dot(wo_5, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
         bool crossing = pick(_e29, (choice_1 >= _e38.x), false);
@@ -1884,7 +1937,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_21) {
     }
     const bool _e116 = hasMirrorLayers;
     if (_e116) {
-        bool reflected = (u_21.z < _e5);
+        bool reflected = (u_20.z < _e5);
         vec3 _e121 = drawn.direction;
         vec3 _e122 = mirrored(wo_5);
         drawn.direction = pick(reflected, _e122, _e121);
@@ -1909,8 +1962,8 @@ bool hidesApart(uint code_9) {
 }
 
 float singleScatteringAlbedo(float cosine_8, float alpha_5) {
-    float x_19 = (cosine_8 / (cosine_8 + alpha_5));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_18 = (cosine_8 / (cosine_8 + alpha_5));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_18 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_18 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_18 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_18 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_5 * alpha_5);
     return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
 }
@@ -1996,11 +2049,11 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
 }
 
 Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
-    Pair pair = Pair(vec4(0.0), vec4(0.0));
+    Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
     vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
     vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
-    pair = Pair(_e4, _e5);
-    Pair _e8 = pair;
+    pair_2 = Pair(_e4, _e5);
+    Pair _e8 = pair_2;
     return _e8;
 }
 
@@ -2162,30 +2215,31 @@ void main() {
     vec4 fragment = gl_FragCoord;
     Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
-    uvec2 pixel_3 = uvec2(fragment.xy);
-    uint _e5 = frame.sampleIndex;
-    Path _e6 = startPath(pixel_3, _e5);
-    p = _e6;
+    uvec2 texel = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uint _e9 = frame.sampleIndex;
+    Path _e10 = startPath((_e5 + texel), _e9);
+    p = _e10;
     while(true) {
         extendPath(p);
-        Path _e8 = p;
-        bool _e9 = isOver(_e8);
-        if (_e9) {
+        Path _e12 = p;
+        bool _e13 = isOver(_e12);
+        if (_e13) {
             break;
         }
     }
-    uint _e18 = frame.sampleIndex;
-    if ((_e18 > 0u)) {
-        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
-        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
-        film = Film(_e23, _e26);
+    uint _e22 = frame.sampleIndex;
+    if ((_e22 > 0u)) {
+        vec4 _e27 = texelFetch(previousFilm, ivec2(texel), 0);
+        vec4 _e30 = texelFetch(previousSquares, ivec2(texel), 0);
+        film = Film(_e27, _e30);
     }
-    vec4 _e29 = film.sums;
-    vec3 _e31 = p.radiance;
-    vec4 _e36 = film.squares;
-    vec3 _e38 = p.radiance;
-    vec3 _e40 = p.radiance;
-    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
+    vec4 _e33 = film.sums;
+    vec3 _e35 = p.radiance;
+    vec4 _e40 = film.squares;
+    vec3 _e42 = p.radiance;
+    vec3 _e44 = p.radiance;
+    Film _tmp_return = Film((_e33 + vec4(_e35, 1.0)), (_e40 + vec4((_e42 * _e44), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

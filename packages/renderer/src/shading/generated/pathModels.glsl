@@ -93,6 +93,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Group {
     uint index;
@@ -383,9 +384,13 @@ struct ChosenCell {
     uvec2 cell;
     vec2 rest;
 };
-struct Parts {
-    uvec2 whole;
-    vec2 rest;
+struct Table {
+    uint first;
+    uint entries;
+};
+struct Choice {
+    uint entry;
+    float rest;
 };
 struct Outgoing {
     vec3 wo;
@@ -637,9 +642,9 @@ float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
     float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_17), 15.0);
-    float t_5 = (x_17 - piece);
+    float t_7 = (x_17 - piece);
     vec4 c_1 = frame.filterPieces[uint(piece)];
-    float offset_3 = (c_1.x + (t_5 * (c_1.y + (t_5 * (c_1.z + (t_5 * c_1.w))))));
+    float offset_3 = (c_1.x + (t_7 * (c_1.y + (t_7 * (c_1.z + (t_7 * c_1.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -868,8 +873,8 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
     float far_3 = (along + half_1);
-    float t_6 = pick((near > tMin), near, far_3);
-    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_6 > tMin), false), t_6, 1e30));
+    float t_8 = pick((near > tMin), near, far_3);
+    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -896,8 +901,8 @@ Extent fetchExtent(uint i_3) {
 }
 
 vec3 rotate(vec4 q, vec3 v) {
-    vec3 t_7 = (2.0 * cross(q.xyz, v));
-    return ((v + (q.w * t_7)) + cross(q.xyz, t_7));
+    vec3 t_9 = (2.0 * cross(q.xyz, v));
+    return ((v + (q.w * t_9)) + cross(q.xyz, t_9));
 }
 
 vec3 turned(vec4 q_1, vec3 v_1) {
@@ -928,8 +933,8 @@ Slabs boxSlabs(vec3 origin_3, vec3 direction_2, vec3 halfSize) {
 
 float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_1, bool startsInside_1) {
     Slabs _e5 = boxSlabs(origin_4, direction_3, halfSize_1);
-    float t_8 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
-    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_8 > tMin_1), false), t_8, 1e30));
+    float t_10 = pick((_e5.near > tMin_1), _e5.near, _e5.far);
+    return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_10 > tMin_1), false), t_10, 1e30));
 }
 
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
@@ -949,10 +954,10 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     vec3 normal_12 = cross(reciprocalU, reciprocalV);
     float speed = dot(direction_4, normal_12);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_9 = (dot(toCenter_1, normal_12) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_16 = ((t_9 * direction_4) - toCenter_1);
+    float t_11 = (dot(toCenter_1, normal_12) / pick((speed == 0.0), 1e-30, speed));
+    vec3 p_16 = ((t_11 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
-    return pick(pick(pick((t_9 > tMin_2), (t_9 < 1e30), false), within, false), t_9, 1e30);
+    return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
 PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
@@ -966,11 +971,11 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_5) {
 
 float intersectPlane(vec3 origin_6, vec3 direction_5, vec3 normal, float offset_1, float tMin_3) {
     float speed_1 = dot(direction_5, normal);
-    float t_10 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+    float t_12 = ((offset_1 - dot(origin_6, normal)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset_1 > 0.0), speed_1, -(speed_1));
-    bool eitherWay = pick((t_10 > tMin_3), (abs(speed_1) > 1e-12), false);
+    bool eitherWay = pick((t_12 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
-    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_10, 0.0), 1e30);
+    return pick(pick(pick((offset_1 == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_12, 0.0), 1e30);
 }
 
 PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
@@ -1093,14 +1098,14 @@ TextureUse fetchTextureUse(uint row_7) {
 Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
     float inside = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
     float at_1 = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
-    float low = floor(at_1);
+    float low_1 = floor(at_1);
     int last = (int(size) - 1);
-    int first = int(low);
+    int first = int(low_1);
     int second = (first + 1);
     bool repeats = !(pick(clamps, true, mirrors));
     int before = pick(repeats, last, 0);
     int after = pick(repeats, 0, last);
-    return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_1 - low)));
+    return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_1 - low_1)));
 }
 
 vec3 linearFromSrgb(vec3 c) {
@@ -1115,8 +1120,8 @@ vec4 decoded(uint texel, bool colored) {
 
 uint texelAt(uint i_9) {
     uvec4 _e3 = texelRow((i_9 >> 2u));
-    uvec2 pair_1 = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
-    return pick(((i_9 & 1u) != 0u), pair_1.y, pair_1.x);
+    uvec2 pair_3 = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_9 & 1u) != 0u), pair_3.y, pair_3.x);
 }
 
 vec4 lookUp(TextureUse t_2, vec2 uv) {
@@ -1453,11 +1458,11 @@ PairHit meetMeshes(PairHit found_6, RayPair p_6) {
 PairHit tracePair(RayPair p_7) {
     PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
     uint i_10 = 0u;
-    uvec4 ends = frame.shapeEnds;
+    uvec4 ends_1 = frame.shapeEnds;
     const bool _e17 = hasSpheres;
     if (_e17) {
         uint _e18 = i_10;
-        if ((_e18 < ends.x)) {
+        if ((_e18 < ends_1.x)) {
             while(true) {
                 PairHit _e21 = found_7;
                 uint _e22 = i_10;
@@ -1466,7 +1471,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e25 = i_10;
                 i_10 = (_e25 + 1u);
                 uint _e27 = i_10;
-                if ((_e27 >= ends.x)) {
+                if ((_e27 >= ends_1.x)) {
                     break;
                 }
             }
@@ -1475,7 +1480,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e31 = hasBoxes;
     if (_e31) {
         uint _e32 = i_10;
-        if ((_e32 < ends.y)) {
+        if ((_e32 < ends_1.y)) {
             while(true) {
                 PairHit _e35 = found_7;
                 uint _e36 = i_10;
@@ -1484,7 +1489,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e39 = i_10;
                 i_10 = (_e39 + 1u);
                 uint _e41 = i_10;
-                if ((_e41 >= ends.y)) {
+                if ((_e41 >= ends_1.y)) {
                     break;
                 }
             }
@@ -1493,7 +1498,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e45 = hasQuads;
     if (_e45) {
         uint _e46 = i_10;
-        if ((_e46 < ends.z)) {
+        if ((_e46 < ends_1.z)) {
             while(true) {
                 PairHit _e49 = found_7;
                 uint _e50 = i_10;
@@ -1502,7 +1507,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e53 = i_10;
                 i_10 = (_e53 + 1u);
                 uint _e55 = i_10;
-                if ((_e55 >= ends.z)) {
+                if ((_e55 >= ends_1.z)) {
                     break;
                 }
             }
@@ -1511,7 +1516,7 @@ PairHit tracePair(RayPair p_7) {
     const bool _e59 = hasPlanes;
     if (_e59) {
         uint _e60 = i_10;
-        if ((_e60 < ends.w)) {
+        if ((_e60 < ends_1.w)) {
             while(true) {
                 PairHit _e63 = found_7;
                 uint _e64 = i_10;
@@ -1520,7 +1525,7 @@ PairHit tracePair(RayPair p_7) {
                 uint _e67 = i_10;
                 i_10 = (_e67 + 1u);
                 uint _e69 = i_10;
-                if ((_e69 >= ends.w)) {
+                if ((_e69 >= ends_1.w)) {
                     break;
                 }
             }
@@ -1546,10 +1551,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
+    float t_13 = pick(entering, _e5.near, _e5.far);
     vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
+    bool onX = (crossed.x == t_13);
+    bool onY = pick(!(onX), (crossed.y == t_13), false);
     return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1823,9 +1828,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
-    vec3 n_5 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
+    vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
     float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_5));
+    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_4));
     return (side_3 * _e21);
 }
 
@@ -1852,10 +1857,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_12 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_12);
+    vec3 t_14 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_14);
     float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_14) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -1992,10 +1997,10 @@ float directionalPdf(Emitter e_2, vec3 direction_11) {
 }
 
 vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
-    vec2 low_1 = min(x_11, y_5);
-    vec2 high = max(x_11, y_5);
-    bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high));
-    vec2 r_1 = (mix(low_1, (low_1 - high), middle_1) / max(mix(high, (low_1 + high), middle_1), vec2(1e-30)));
+    vec2 low_2 = min(x_11, y_5);
+    vec2 high_1 = max(x_11, y_5);
+    bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
+    vec2 r_1 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
     vec2 z_2 = (r_1 * r_1);
     vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
@@ -2140,15 +2145,15 @@ QuadView viewQuad(Emitter e_6, vec3 point_2) {
     float least_1 = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least_1);
     bool lit = pick((abs(signedHeight) > least_1), pick((e_6.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high_1 = (low_2 + lengths);
-    vec2 y_10 = vec2(low_2.y, high_1.y);
-    float _e44 = stretch(low_2.x, y_10, height_1);
-    float _e46 = stretch(high_1.x, y_10, height_1);
+    vec2 low_3 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_2 = (low_3 + lengths);
+    vec2 y_10 = vec2(low_3.y, high_2.y);
+    float _e44 = stretch(low_3.x, y_10, height_1);
+    float _e46 = stretch(high_2.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    return QuadView(corner, axisX, axisY, axisZ, low_3, high_2, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 float quadPdf(Emitter e_7, vec3 point_3, float distance_2) {
@@ -2363,13 +2368,13 @@ TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2
         uint byChance = ((uint((at_3 >= _e27.x)) + uint((at_3 >= two))) + uint((at_3 >= three)));
         uint _e68 = level;
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
-        bool low_3 = (child < 2u);
+        bool low_4 = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own_8 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
-        float before_1 = pick(low_3, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float own_8 = pick(low_4, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before_1 = pick(low_4, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
         choice.probability = (_e95 * (own_8 / max(total_2, 1e-37)));
-        choice.emitter = uint(pick(low_3, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        choice.emitter = uint(pick(low_4, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
         rest = clamp(((at_3 - before_1) / max(own_8, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node_1;
         node_1 = (((4u * _e121) + 1u) + child);
@@ -2622,8 +2627,8 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
     float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
     float x_22 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_22 * x_22) + (h_6 * h_6));
-    vec2 ends_1 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
-    float v_11 = mix(ends_1.x, ends_1.y, u_8.y);
+    vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
+    float v_11 = mix(ends_2.x, ends_2.y, u_8.y);
     float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
     return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
 }
@@ -2678,8 +2683,8 @@ ChosenTriangle chooseTriangle(Emitter e_19, vec2 u_12) {
     LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_19.triangles);
-    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_2)) + fine), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_19.triangles);
+    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_9 = (x_23 < _e18.own);
     float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_7 = pick(own_9, _e18.place, _e18.other);
@@ -2689,9 +2694,9 @@ ChosenTriangle chooseTriangle(Emitter e_19, vec2 u_12) {
 }
 
 vec2 weightsOnTriangle(vec2 u_13) {
-    float low_4 = (0.5 * min(u_13.x, u_13.y));
-    float high_2 = (max(u_13.x, u_13.y) - low_4);
-    return pick((u_13.x < u_13.y), vec2(low_4, high_2), vec2(high_2, low_4));
+    float low_5 = (0.5 * min(u_13.x, u_13.y));
+    float high_3 = (max(u_13.x, u_13.y) - low_5);
+    return pick((u_13.x < u_13.y), vec2(low_5, high_3), vec2(high_3, low_5));
 }
 
 vec3 outOfMesh(Instance i_23, vec3 p_11) {
@@ -2746,70 +2751,118 @@ LightSample sampleDirectional(Emitter e_23, vec2 u_15) {
     return LightSample(_e10.direction, 1e30, e_23.radiance, pick(delta, 1.0, (1.0 / max(e_23.area, 1e-31))), delta);
 }
 
-Parts splitProduct(vec2 u_16, uvec2 n_4) {
-    uvec2 digits = uvec2((u_16 * 16777216.0));
-    uvec2 low_5 = ((digits & uvec2(4095u)) * n_4);
-    uvec2 high_3 = (((digits >> uvec2(12u)) * n_4) + (low_5 >> uvec2(12u)));
-    return Parts((high_3 >> uvec2(12u)), vec2((((high_3 & uvec2(4095u)) << uvec2(12u)) | (low_5 & uvec2(4095u)))));
+vec4 fetchEntries(Table t_5, uint pair) {
+    float _e5 = frame.environmentSize.x;
+    uint width_2 = uint(_e5);
+    uint i_25 = (t_5.first + pair);
+    uint row_13 = (i_25 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_25 - (row_13 * width_2)), row_13)), 0);
+    return _e15;
 }
 
-ChosenCell chooseCell(vec2 u_17) {
+vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
+    uvec2 further = (uvec2(pair_1.yw) & uvec2(4095u));
+    return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
+}
+
+Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
+    uint low = 0u;
+    uint high = 0u;
+    vec2 ends = vec2(1.0);
+    uint step_ = 0u;
+    uint pairs = ((t_6.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_6.entries) + (((digits_1 & 4095u) * t_6.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_6, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
+    while(true) {
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_6, next);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_9 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_9, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_9, next, _e62);
+        uint _e66 = low;
+        low = pick(found_9, _e66, (next + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
+        }
+    }
+    uint _e76 = high;
+    uint pair_4 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_6, (max(pair_4, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before_2 = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst, pick((pair_4 == 0u), none, before_2), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst, _e106, _e104);
+    return Choice(min(((2u * pair_4) + pick(isFirst, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_16) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_8 = uvec2(_e3);
-    Parts _e9 = splitProduct(u_17, (size_8 + uvec2(0u, 1u)));
-    uint _e17 = mixBits((floatBitsToUint(u_17.x) ^ (floatBitsToUint(u_17.y) * 2654435761u)));
-    uint hash_1 = (_e17 >> 8u);
-    float _e26 = frame.environmentSize.x;
-    float fine_1 = ((float(hash_1) * 5.9604645e-8) * _e26);
-    float x_25 = min(((_e9.rest.x + fine_1) * 5.9604645e-8), 0.99999994);
-    uint rows_2 = ((size_8.y + 2u) / 2u);
-    bool second_1 = (_e9.whole.y >= rows_2);
-    vec4 entries = texelFetch(environment, ivec2(uvec2(_e9.whole.x, ((_e9.whole.y + size_8.y) - pick(second_1, rows_2, 0u)))), 0);
-    vec2 entry = pick(second_1, entries.zw, entries.xy);
-    bool own_10 = (x_25 < entry.x);
-    uint other_1 = uint(entry.y);
-    uint otherRow = (other_1 / size_8.x);
-    uvec2 cell_2 = pick(own_10, _e9.whole, uvec2((other_1 - (otherRow * size_8.x)), otherRow));
-    float rest_3 = pick(own_10, (x_25 / max(entry.x, 1e-37)), ((x_25 - entry.x) / max((1.0 - entry.x), 1e-7)));
-    return ChosenCell(cell_2, vec2(min(rest_3, 1.0), (_e9.rest.y * 5.9604645e-8)));
+    uvec2 digits_2 = uvec2((u_16 * 16777216.0));
+    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uint columns = ((size_8.x + 1u) / 2u);
+    uint tables = (size_8.x * size_8.y);
+    Choice _e29 = chooseEntry(Table(tables, (size_8.y + 1u)), digits_2.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_8.y + 2u) / 2u)) + (_e29.entry * columns)), size_8.x), digits_2.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
-float linearSample(float u_18, float a_1, float b_3) {
-    vec2 ends_2 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
-    return min((u_18 / max((ends_2.x + sqrt(mix((ends_2.x * ends_2.x), (ends_2.y * ends_2.y), u_18))), 1e-9)), 1.0);
+float linearSample(float u_17, float a_1, float b_3) {
+    vec2 ends_3 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
+    return min((u_17 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_17))), 1e-9)), 1.0);
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_19) {
+EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 size_9 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_19);
+    ChosenCell _e4 = chooseCell(u_18);
     Corners _e6 = environmentCorners(_e4.cell);
-    vec2 cell_3 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_3.y == 0.0), (cell_3.y == size_9.y));
+    vec2 cell_2 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_13 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_13), mix(_e6.b.w, _e6.d.w, t_13));
-    bool isLower_1 = ((2.0 * cell_3.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_3.y) + (0.5 - t_13)), (cell_3.y + (t_13 - 0.5)));
+    float t_15 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_15), mix(_e6.b.w, _e6.d.w, t_15));
+    bool isLower_1 = ((2.0 * cell_2.y) > size_9.y);
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_15)), (cell_2.y + (t_15 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_3.x + (_e55 - 0.5)) / size_9.x) - _e85));
+    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_9.x) - _e85));
     float nearest_2 = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest_2)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_22 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_13), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_15), sine_5);
     return EnvironmentSample(direction_22, _e119);
 }
 
-LightSample sampleSky(vec2 u_20) {
+LightSample sampleSky(vec2 u_19) {
     EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_19);
     s_10 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_20);
+        EnvironmentSample _e13 = sampleEnvironment(u_19);
         s_10 = _e13;
     }
     vec3 _e15 = s_10.direction;
@@ -2820,33 +2873,33 @@ LightSample sampleSky(vec2 u_20) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_21) {
+LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_20) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
         if ((e_24.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_24, point_18, u_21);
+            LightSample _e19 = sampleSphere(e_24, point_18, u_20);
             s_11 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
         if ((e_24.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_24, point_18, u_21);
+            LightSample _e25 = sampleQuad(e_24, point_18, u_20);
             s_11 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
         if ((e_24.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_24, point_18, u_21);
+            LightSample _e31 = sampleBox(e_24, point_18, u_20);
             s_11 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
         if ((e_24.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_24, point_18, u_21);
+            LightSample _e37 = sampleMesh(e_24, point_18, u_20);
             s_11 = _e37;
         }
     }
@@ -2867,14 +2920,14 @@ LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_21) {
     const bool _e51 = hasSuns;
     if (_e51) {
         if ((e_24.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_24, u_21);
+            LightSample _e55 = sampleDirectional(e_24, u_20);
             s_11 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
         if ((e_24.kind == 6.0)) {
-            LightSample _e61 = sampleSky(u_21);
+            LightSample _e61 = sampleSky(u_20);
             s_11 = _e61;
         }
     }
@@ -2885,10 +2938,10 @@ LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_21) {
     return _e73;
 }
 
-vec3 heroColor(vec3 throughput, float u_22) {
+vec3 heroColor(vec3 throughput, float u_21) {
     vec3 share_6 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_22 < share_6.x);
-    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_6.x + share_6.y)), false), (share_6.z > 0.0), false);
+    bool isRed = (u_21 < share_6.x);
+    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_6.x + share_6.y)), false), (share_6.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
     return (chosen_2 / vec3(max(dot(chosen_2, share_6), 1e-6)));
 }
@@ -2926,10 +2979,10 @@ float greatest(vec3 v_7) {
 }
 
 float sheenAlbedo(float cosine_3, float roughness) {
-    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float u_28 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
     float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_28 * (vec3(-0.448339, 0.3406, -0.509736) + (u_28 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_28 * (vec3(0.0587112, 0.187983, 0.191769) + (u_28 * (vec3(-0.182064, 0.425384, 0.971703) + (u_28 * (vec3(0.0763965, -0.331055, 0.616069) + (u_28 * (vec3(0.0893496, -0.409073, -0.445006) + (u_28 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_28 * (vec3(0.492365, -0.201291, -0.00570256) + (u_28 * (vec3(0.833264, 0.765625, -1.06831) + (u_28 * (vec3(-1.29238, 0.71056, 0.237437) + (u_28 * (vec3(-2.81818, -0.673857, 2.17806) + (u_28 * (vec3(0.500911, -0.777981, 0.0143213) + (u_28 * (vec3(1.97956, 0.108218, -1.28939) + (u_28 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
     float v2_ = (v_12 * v_12);
     float root_1 = dot((low_6 + ((v2_ * v_12) * high_4)), vec3(1.0, v_12, v2_));
     float albedo = (root_1 * root_1);
@@ -2942,8 +2995,8 @@ vec3 dielectricF0_(Layers l_1) {
 }
 
 float singleScatteringAlbedo(float cosine_4, float alpha_1) {
-    float x_26 = (cosine_4 / (cosine_4 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_26 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_26 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_26 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_26 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_25 = (cosine_4 / (cosine_4 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_25 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_25 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_25 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_25 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_ = (alpha_1 * alpha_1);
     return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
 }
@@ -2965,8 +3018,8 @@ vec3 sensitivity(float difference, vec3 shift) {
     vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
     vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_27 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+    float x_26 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_26) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_26) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_26) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
 
 vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) {
@@ -2980,8 +3033,8 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) 
     float r12_ = _e21.x;
     float t121_ = (1.0 - r12_);
     vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
-    vec3 second_2 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_2 * second_2), within_4);
+    vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
+    vec3 _e35 = schlick((second_1 * second_1), within_4);
     vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
     vec3 once = sqrt(r123_);
     vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
@@ -3201,25 +3254,25 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_23) {
-    float radius_2 = sqrt(u_23.x);
-    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
+vec3 sampleCosine(vec2 u_22) {
+    float radius_2 = sqrt(u_22.x);
+    float phi_2 = ((6.2831855 * u_22.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_22.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_23) {
     float _e8 = stretched(wo_2, alpha_4);
     vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
-    float drop = (u_24.y * (1.0 + (bound * w_5.z)));
+    float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
+    float drop = (u_23.y * (1.0 + (bound * w_5.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_25) {
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_24) {
     float side_9 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_5, 0.001), o_5.bound, u_25);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_5, 0.001), o_5.bound, u_24);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
 }
 
@@ -3308,11 +3361,11 @@ float ellipticStretched(vec3 w_2, vec2 alpha_7) {
     return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_25) {
     float _e8 = ellipticStretched(wo_5, alpha_8);
     vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
-    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_6.z)));
+    float phi_4 = ((6.2831855 * u_25.x) - 3.1415927);
+    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_6.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
     vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
     return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
@@ -3344,23 +3397,23 @@ float throughCover(Stack o_7, float zi, bool crossing) {
     return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e31, 1.0))));
 }
 
-LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
+LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_8.wo;
     bool isSolid_2 = (o_8.layers.solid > 0.0);
-    bool isCoat_1 = (u_27.z < o_8.ofCoat);
-    bool isFacet = (u_27.z < (o_8.ofCoat + o_8.ofFacets));
+    bool isCoat_1 = (u_26.z < o_8.ofCoat);
+    bool isFacet = (u_26.z < (o_8.ofCoat + o_8.ofFacets));
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
     float _e28 = ellipticBound(wo_9, wide_1);
     float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_27.xy);
+    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_26.xy);
     vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
     float oh = max(dot(wo_9, h_9), 0.0);
     vec4 _e43 = baseReflectance(s_18, o_8, oh);
     Parting _e44 = partingOf(s_18, o_8, _e43);
-    float left_2 = ((u_27.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    float left_2 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
     bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
     vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
     vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
@@ -3373,13 +3426,13 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
     float _e122 = drawn.pdf;
     drawn.pdf = pick(lost, 0.0, _e122);
     if (!(isFacet)) {
-        float next = ((u_27.z - o_8.ofCoat) - o_8.ofFacets);
-        float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
-        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
-        vec3 _e153 = sampleCosine(u_27.xy);
-        vec3 below_3 = vec3(_e153.xy, pick((next >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
-        drawn = LayeredSample(pick((next < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
+        float next_1 = ((u_26.z - o_8.ofCoat) - o_8.ofFacets);
+        float sine_8 = sqrt(max((u_26.x * (2.0 - u_26.x)), 0.0));
+        float phi_5 = ((6.2831855 * u_26.y) - 3.1415927);
+        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_26.x));
+        vec3 _e153 = sampleCosine(u_26.xy);
+        vec3 below_3 = vec3(_e153.xy, pick((next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
+        drawn = LayeredSample(pick((next_1 < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
     }
     float _e174 = drawn.direction.z;
     drawn.direction.z = (_e174 * o_8.side);
@@ -3391,7 +3444,7 @@ vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
+BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_1 = 0.0;
@@ -3399,8 +3452,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
     vec3 wo_10 = o_9.wo;
     float _e5 = mirrorShare(s_19.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_2 = ((u_28.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_28.xy);
+    float choice_2 = ((u_27.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_27.xy);
     drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
@@ -3409,7 +3462,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
         uint code_14 = uint(s_19.code);
         bool _e29 = isDielectric(code_14);
         bool _e30 = isSmooth(code_14);
-        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
+        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_27.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
         bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
@@ -3446,13 +3499,13 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
         bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
         if (_e121) {
             Stack _e123 = stackHere;
-            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_28.xy, choice_2));
+            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_27.xy, choice_2));
             drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), _e126.weight, _e126.delta);
         }
     }
     const bool _e134 = hasMirrorLayers;
     if (_e134) {
-        bool reflected_2 = (u_28.z < _e5);
+        bool reflected_2 = (u_27.z < _e5);
         vec3 _e139 = drawn_1.direction;
         vec3 _e140 = mirrored(wo_10);
         drawn_1.direction = pick(reflected_2, _e140, _e139);
@@ -3573,9 +3626,9 @@ float shadowingExponent(float x_16, float alpha_11) {
 }
 
 float sheenShadowing(float cosine_17, float alpha_12) {
-    float x_28 = clamp(cosine_17, 1e-6, 1.0);
-    bool isLow = (x_28 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_12);
+    float x_27 = clamp(cosine_17, 1e-6, 1.0);
+    bool isLow = (x_27 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_27, max((1.0 - x_27), 1e-6)), alpha_12);
     float _e14 = shadowingExponent(0.5, alpha_12);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
@@ -3677,11 +3730,11 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
 }
 
 Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
-    Pair pair = Pair(vec4(0.0), vec4(0.0));
+    Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
     bool isLight = false;
     vec4 _e4 = evaluateBsdf(s_24, o_14, toLight_2);
     vec4 _e5 = evaluateBsdf(s_24, o_14, toSample);
-    pair = Pair(_e4, _e5);
+    pair_2 = Pair(_e4, _e5);
     const bool _e9 = hasLayers;
     if (_e9) {
         bool _e14 = isLayered(uint(s_24.code), s_24.eta.x);
@@ -3696,9 +3749,9 @@ Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
                 vec4 value_2 = ((1.0 - _e22) * _e29);
                 bool _e31 = isLight;
                 if (_e31) {
-                    pair.toLight = value_2;
+                    pair_2.toLight = value_2;
                 } else {
-                    pair.toSample = value_2;
+                    pair_2.toSample = value_2;
                 }
                 bool _e34 = isLight;
                 if (!(_e34)) {
@@ -3708,7 +3761,7 @@ Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
             }
         }
     }
-    Pair _e37 = pair;
+    Pair _e37 = pair_2;
     return _e37;
 }
 
@@ -3888,30 +3941,31 @@ void main() {
     vec4 fragment = gl_FragCoord;
     Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
-    uvec2 pixel_3 = uvec2(fragment.xy);
-    uint _e5 = frame.sampleIndex;
-    Path _e6 = startPath(pixel_3, _e5);
-    p = _e6;
+    uvec2 texel_2 = uvec2(fragment.xy);
+    uvec2 _e5 = frame.origin;
+    uint _e9 = frame.sampleIndex;
+    Path _e10 = startPath((_e5 + texel_2), _e9);
+    p = _e10;
     while(true) {
         extendPath(p);
-        Path _e8 = p;
-        bool _e9 = isOver(_e8);
-        if (_e9) {
+        Path _e12 = p;
+        bool _e13 = isOver(_e12);
+        if (_e13) {
             break;
         }
     }
-    uint _e18 = frame.sampleIndex;
-    if ((_e18 > 0u)) {
-        vec4 _e23 = texelFetch(previousFilm, ivec2(pixel_3), 0);
-        vec4 _e26 = texelFetch(previousSquares, ivec2(pixel_3), 0);
-        film = Film(_e23, _e26);
+    uint _e22 = frame.sampleIndex;
+    if ((_e22 > 0u)) {
+        vec4 _e27 = texelFetch(previousFilm, ivec2(texel_2), 0);
+        vec4 _e30 = texelFetch(previousSquares, ivec2(texel_2), 0);
+        film = Film(_e27, _e30);
     }
-    vec4 _e29 = film.sums;
-    vec3 _e31 = p.radiance;
-    vec4 _e36 = film.squares;
-    vec3 _e38 = p.radiance;
-    vec3 _e40 = p.radiance;
-    Film _tmp_return = Film((_e29 + vec4(_e31, 1.0)), (_e36 + vec4((_e38 * _e40), 0.0)));
+    vec4 _e33 = film.sums;
+    vec3 _e35 = p.radiance;
+    vec4 _e40 = film.squares;
+    vec3 _e42 = p.radiance;
+    vec3 _e44 = p.radiance;
+    Film _tmp_return = Film((_e33 + vec4(_e35, 1.0)), (_e40 + vec4((_e42 * _e44), 0.0)));
     _fs2p_location0 = _tmp_return.sums;
     _fs2p_location1 = _tmp_return.squares;
     return;

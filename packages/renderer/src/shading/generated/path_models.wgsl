@@ -7,8 +7,8 @@ struct Film {
 
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
-  let pixel = vec2u(fragment.xy);
-  var p = startPath(pixel, frame.sampleIndex);
+  let texel = vec2u(fragment.xy);
+  var p = startPath(frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -17,7 +17,7 @@ struct Film {
   }
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
-    film = Film(textureLoad(previousFilm, pixel, 0), textureLoad(previousSquares, pixel, 0));
+    film = Film(textureLoad(previousFilm, texel, 0), textureLoad(previousSquares, texel, 0));
   }
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
 }
@@ -25,8 +25,8 @@ struct Film {
 // A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
 // pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
 // fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
-// First column and row, columns and rows of the part of the film that is traced.
-@group(0) @binding(7) var<uniform> region: vec4u;
+// First row, columns and rows of the part of the film that is traced.
+@group(0) @binding(7) var<uniform> region: vec3u;
 
 @group(0) @binding(8) var film: texture_storage_2d<rgba32float, write>;
 
@@ -52,8 +52,9 @@ var<workgroup> squares: array<vec3f, 128>;
   let tile = frame.tile;
   let place = thread / shares;
   let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
-  let pixel = region.xy + inRegion;
-  let inside = all(inRegion < region.zw);
+  let texel = vec2u(inRegion.x, region.x + inRegion.y);
+  let pixel = frame.origin + texel;
+  let inside = all(inRegion < region.yz);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
@@ -77,8 +78,8 @@ var<workgroup> squares: array<vec3f, 128>;
   var sum = vec4f(0.0);
   var square = vec4f(0.0);
   if (adds & (frame.sampleIndex > 0u)) {
-    sum = textureLoad(previousFilm, pixel, 0);
-    square = textureLoad(previousSquares, pixel, 0);
+    sum = textureLoad(previousFilm, texel, 0);
+    square = textureLoad(previousSquares, texel, 0);
   }
   let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
   for (var g = 0u; g < groups; g++) {
@@ -100,8 +101,8 @@ var<workgroup> squares: array<vec3f, 128>;
   if (!adds) {
     return;
   }
-  textureStore(film, pixel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
-  textureStore(filmSquares, pixel, square);
+  textureStore(film, texel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
+  textureStore(filmSquares, texel, square);
 }
 
 fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
@@ -2430,22 +2431,14 @@ fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
 
 fn chooseCell(u: vec2f) -> ChosenCell {
   let size = vec2u(frame.environmentSize);
-  let place = splitProduct(u, size + vec2u(0u, 1u));
-  // The digits that the choice of a column has used up are replaced by hashed ones: probabilities in the table may be small.
-  let hash = mixBits(bitcast<u32>(u.x) ^ (bitcast<u32>(u.y) * 0x9e3779b1u)) >> 8u;
-  let fine = f32(hash) * 5.9604644775390625e-8 * frame.environmentSize.x;
-  let x = min((place.rest.x + fine) * 5.9604644775390625e-8, 0.99999994);
-  // Two rows of cells share a row of texels.
-  let rows = (size.y + 2u) / 2u;
-  let second = place.whole.y >= rows;
-  let entries = textureLoad(environment, vec2u(place.whole.x, place.whole.y + size.y - select(0u, rows, second)), 0);
-  let entry = select(entries.xy, entries.zw, second);
-  let own = x < entry.x;
-  let other = u32(entry.y);
-  let otherRow = other / size.x;
-  let cell = select(vec2u(other - otherRow * size.x, otherRow), place.whole, own);
-  let rest = select((x - entry.x) / max(1.0 - entry.x, 1e-7), x / max(entry.x, 1e-37), own);
-  return ChosenCell(cell, vec2f(min(rest, 1.0), place.rest.y * 5.9604644775390625e-8));
+  let digits = vec2u(u * 16777216.0);
+  // Further digits, hashed: shares in a table may be small.
+  let hash = mixBits(digits.x ^ (digits.y * 0x9e3779b1u));
+  let columns = (size.x + 1u) / 2u;
+  let tables = size.x * size.y;
+  let y = chooseEntry(Table(tables, size.y + 1u), digits.y, hash & 4095u);
+  let x = chooseEntry(Table(tables + (size.y + 2u) / 2u + y.entry * columns, size.x), digits.x, hash >> 20u);
+  return ChosenCell(vec2u(x.entry, y.entry), vec2f(x.rest, y.rest));
 }
 
 // Where in [0, 1] a number of a density that goes from a to b in a line lies.
@@ -2454,26 +2447,71 @@ fn linearSample(u: f32, a: f32, b: f32) -> f32 {
   return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
 }
 
-fn splitProduct(u: vec2f, n: vec2u) -> Parts {
-  let digits = vec2u(u * 16777216.0);
-  let low = (digits & vec2u(4095u)) * n;
-  let high = (digits >> vec2u(12u)) * n + (low >> vec2u(12u));
-  return Parts(high >> vec2u(12u), vec2f(((high & vec2u(4095u)) << vec2u(12u)) | (low & vec2u(4095u))));
+// The number is digits + fine / 4096, in steps of 2^-24. From the guide's pair of entries on in steps that double, until the share is
+// beyond it; then by halves.
+fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
+  let pairs = (t.entries + 1u) / 2u;
+  // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
+  let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
+  let guide = fetchEntries(t, part / 2u);
+  var low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
+  var high = pairs;
+  var ends = vec2f(1.0);
+  var step = 0u;
+  loop {
+    let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
+    let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
+    let found = beyond.y > 0.0;
+    ends = select(ends, beyond, found);
+    high = select(high, next, found);
+    low = select(next + 1u, low, found);
+    step = 2u * step + 1u;
+    if (low >= high) {
+      break;
+    }
+  }
+  let pair = min(high, pairs - 1u);
+  let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
+  let none = -(f32(digits) + f32(fine) * 0.000244140625);
+  let isFirst = ends.x > 0.0;
+  let start = select(ends.x, select(before, none, pair == 0u), isFirst);
+  let end = select(ends.y, ends.x, isFirst);
+  return Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
 }
 
-// The cell, and what is left of u, in [0, 1).
+// packed-scene/inversion-table.ts says what is in a table: two entries a texel, from this texel on, row after row.
+struct Table {
+  first: u32,
+  entries: u32,
+}
+
+
+// The cell, and where in it.
 struct ChosenCell {
   cell: vec2u,
   rest: vec2f,
 }
 
 
-// u n for whole n up to 4096, without rounding: the whole part, and what is left of it in units of 2^-24.
-struct Parts {
-  whole: vec2u,
-  rest: vec2f,
+fn fetchEntries(t: Table, pair: u32) -> vec4f {
+  let width = u32(frame.environmentSize.x);
+  let i = t.first + pair;
+  let row = i / width;
+  return textureLoad(environment, vec2u(i - row * width, row), 0);
 }
 
+// The entry that was chosen, and where in its share the number lies, in [0, 1].
+struct Choice {
+  entry: u32,
+  rest: f32,
+}
+
+
+// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
+fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
+  let further = vec2u(pair.yw) & vec2u(4095u);
+  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
+}
 
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {
@@ -3776,11 +3814,11 @@ fn skipGroup(s: ptr<function, Sampler>) {
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -3796,7 +3834,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -3846,4 +3884,6 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }

@@ -53,6 +53,7 @@ struct Frame {
     float rowHeight;
     uint lightTreeDepth;
     uint lampTables;
+    uvec2 origin;
 };
 struct Start {
     vec3 point;
@@ -448,85 +449,86 @@ void main() {
     float distance_ = 0.0;
     uint i = 0u;
     bool local = false;
-    CameraRay _e2 = centralRay(fragment.xy);
-    Start _e4 = onCamera(_e2.origin);
-    ray = Ray(_e4, _e2.direction);
-    vec3 _e9 = ray.direction;
-    vec3 _e10 = sky(_e9);
-    radiance = _e10;
+    uvec2 _e3 = frame.origin;
+    CameraRay _e7 = centralRay((vec2(_e3) + fragment.xy));
+    Start _e9 = onCamera(_e7.origin);
+    ray = Ray(_e9, _e7.direction);
+    vec3 _e14 = ray.direction;
+    vec3 _e15 = sky(_e14);
+    radiance = _e15;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            uint _e117 = i;
-            i = (_e117 + 1u);
+            uint _e122 = i;
+            i = (_e122 + 1u);
         }
         loop_init = false;
-        uint _e25 = i;
-        uint _e28 = frame.lightCount;
-        if ((_e25 <= _e28)) {
+        uint _e30 = i;
+        uint _e33 = frame.lightCount;
+        if ((_e30 <= _e33)) {
         } else {
             break;
         }
         {
-            Ray _e30 = ray;
-            Hit _e31 = closestHit(_e30);
-            uint _e32 = i;
-            if ((_e32 == 0u)) {
-                if ((_e31.shape == noShape)) {
+            Ray _e35 = ray;
+            Hit _e36 = closestHit(_e35);
+            uint _e37 = i;
+            if ((_e37 == 0u)) {
+                if ((_e36.shape == noShape)) {
                     break;
                 }
-                vec3 _e40 = ray.start.point;
-                vec3 _e43 = ray.direction;
-                vec3 position = (_e40 + (_e31.t * _e43));
-                Ray _e47 = ray;
-                vec3 _e49 = outwardNormal(_e31.shape, _e47, _e31.t);
-                vec3 _e51 = ray.direction;
-                bool back = (dot(_e49, _e51) > 0.0);
-                normal = pick(back, -(_e49), _e49);
+                vec3 _e45 = ray.start.point;
+                vec3 _e48 = ray.direction;
+                vec3 position = (_e45 + (_e36.t * _e48));
+                Ray _e52 = ray;
+                vec3 _e54 = outwardNormal(_e36.shape, _e52, _e36.t);
+                vec3 _e56 = ray.direction;
+                bool back = (dot(_e54, _e56) > 0.0);
+                normal = pick(back, -(_e54), _e54);
                 if (back) {
-                    bool _e62 = isFlat(_e31.shape);
-                    local = !(_e62);
+                    bool _e67 = isFlat(_e36.shape);
+                    local = !(_e67);
                 } else {
                     local = false;
                 }
-                bool _e65 = local;
-                Start _e66 = onSurface(position, _e31.shape, _e65);
-                ray.start = _e66;
-                Material _e68 = fetchMaterial(_e31.shape);
-                color = _e68.baseColor;
+                bool _e70 = local;
+                Start _e71 = onSurface(position, _e36.shape, _e70);
+                ray.start = _e71;
+                Material _e73 = fetchMaterial(_e36.shape);
+                color = _e73.baseColor;
                 radiance = vec3(0.0);
             } else {
-                float _e73 = distance_;
-                if ((_e31.t >= _e73)) {
-                    vec3 _e75 = radiance;
-                    vec3 _e76 = contribution;
-                    radiance = (_e75 + _e76);
+                float _e78 = distance_;
+                if ((_e36.t >= _e78)) {
+                    vec3 _e80 = radiance;
+                    vec3 _e81 = contribution;
+                    radiance = (_e80 + _e81);
                 }
             }
-            uint _e78 = i;
-            uint _e81 = frame.lightCount;
-            if ((_e78 < _e81)) {
-                uint _e83 = i;
-                Light _e84 = fetchLight(_e83);
-                vec3 _e85 = radiance;
-                vec3 _e87 = color;
-                radiance = (_e85 + (_e84.ambient * _e87));
-                vec3 _e93 = ray.start.point;
-                vec3 toLight = (_e84.center - _e93);
+            uint _e83 = i;
+            uint _e86 = frame.lightCount;
+            if ((_e83 < _e86)) {
+                uint _e88 = i;
+                Light _e89 = fetchLight(_e88);
+                vec3 _e90 = radiance;
+                vec3 _e92 = color;
+                radiance = (_e90 + (_e89.ambient * _e92));
+                vec3 _e98 = ray.start.point;
+                vec3 toLight = (_e89.center - _e98);
                 distance_ = length(toLight);
-                float _e97 = distance_;
-                ray.direction = (toLight / vec3(_e97));
-                vec3 _e100 = color;
-                vec3 _e103 = normal;
-                vec3 _e105 = ray.direction;
-                float _e111 = distance_;
-                float _e112 = distance_;
-                contribution = ((_e100 * _e84.diffuse) * ((max(dot(_e103, _e105), 0.0) * _e84.power) / (_e111 * _e112)));
+                float _e102 = distance_;
+                ray.direction = (toLight / vec3(_e102));
+                vec3 _e105 = color;
+                vec3 _e108 = normal;
+                vec3 _e110 = ray.direction;
+                float _e116 = distance_;
+                float _e117 = distance_;
+                contribution = ((_e105 * _e89.diffuse) * ((max(dot(_e108, _e110), 0.0) * _e89.power) / (_e116 * _e117)));
             }
         }
     }
-    vec3 _e119 = radiance;
-    _fs2p_location0 = vec4(_e119, 1.0);
+    vec3 _e124 = radiance;
+    _fs2p_location0 = vec4(_e124, 1.0);
     return;
 }
 

@@ -1,6 +1,6 @@
 // Linked from integrator/classic/preview.wesl by `npm run shaders`. Do not edit.
 @fragment fn preview(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
-  let camera = centralRay(fragment.xy);
+  let camera = centralRay(vec2f(frame.origin) + fragment.xy);
   var ray = Ray(onCamera(camera.origin), camera.direction);
   var radiance = sky(ray.direction);
   var normal = vec3f(0.0);
@@ -42,6 +42,8 @@ fn centralRay(filmPosition: vec2f) -> CameraRay {
   return rayThroughLens(filmPosition, vec2f(0.0));
 }
 
+@group(0) @binding(0) var<uniform> frame: Frame;
+
 struct Ray {
   start: Start,
   direction: vec3f,
@@ -56,8 +58,6 @@ fn onCamera(point: vec3f) -> Start {
 fn sky(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
-
-@group(0) @binding(0) var<uniform> frame: Frame;
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn closestHit(ray: Ray) -> Hit {
@@ -386,14 +386,47 @@ fn intersectPlane(origin: vec3f, direction: vec3f, normal: vec3f, offset: f32, t
 // Slower than this towards the plane a ray is parallel to it; squares of the farthest hits stay within range.
 const parallel = 1e-12;
 
+// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
+// middle of the lens it is the pinhole's to the last digit.
+fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
+  let x = 2.0 * filmPosition.x / frame.width - 1.0;
+  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
+  let across = x * frame.right + y * frame.up;
+  let orthographic = hasOtherProjections & (frame.projection == 1u);
+  let ahead = select(frame.forward + across, frame.forward, orthographic);
+  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
+  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
+  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
+  if (hasOtherProjections) {
+    if (frame.projection == 2u) {
+      let longitude = pi * x;
+      let latitude = 0.5 * pi * y;
+      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
+      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
+      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
+    }
+  }
+  return ray;
+}
+
+override hasOtherProjections = false;
+
+struct CameraRay {
+  origin: vec3f,
+  direction: vec3f,
+}
+
+
+const pi = 3.14159265358979;
+
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
   right: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   width: f32,
   // camera u times half the height of what is seen
   up: vec3f,
-  // film pixels
+  // of the whole picture, pixels
   height: f32,
   // camera f
   forward: vec3f,
@@ -409,7 +442,7 @@ struct Frame {
   seed: u32,
   // position inside the pixel, 0 to 1
   jitter: vec2f,
-  // film columns where the second and third panel begin
+  // columns of the picture where the second and third panel begin
   dividers: vec2f,
   // index past the last sphere, box, quad and plane
   shapeEnds: vec4u,
@@ -459,38 +492,6 @@ struct Frame {
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
   lampTables: u32,
+  // column and row of the picture that the first texel of the film holds
+  origin: vec2u,
 }
-
-
-// The ray through a point of the film, in pixels, row 0 on top, and through a point of the lens, in units of its radius. From the
-// middle of the lens it is the pinhole's to the last digit.
-fn rayThroughLens(filmPosition: vec2f, lensPoint: vec2f) -> CameraRay {
-  let x = 2.0 * filmPosition.x / frame.width - 1.0;
-  let y = 1.0 - 2.0 * filmPosition.y / frame.height;
-  let across = x * frame.right + y * frame.up;
-  let orthographic = hasOtherProjections & (frame.projection == 1u);
-  let ahead = select(frame.forward + across, frame.forward, orthographic);
-  let lens = frame.aperture * (lensPoint.x * normalize(frame.right) + lensPoint.y * normalize(frame.up));
-  // All rays of a film point meet where ahead, made as long as the focus is far, ends.
-  var ray = CameraRay(select(lens, across + lens, orthographic), normalize(ahead - lens / frame.focusDistance));
-  if (hasOtherProjections) {
-    if (frame.projection == 2u) {
-      let longitude = pi * x;
-      let latitude = 0.5 * pi * y;
-      let level = sin(longitude) * frame.right + cos(longitude) * frame.forward;
-      // A GPU's sine may be off by 2^-11, and intersections rely on the length of 1.
-      ray = CameraRay(vec3f(0.0), normalize(cos(latitude) * level + sin(latitude) * frame.up));
-    }
-  }
-  return ray;
-}
-
-override hasOtherProjections = false;
-
-struct CameraRay {
-  origin: vec3f,
-  direction: vec3f,
-}
-
-
-const pi = 3.14159265358979;
