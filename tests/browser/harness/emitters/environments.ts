@@ -29,6 +29,8 @@ export interface EnvironmentReport {
   readonly name: string;
   /** Of the distribution of directions, see `chiSquareZ`. */
   readonly z: number;
+  /** The same of points that are even in the square: far below 0 where they stay even. */
+  readonly zOfEven: number;
   /** Of the mean of radiance / density over the samples, as a path weighs it, from the integral, relative, and its standard error. */
   readonly error: number;
   readonly noise: number;
@@ -103,6 +105,16 @@ const ask = (what: Question['ask'], u: readonly [number, number], direction: Vec
   vector: direction,
 });
 
+/** i / n beside the digits of i turned round, in 24 bits. */
+function hammersley(n: number): [number, number][] {
+  return Array.from({ length: n }, (_, i) => {
+    let inverse = 0;
+    for (let [digits, place] = [i, 0.5]; digits > 0; [digits, place] = [digits >>> 1, place / 2])
+      inverse += (digits & 1) * place;
+    return [Math.floor(((i + 0.5) / n) * 2 ** 24) / 2 ** 24, inverse];
+  });
+}
+
 /** Poles, seams and anything else. */
 function hardDirections(count: number): Vec3[] {
   const random = seededRandom(95);
@@ -121,6 +133,7 @@ async function judge(probe: EmitterProbe, name: string, map: EnvironmentMap): Pr
   const places = Array.from({ length: MOST_QUESTIONS }, () => [number(), number()] as const);
   const askAll = (what: Question['ask']) => probe.ask(scene, places.map((u) => ask(what, u))); // biome-ignore format: short
   const samples = await askAll(ASK.directionAndPdf);
+  const even = await probe.ask(scene, hammersley(MOST_QUESTIONS).map((u) => ask(ASK.directionAndPdf, u))); // biome-ignore format: short
   const lights = await askAll(ASK.radianceAndDistance);
   const rays = await askAll(ASK.pdfOfSample);
   const told = new Judge(map);
@@ -137,7 +150,13 @@ async function judge(probe: EmitterProbe, name: string, map: EnvironmentMap): Pr
     told.density('density of a direction', pdf, directions[k]!);
     told.radiance('radiance of a direction', radiance, directions[k]!, (c) => Math.hypot(...c));
   });
-  return { name, z: distributionZ(map, samples), ...meanOf(map, samples, lights), ...summary(told.faults) };
+  return {
+    name,
+    z: distributionZ(map, samples),
+    zOfEven: distributionZ(map, even),
+    ...meanOf(map, samples, lights),
+    ...summary(told.faults),
+  };
 }
 
 const summary = (faults: readonly string[]) => ({ faults: faults.length, examples: faults.slice(0, 4) });
