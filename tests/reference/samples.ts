@@ -28,6 +28,7 @@ export const SAMPLES: Readonly<Record<string, number>> = {
   F1_ggx100_hc: 4,
   F1_glass: 4,
   G1: 4,
+  I1: 4,
   M1_hc: 2,
   P1: 4,
   PR1_gltf_mix: 4,

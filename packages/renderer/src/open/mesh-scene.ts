@@ -1,15 +1,18 @@
 /** A file of triangles alone → a scene in a studio, each of its materials as its .mtl file has it. */
 
+import type { ImageDecoder } from '../gltf/images/decoder.ts';
 import type { MeshContent } from '../mesh-file/mesh-file.ts';
 import { frameScene } from '../scene/framing.ts';
 import type { MeshSource } from '../scene/mesh.ts';
 import { MODEL_RENDER, studioSky } from '../scene/model-view.ts';
 import type { Material, Scene } from '../scene/scene.ts';
+import { loadFiles } from '../scene-file/load-files.ts';
 import { parseScene, withMeshes } from '../scene-file/parse-scene.ts';
 import { type Problem, ProblemList, quote, sentence } from '../scene-file/problem.ts';
 import type { ReadFile } from '../scene-file/read-file.ts';
 import { withParts } from '../scene-file/with-parts.ts';
 import { nameOf } from './file-set.ts';
+import { withTextures } from './mtl-images.ts';
 
 export type MeshScene =
   | { readonly ok: true; readonly scene: Scene; readonly notes: readonly string[] }
@@ -18,8 +21,13 @@ export type MeshScene =
 /** What a part has whose material nobody describes: a light grey that shows form. */
 const PLAIN: Partial<Material> = { type: 'metallicRoughness', baseColor: [0.6, 0.6, 0.6], roughness: 0.6 };
 
-/** `readFile`: for .mtl files, from the file's own folder on. Never rejects. */
-export async function meshScene(bytes: Uint8Array, file: string, readFile?: ReadFile): Promise<MeshScene> {
+/** `readFile`: for .mtl files and images, from the file's own folder on. Never rejects. */
+export async function meshScene(
+  bytes: Uint8Array,
+  file: string,
+  readFile?: ReadFile,
+  decoder?: ImageDecoder,
+): Promise<MeshScene> {
   const { readMeshFile } = await import('../mesh-file/mesh-file.ts');
   const content = readMeshFile(bytes, file);
   if (!content.ok) {
@@ -31,7 +39,11 @@ export async function meshScene(bytes: Uint8Array, file: string, readFile?: Read
   }
   const { materials, notes, problems } = await readMaterials(content, readFile);
   if (!problems.isEmpty) return { ok: false, problems: problems.list() };
-  return sceneOf(content, file, materials, [...content.notes, ...notes]);
+  const textured = await withTextures(content.parts, materials, readFile);
+  const scene = sceneOf({ ...content, parts: textured.parts }, file, textured.materials, [...content.notes, ...notes, ...textured.notes]); // biome-ignore format: one expression
+  if (!scene.ok || textured.files.size === 0) return scene;
+  const loaded = await loadFiles(scene.scene, async (name) => textured.files.get(name)!, { decoder });
+  return loaded.ok ? { ...loaded, notes: [...scene.notes, ...loaded.notes] } : loaded;
 }
 
 interface Materials {

@@ -1,3 +1,4 @@
+import { encode } from 'fast-png';
 import { zipSync } from 'fflate';
 import { expect, test } from 'vitest';
 import { triangleFile } from '../../../../tests/fixtures/gltf.ts';
@@ -21,6 +22,8 @@ function good(opened: OpenedFiles) {
   return opened;
 }
 
+/** A PNG of one white pixel. */
+const pixel = () => encode({ width: 1, height: 1, data: new Uint8Array([255, 255, 255, 255]), channels: 4 });
 const glb = () => triangleFile().glb();
 /** Numbers and a picture beside it. */
 const gltf = () => {
@@ -74,6 +77,23 @@ test('an .obj file has the materials of its .mtl file', async () => {
   expect(scene.materials.red!.baseColor).toEqual([1, 0, 0]);
   expect(scene.materials.blue!.baseColor).toEqual([0, 0, 1]);
   expect(report.entries).toEqual([]);
+});
+
+test('textures of an .mtl file are read, normal maps get tangents; what is not there is told', async () => {
+  const obj =
+    'mtllib m/q.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1 3 2\n';
+  const mtl = 'newmtl a\nmap_Kd c.png\nnorm n.png\nmap_Ke away.png\nnewmtl b\nmap_Kd c.png\n';
+  const { scene, report } = good(await open({ 'q.obj': obj, 'm/q.mtl': mtl, 'm/c.png': pixel(), 'm/n.png': pixel() }));
+  expect(scene.materials.a!.baseColorTexture).toEqual({ texture: 'm/c.png' });
+  expect(scene.materials.a!.emissionTexture).toBeUndefined();
+  expect(scene.materials.a!.emission).toEqual([0, 0, 0]);
+  expect(scene.images!['m/c.png']!.data).toMatchObject({ width: 1, height: 1 });
+  expect(scene.meshes!.a!.data!.tangents).toHaveLength(12);
+  expect(scene.materials.b!.baseColorTexture).toBeUndefined();
+  const told = report.entries.map(({ message }) => message);
+  expect(told).toHaveLength(2);
+  expect(told[0]).toMatch(/^The image "m\/away.png" cannot be read, so that what it covers is plain: /);
+  expect(told[1]).toBe('The material "b" has textures, and its triangles have no texture coordinates.');
 });
 
 test('without its .mtl file it is grey and that is told; a broken one is a problem', async () => {

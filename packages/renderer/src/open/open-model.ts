@@ -32,7 +32,7 @@ export async function openModel(bytes: Uint8Array, path: string, options: OpenOp
     return importGltf(bytes, { ...options, name: nameOf(path).replace(/\.[^.]*$/, '') });
   options.onProgress?.({ step: 'meshes', done: 0, total: 1 });
   if ((MESH_ENDINGS as readonly string[]).includes(ending))
-    return withReport(await meshScene(bytes, path, options.readFile));
+    return withReport(await meshScene(bytes, path, options.readFile, options.decoder));
   return openScene(new TextDecoder().decode(bytes), options);
 }
 

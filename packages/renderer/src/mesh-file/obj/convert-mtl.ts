@@ -4,6 +4,7 @@
  */
 import type { Color, Material } from '../../scene/scene.ts';
 import type { MtlMaterial, NumberWord, Rgb } from './mtl-statements.ts';
+import { type MtlTexture, type TextureWord, textureUse } from './mtl-textures.ts';
 
 export interface ConvertedMaterial {
   readonly material: Partial<Material>;
@@ -28,19 +29,46 @@ const isGrey = ([r, g, b]: Rgb): boolean => r === g && g === b;
 /** The exponent of a highlight is 2 / roughness⁴ − 2 in docs/classic.md, here the other way round. */
 const roughnessOfExponent = (exponent: number): number => (2 / (Math.max(exponent, 0) + 2)) ** (1 / 4);
 
-export function convertMtl(mtl: MtlMaterial): ConvertedMaterial {
+/** `folder`: of the file, with a "/" at its end; names of textures count from there. */
+export function convertMtl(mtl: MtlMaterial, folder = ''): ConvertedMaterial {
   const source = new Source(mtl);
   const illumination = source.number('illum') ?? HIGHLIGHT;
-  const emission = source.color('Ke')?.map((x) => between(x, 0, BRIGHTEST)) as Rgb | undefined;
-  const shining = emission && Math.max(...emission) > 0 ? { emission } : {};
   const opacity = source.number('d') ?? 1;
   const isGlass = GLASS.includes(illumination) || opacity <= TRANSPARENT;
-  if (!isGlass && opacity < 1) source.leave('d');
   // To some programs it is transparency, to others opacity; between 0 and 1 there is something to tell.
   const tr = source.number('Tr') ?? 0;
   if (!isGlass && tr > 0 && tr < 1) source.leave('Tr');
-  const material = isGlass ? glass(source) : surface(source, illumination);
+  const shining = light(source, isGlass ? null : folder);
+  const material = isGlass ? glass(source) : covered(surface(source, illumination), source, opacity, folder);
   return { material: { ...material, ...shining }, unused: source.unused() };
+}
+
+/** `folder`: null where a texture counts for nothing. Who names a picture of light and no colour wants it as it is. */
+function light(source: Source, folder: string | null): Partial<Material> {
+  const picture = folder === null ? undefined : source.texture('map_Ke');
+  const given = source.color('Ke')?.map((x) => between(x, 0, BRIGHTEST)) as Rgb | undefined;
+  const emission = given ?? (picture ? ([1, 1, 1] as const) : undefined);
+  if (!emission || Math.max(...emission) <= 0) return {};
+  if (!picture) return { emission };
+  return { type: 'metallicRoughness', emission, emissionTexture: textureUse(folder!, picture) };
+}
+
+/** With opacity and textures. Only glTF's material has these; a matte one is a rough one then. */
+function covered(plain: Partial<Material>, source: Source, opacity: number, folder: string): Partial<Material> {
+  const [picture, holes, bumps] = [source.texture('map_Kd'), source.texture('map_d'), source.texture('norm')];
+  // Of a picture for opacity alone nothing is made; where it is that of the colours, its alpha is meant.
+  const hasAlpha = picture !== undefined && holes?.file === picture.file;
+  if (holes && !hasAlpha) source.leave('map_d');
+  const seen = opacity < 1 || hasAlpha ? { alphaMode: 'blend' as const, opacity: between(opacity, 0, 1) } : {};
+  if (!picture && !bumps) return { ...plain, ...seen };
+  return {
+    roughness: 1,
+    ...plain,
+    type: 'metallicRoughness',
+    ...seen,
+    ...(picture && { baseColorTexture: textureUse(folder, picture) }),
+    ...(bumps && { normalTexture: { ...textureUse(folder, bumps), normalScale: bumps.strength } }),
+  };
 }
 
 /** Keeps account of what was asked for. */
@@ -50,13 +78,19 @@ class Source {
 
   constructor(mtl: MtlMaterial) {
     this.#mtl = mtl;
-    this.#left = new Set([...mtl.colors.keys(), ...mtl.numbers.keys(), ...mtl.others]);
+    this.#left = new Set([...mtl.colors.keys(), ...mtl.numbers.keys(), ...mtl.textures.keys(), ...mtl.others]);
     // Light from everywhere, which an integrator works out or a light of a scene says.
     this.#left.delete('Ka');
   }
   color(word: 'Kd' | 'Ks' | 'Ke' | 'Tf'): Rgb | undefined {
     this.#left.delete(word);
     return this.#mtl.colors.get(word);
+  }
+  texture(word: TextureWord): MtlTexture | undefined {
+    const texture = this.#mtl.textures.get(word);
+    if (texture) this.#left.delete(word);
+    for (const option of texture?.ignored ?? []) this.leave(`${word} ${option}`);
+    return texture;
   }
   number(word: NumberWord): number | undefined {
     this.#left.delete(word);

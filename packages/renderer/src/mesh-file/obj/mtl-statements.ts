@@ -2,6 +2,7 @@
 import { quote } from '../../scene-file/problem.ts';
 import type { FileProblems } from '../file-problems.ts';
 import { LineScanner } from '../line-scanner.ts';
+import { type MtlTexture, readTexture, TEXTURES, type TextureWord } from './mtl-textures.ts';
 
 export type Rgb = [red: number, green: number, blue: number];
 
@@ -10,7 +11,8 @@ export interface MtlMaterial {
   readonly name: string;
   readonly colors: Map<ColorWord, Rgb>;
   readonly numbers: Map<NumberWord, number>;
-  /** Other words that stand there, such as names of textures. */
+  readonly textures: Map<TextureWord, MtlTexture>;
+  /** Other words that stand there. */
   readonly others: Set<string>;
 }
 
@@ -47,7 +49,7 @@ export function readMtlStatements(bytes: Uint8Array, problems: FileProblems): Mt
 function begin(name: string, line: number, materials: Map<string, MtlMaterial>, problems: FileProblems): MtlMaterial {
   if (name === '') problems.add({ line }, 'a material without a name', 'a name');
   if (materials.size >= MOST_MATERIALS) problems.fail({ line }, 'one material more', `at most ${MOST_MATERIALS}`);
-  const material: MtlMaterial = { name, colors: new Map(), numbers: new Map(), others: new Set() };
+  const material: MtlMaterial = { name, colors: new Map(), numbers: new Map(), textures: new Map(), others: new Set() };
   materials.set(name, material);
   return material;
 }
@@ -59,7 +61,7 @@ function readStatement(
   word: string,
   line: number,
   scan: LineScanner,
-  { colors, numbers, others }: MtlMaterial,
+  { colors, numbers, textures, others }: MtlMaterial,
   problems: FileProblems,
 ): void {
   if (isOneOf(COLORS, word)) {
@@ -70,6 +72,10 @@ function readStatement(
     // "d -halo 0.5": opaque where it is seen edge on, which we do not know.
     if (scan.bytes[scan.at + 1] === 45 && word === 'd') others.add('d -halo');
     else numbers.set(word, readNumber(word, line, scan, problems));
+  } else if (isOneOf(TEXTURES, word)) {
+    const texture = readTexture(scan.rest());
+    if (texture) textures.set(word, texture);
+    else others.add(word);
   } else if (others.size < MOST_OTHERS) others.add(/^[\w-]{1,40}$/.test(word) ? word : quote(word));
 }
 

@@ -27,6 +27,7 @@ test.each<[string, string[], Partial<Material>]>([
   ['Pm alone', ['Pm 0.5', 'Ns 0'], { type: 'metallicRoughness', baseColor: [0.8, 0.8, 0.8], metallic: 0.5, roughness: 1 }],
   ['light', ['Kd 0 0 0', 'Ke 5 4 3'], { baseColor: [0, 0, 0], emission: [5, 4, 3] }],
   ['no light', ['Ke 0 0 0'], { baseColor: [0.8, 0.8, 0.8] }],
+  ['opacity', ['d 0.4', 'Kd 1 0 0'], { baseColor: [1, 0, 0], alphaMode: 'blend', opacity: 0.4 }],
   ['glass by illumination', ['illum 7', 'Ni 1.33', 'Kd 1 0 0', 'Tf 0.9 1 1'], { type: 'dielectric', baseColor: [0.9, 1, 1], ior: 1.33 }],
   ['glass by opacity', ['d 0.05', 'Pr 0.2'], { type: 'dielectric', baseColor: [1, 1, 1], roughness: 0.2 }],
   ['glass that refracts too much', ['illum 4', 'Ni 9'], { type: 'dielectric', baseColor: [1, 1, 1], ior: 4 }],
@@ -39,21 +40,49 @@ test.each<[string, string[], Partial<Material>]>([
   expect(parseScene({ version: 1, name: 'm', camera, materials: { m: made }, shapes })).toMatchObject({ ok: true });
 }); // biome-ignore format: table
 
+const PLASTIC = { type: 'metallicRoughness', baseColor: [0.8, 0.8, 0.8], roughness: 1 } as const;
+test.each<[string, string[], Partial<Material>]>([
+  ['a picture of colours', ['map_Kd wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png' } }],
+  ['over a colour and a highlight', ['Kd 1 0.5 0', 'Ks 1 1 1', 'Ns 30', 'map_Kd a b.JPG'], { type: 'metallicRoughness', baseColor: [1, 0.5, 0], specular: 1, roughness: 0.5, baseColorTexture: { texture: 'a b.JPG' } }],
+  ['with the folders of another machine', ['map_Kd C:\\tmp\\x\\wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png' } }],
+  ['in a folder', ['map_Kd .\\maps\\wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'maps/wood.png' } }],
+  ['more than once', ['map_Kd -s 2 4 1 -o 0.25 0.5 -texres 9 wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png', scale: [2, 4], offset: [0.25, -3.5] } }],
+  ['with holes by its alpha', ['map_Kd leaf.png', 'map_d leaf.png'], { ...PLASTIC, alphaMode: 'blend', opacity: 1, baseColorTexture: { texture: 'leaf.png' } }],
+  ['bumps', ['norm -bm 0.5 n.png'], { ...PLASTIC, normalTexture: { texture: 'n.png', normalScale: 0.5 } }],
+  ['a picture of light', ['map_Ke glow.png'], { type: 'metallicRoughness', baseColor: [0.8, 0.8, 0.8], emission: [1, 1, 1], emissionTexture: { texture: 'glow.png' } }],
+  ['a picture of light over none', ['Ke 0 0 0', 'map_Ke glow.png'], { baseColor: [0.8, 0.8, 0.8] }],
+])('textures: %s', (_, lines, expected) => {
+  const { materials, notes } = one(...lines);
+  expect(materials.m).toEqual(expected);
+  expect(notes).toEqual([]);
+}); // biome-ignore format: table
+
+test('textures count from the folder of the file; options that are not known are told', () => {
+  const file = readMtl(
+    new TextEncoder().encode('newmtl m\nmap_Kd -clamp on -mm 0 2 a.png\nmap_d b.png'),
+    'parts/it.mtl',
+  );
+  expect(file).toMatchObject({
+    ok: true,
+    materials: { m: { baseColorTexture: { texture: 'parts/a.png' } } },
+    notes: ['Nothing is made of map_Kd -clamp, map_Kd -mm, map_d of the material "m".'],
+  });
+});
+
 test('what nothing is made of is told by material', () => {
   const { notes } = one(
     'Kd 1 1 1',
     'Ka 1 1 1',
-    'd 0.5',
-    'map_Kd wood.png',
+    'map_Kd wood.tga',
     'bump -bm 0.2 w.png',
     'Ks spectral a.rfl',
     'Ks 1 0.5 0',
     'illum 2',
     'Ns 9',
   );
-  expect(notes).toEqual(['Nothing is made of map_Kd, bump, d, Ks of the material "m".']);
+  expect(notes).toEqual(['Nothing is made of map_Kd, bump, Ks of the material "m".']);
   expect(one('d -halo 0.3').notes).toEqual(['Nothing is made of d -halo of the material "m".']);
-  const many = Array.from({ length: 25 }, (_, k) => `newmtl m${k}\nmap_Kd a.png`).join('\n');
+  const many = Array.from({ length: 25 }, (_, k) => `newmtl m${k}\nbump a.png`).join('\n');
   expect(read(many).notes).toHaveLength(21);
   expect(read(many).notes.at(-1)).toBe('The same is true of 5 more materials.');
 });

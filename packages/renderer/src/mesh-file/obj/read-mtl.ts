@@ -16,7 +16,7 @@ export type MtlFile = Read<MtlContent>;
 /** So many materials with something left out are told of by name. */
 const MOST_NOTES = 20;
 
-/** Never throws, whatever the bytes are. */
+/** Never throws, whatever the bytes are. Textures are named by their files; with `name` in a folder, so are they. */
 export const readMtl = (bytes: Uint8Array, name: string): MtlFile =>
   reading(name, (problems) => {
     const read = readMtlStatements(bytes, problems);
@@ -24,7 +24,7 @@ export const readMtl = (bytes: Uint8Array, name: string): MtlFile =>
     const materials: Record<string, Partial<Material>> = Object.create(null);
     const notes: string[] = [];
     for (const mtl of read) {
-      const { material, unused } = convertMtl(mtl);
+      const { material, unused } = convertMtl(mtl, name.slice(0, name.lastIndexOf('/') + 1));
       materials[mtl.name] = material;
       if (unused.length > 0) notes.push(`Nothing is made of ${unused.join(', ')} of the material ${quote(mtl.name)}.`);
     }
