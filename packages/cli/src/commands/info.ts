@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { type FloatPicture, formatOf, ImageError } from 'mirrorball/picture-files';
 import { type BadScene, lookAtAll, usage } from '../exit-codes.ts';
+import { factLines } from '../fact-lines.ts';
 import { meshFileFacts } from '../mesh-facts.ts';
 import { readPart } from '../part-file.ts';
 import { isPart } from '../picture-file.ts';
@@ -19,14 +20,9 @@ export const info = (files: readonly string[], terminal: Terminal): Promise<void
     if ('problems' in facts) return facts as unknown as BadScene;
     terminal.event('info', { file, ...facts });
     terminal.result(file);
-    for (const [name, value] of Object.entries(facts))
-      if (Array.isArray(value) && typeof value[0] === 'string' && value[0].length > 40)
-        for (const line of value) terminal.result(`  ${name.padEnd(12)} ${line}`);
-      else terminal.result(`  ${name.padEnd(12)} ${told(value)}`);
+    for (const line of factLines(facts)) terminal.result(`  ${line}`);
     return null;
   });
-
-const told = (value: unknown): string => (typeof value === 'object' ? JSON.stringify(value) : String(value));
 
 async function factsOf(file: string): Promise<Facts | BadScene> {
   if (isPart(file)) return partFacts(file);
