@@ -12,14 +12,27 @@ vec3 pick(bool which, vec3 yes, vec3 no) { return which ? yes : no; }
 vec4 pick(bool which, vec4 yes, vec4 no) { return which ? yes : no; }
 uvec2 pick(bool which, uvec2 yes, uvec2 no) { return which ? yes : no; }
 
+struct Emitter {
+    vec3 position;
+    float kind;
+    vec3 u;
+    float radius;
+    vec3 v;
+    float cosInner;
+    vec3 radiance;
+    float area;
+    float shape;
+    float oneSided;
+    float power;
+    float reach;
+    float leaf;
+    float table;
+    float triangles;
+    float instance;
+};
 struct Odds {
     float total;
     float tree;
-};
-struct EmitterChoice {
-    uint index;
-    float probability;
-    Odds odds;
 };
 struct Frame {
     vec3 right;
@@ -60,24 +73,6 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
-struct Emitter {
-    vec3 position;
-    float kind;
-    vec3 u;
-    float radius;
-    vec3 v;
-    float cosInner;
-    vec3 radiance;
-    float area;
-    float shape;
-    float oneSided;
-    float power;
-    float reach;
-    float leaf;
-    float table;
-    float triangles;
-    float instance;
-};
 struct TreeChoice {
     uint emitter;
     float probability;
@@ -97,6 +92,11 @@ struct LightNode {
     vec4 bothSides;
     vec4 power;
     vec4 emitters;
+};
+struct EmitterChoice {
+    uint index;
+    float probability;
+    Odds odds;
 };
 struct LightSample {
     vec3 direction;
@@ -359,8 +359,6 @@ const uint hasTangents = 2u;
 
 uniform highp sampler2D questions;
 
-const bool hasLightTree = false;
-
 layout(std140) uniform FrameBlock { Frame frame; };
 
 const bool hasManyLights = true;
@@ -374,6 +372,8 @@ const bool hasMeshLamps = false;
 const bool hasPointLights = false;
 
 const bool hasSky = true;
+
+const bool hasLightTree = false;
 
 uniform highp sampler2D sceneTable;
 
@@ -464,34 +464,45 @@ float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
     return _e158;
 }
 
+float listedProbability(Emitter e_2, vec3 point_1, vec3 normal_2, Odds odds) {
+    float probability = 0.0;
+    uint _e6 = frame.emitterCount;
+    probability = float(min(_e6, 1u));
+    const bool _e12 = hasManyLights;
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_2, point_1, normal_2);
+            probability = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                float _e25 = probability;
+                probability = (_e25 * (1.0 - odds.tree));
+            }
+        }
+    }
+    float _e30 = probability;
+    return _e30;
+}
+
 vec4 tableTexel(uint column, uint row) {
     vec4 _e5 = texelFetch(sceneTable, ivec2(uvec2(column, row)), 0);
     return _e5;
 }
 
-Emitter fetchEmitter(uint i) {
-    vec4 _e2 = tableTexel(14u, i);
-    vec4 _e4 = tableTexel(15u, i);
-    vec4 _e6 = tableTexel(16u, i);
-    vec4 _e8 = tableTexel(17u, i);
-    vec4 _e10 = tableTexel(18u, i);
-    vec4 _e12 = tableTexel(19u, i);
-    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
-}
-
-LightNode fetchLightNode(uint i_1) {
-    vec4 _e2 = tableTexel(0u, i_1);
-    vec4 _e4 = tableTexel(1u, i_1);
-    vec4 _e6 = tableTexel(2u, i_1);
-    vec4 _e8 = tableTexel(3u, i_1);
-    vec4 _e10 = tableTexel(4u, i_1);
-    vec4 _e12 = tableTexel(5u, i_1);
-    vec4 _e14 = tableTexel(6u, i_1);
-    vec4 _e16 = tableTexel(7u, i_1);
-    vec4 _e18 = tableTexel(8u, i_1);
-    vec4 _e20 = tableTexel(9u, i_1);
-    vec4 _e22 = tableTexel(10u, i_1);
-    vec4 _e24 = tableTexel(11u, i_1);
+LightNode fetchLightNode(uint i) {
+    vec4 _e2 = tableTexel(0u, i);
+    vec4 _e4 = tableTexel(1u, i);
+    vec4 _e6 = tableTexel(2u, i);
+    vec4 _e8 = tableTexel(3u, i);
+    vec4 _e10 = tableTexel(4u, i);
+    vec4 _e12 = tableTexel(5u, i);
+    vec4 _e14 = tableTexel(6u, i);
+    vec4 _e16 = tableTexel(7u, i);
+    vec4 _e18 = tableTexel(8u, i);
+    vec4 _e20 = tableTexel(9u, i);
+    vec4 _e22 = tableTexel(10u, i);
+    vec4 _e24 = tableTexel(11u, i);
     return LightNode(_e2.xyzw, _e4.xyzw, _e6.xyzw, _e8.xyzw, _e10.xyzw, _e12.xyzw, _e14.xyzw, _e16.xyzw, _e18.xyzw, _e20.xyzw, _e22.xyzw, _e24.xyzw);
 }
 
@@ -503,10 +514,10 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
-    vec4 x_7 = (n.x - vec4(point_1.x));
-    vec4 y_3 = (n.y - vec4(point_1.y));
-    vec4 z = (n.z - vec4(point_1.z));
+vec4 estimatesOfChildren(LightNode n, vec3 point_2, vec3 normal_3) {
+    vec4 x_7 = (n.x - vec4(point_2.x));
+    vec4 y_3 = (n.y - vec4(point_2.y));
+    vec4 z = (n.z - vec4(point_2.z));
     vec4 distance2_1 = (((x_7 * x_7) + (y_3 * y_3)) + (z * z));
     vec4 inverse_1 = inversesqrt(max(distance2_1, vec4(1e-30)));
     bvec4 inside = lessThanEqual(distance2_1, (n.reach * n.reach));
@@ -521,11 +532,11 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside);
-    vec4 cosN = clamp(((((normal_2.x * x_7) + (normal_2.y * y_3)) + (normal_2.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_3.x * x_7) + (normal_3.y * y_3)) + (normal_3.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside);
-    vec4 cosIn = pick((dot(normal_2, normal_2) == 0.0), vec4(1.0), above_1);
+    vec4 cosIn = pick((dot(normal_3, normal_3) == 0.0), vec4(1.0), above_1);
     vec4 estimate_1 = (((n.power * cosOut) * cosIn) / max(max(distance2_1, (n.reach * n.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n.cosEdge));
 }
@@ -535,7 +546,7 @@ float shareOfTree(float total, float far) {
     return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_1));
 }
 
-TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) {
+TreeChoice descend(vec3 point_3, vec3 normal_4, float u, int leaf, float far_1) {
     uint level = 0u;
     uint node = 0u;
     float rest = 0.0;
@@ -549,7 +560,7 @@ TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) 
         uint _e23 = frame.lightTree;
         uint _e24 = node;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_2, normal_3);
+        vec4 _e27 = estimatesOfChildren(_e26, point_3, normal_4);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -588,7 +599,34 @@ TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) 
     return _e129;
 }
 
-EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
+float treeProbability(Emitter e_3, vec3 point_4, vec3 normal_5, Odds odds_1) {
+    float probability_1 = 0.0;
+    uint _e8 = frame.lightTreeDepth;
+    if ((_e8 > 0u)) {
+        TreeChoice _e17 = descend(point_4, normal_5, 0.0, int(max(e_3.leaf, 0.0)), odds_1.total);
+        probability_1 = (_e17.probability * _e17.share);
+    }
+    float _e21 = probability_1;
+    return _e21;
+}
+
+float probabilityOf(Emitter e_4, vec3 point_5, vec3 normal_6, Odds odds_2) {
+    float _e4 = listedProbability(e_4, point_5, normal_6, odds_2);
+    float _e5 = treeProbability(e_4, point_5, normal_6, odds_2);
+    return pick((e_4.leaf >= 0.0), _e5, _e4);
+}
+
+Emitter fetchEmitter(uint i_1) {
+    vec4 _e2 = tableTexel(14u, i_1);
+    vec4 _e4 = tableTexel(15u, i_1);
+    vec4 _e6 = tableTexel(16u, i_1);
+    vec4 _e8 = tableTexel(17u, i_1);
+    vec4 _e10 = tableTexel(18u, i_1);
+    vec4 _e12 = tableTexel(19u, i_1);
+    return Emitter(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w);
+}
+
+EmitterChoice chooseEmitter(vec3 point_6, vec3 normal_7, float u_1) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
@@ -615,7 +653,7 @@ EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
             while(true) {
                 uint _e48 = i_2;
                 Emitter _e49 = fetchEmitter(_e48);
-                float _e50 = estimatedIrradiance(_e49, point_3, normal_4);
+                float _e50 = estimatedIrradiance(_e49, point_6, normal_7);
                 uint _e51 = i_2;
                 float weight = pick((_e51 < listed), _e50, 0.0);
                 float _e55 = total_1;
@@ -650,7 +688,7 @@ EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
                 if (_e97) {
                     float _e98 = rest_1;
                     float _e100 = total_1;
-                    TreeChoice _e101 = descend(point_3, normal_4, _e98, -1, _e100);
+                    TreeChoice _e101 = descend(point_6, normal_7, _e98, -1, _e100);
                     choice_1.odds.tree = _e101.share;
                     uint _e106 = chosen;
                     choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
@@ -664,37 +702,12 @@ EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
     return _e122;
 }
 
-float probabilityOf(Emitter e_2, vec3 point_4, vec3 normal_5, Odds odds) {
-    float probability = 0.0;
-    uint _e6 = frame.emitterCount;
-    probability = float(min(_e6, 1u));
-    const bool _e12 = hasManyLights;
-    if (_e12) {
-        uint _e15 = frame.emitterCount;
-        if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_2, point_4, normal_5);
-            probability = (_e18 / max(odds.total, 1e-37));
-            const bool _e24 = hasLightTree;
-            if (_e24) {
-                uint _e27 = frame.lightTreeDepth;
-                if ((_e27 > 0u)) {
-                    TreeChoice _e36 = descend(point_4, normal_5, 0.0, int(max(e_2.leaf, 0.0)), odds.total);
-                    float _e37 = probability;
-                    probability = pick((e_2.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
-                }
-            }
-        }
-    }
-    float _e49 = probability;
-    return _e49;
-}
-
-SphereView viewSphere(Emitter e_3, vec3 point_5) {
-    vec3 toCenter = (e_3.position - point_5);
+SphereView viewSphere(Emitter e_5, vec3 point_7) {
+    vec3 toCenter = (e_5.position - point_7);
     float d_2 = length(toCenter);
-    float power = abs(((d_2 - e_3.radius) * (d_2 + e_3.radius)));
-    bool inside_1 = (d_2 <= e_3.radius);
-    float sine_1 = min((e_3.radius / max(d_2, 1e-30)), 1.0);
+    float power = abs(((d_2 - e_5.radius) * (d_2 + e_5.radius)));
+    bool inside_1 = (d_2 <= e_5.radius);
+    float sine_1 = min((e_5.radius / max(d_2, 1e-30)), 1.0);
     float cosine_2 = (sqrt(power) / max(d_2, 1e-30));
     return SphereView(toCenter, d_2, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_2))));
 }
@@ -723,17 +736,17 @@ float conePdf(float width_1) {
     return (1.0 / (6.2831855 * max(width_1, 1e-31)));
 }
 
-LightSample sampleSphere(Emitter e_4, vec3 point_6, vec2 u_3) {
-    SphereView _e3 = viewSphere(e_4, point_6);
+LightSample sampleSphere(Emitter e_6, vec3 point_8, vec2 u_3) {
+    SphereView _e3 = viewSphere(e_6, point_8);
     vec3 axis_3 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_3, _e3.width, u_3);
     float along_1 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_4.radius * e_4.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_6.radius * e_6.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_1) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
     float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_4.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_6.radiance, _e49, false);
 }
 
 float arctangent(float x) {
@@ -754,16 +767,16 @@ float stretch(float x_1, vec2 y, float h) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_5, vec3 point_7) {
-    vec3 corner = (e_5.position - point_7);
-    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
-    vec3 axisX = (e_5.u / vec3(lengths.x));
-    vec3 axisY = (e_5.v / vec3(lengths.y));
-    vec3 normal_10 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_10);
+QuadView viewQuad(Emitter e_7, vec3 point_9) {
+    vec3 corner = (e_7.position - point_9);
+    vec2 lengths = vec2(length(e_7.u), length(e_7.v));
+    vec3 axisX = (e_7.u / vec3(lengths.x));
+    vec3 axisY = (e_7.v / vec3(lengths.y));
+    vec3 normal_12 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_12);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_2 = max(abs(signedHeight), least);
-    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    bool lit = pick((abs(signedHeight) > least), pick((e_7.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_1 = (low_2 + lengths);
     vec2 y_5 = vec2(low_2.y, high_1.y);
@@ -771,7 +784,7 @@ QuadView viewQuad(Emitter e_5, vec3 point_7) {
     float _e46 = stretch(high_1.x, y_5, height_2);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_10 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_12 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_2, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
@@ -808,14 +821,14 @@ float pdfOfView(QuadView q_1, float area_1, float distance_1) {
     return pick(q_1.lit, pdf_2, 0.0);
 }
 
-LightSample sampleQuad(Emitter e_6, vec3 point_8, vec2 u_5) {
-    QuadView _e3 = viewQuad(e_6, point_8);
-    vec3 onArea = ((_e3.corner + (u_5.x * e_6.u)) + (u_5.y * e_6.v));
+LightSample sampleQuad(Emitter e_8, vec3 point_10, vec2 u_5) {
+    QuadView _e3 = viewQuad(e_8, point_10);
+    vec3 onArea = ((_e3.corner + (u_5.x * e_8.u)) + (u_5.y * e_8.v));
     vec3 _e13 = sphericalRectangle(_e3, u_5);
     vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_8 = max(length(toLight_3), _e3.height);
-    float _e23 = pdfOfView(_e3, e_6.area, distance_8);
-    return LightSample((toLight_3 / vec3(distance_8)), distance_8, e_6.radiance, _e23, false);
+    float _e23 = pdfOfView(_e3, e_8.area, distance_8);
+    return LightSample((toLight_3 / vec3(distance_8)), distance_8, e_8.radiance, _e23, false);
 }
 
 Extent fetchExtent(uint i_3) {
@@ -829,16 +842,16 @@ vec3 rotate(vec4 q_2, vec3 v_1) {
     return ((v_1 + (q_2.w * t_8)) + cross(q_2.xyz, t_8));
 }
 
-BoxView viewBox(Emitter e_7, vec3 point_9) {
-    Extent _e4 = fetchExtent(uint(e_7.shape));
+BoxView viewBox(Emitter e_9, vec3 point_11) {
+    Extent _e4 = fetchExtent(uint(e_9.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_9 - e_7.position));
-    bvec3 seen = greaterThan(abs(_e8), e_7.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen);
+    vec3 _e8 = rotate(rotation, (point_11 - e_9.position));
+    bvec3 seen = greaterThan(abs(_e8), e_9.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_9.u.yzx) * e_9.u.zxy), seen);
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_6) {
+vec4 pointOnFaces(Emitter e_10, BoxView b, vec2 u_6) {
     float both = (b.faces.x + b.faces.y);
     float at_2 = (u_6.x * b.area);
     bool onX = (at_2 < b.faces.x);
@@ -847,7 +860,7 @@ vec4 pointOnFaces(Emitter e_8, BoxView b, vec2 u_6) {
     float within = clamp(((at_2 - pick(onX, 0.0, pick(onY, b.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_4 = vec3(pick(onX, 1.0, 0.0), pick(onY, 1.0, 0.0), pick(pick(onX, true, onY), 0.0, 1.0));
     vec3 p_9 = vec3(pick((dot(axis_4, b.point) >= 0.0), 1.0, -1.0), ((2.0 * within) - 1.0), ((2.0 * u_6.y) - 1.0));
-    vec3 toLight_4 = ((pick(onX, p_9.xyz, pick(onY, p_9.zxy, p_9.yzx)) * e_8.u) - b.point);
+    vec3 toLight_4 = ((pick(onX, p_9.xyz, pick(onY, p_9.zxy, p_9.yzx)) * e_10.u) - b.point);
     return vec4(toLight_4, abs(dot(axis_4, toLight_4)));
 }
 
@@ -870,19 +883,19 @@ vec3 rotateBack(vec4 q_3, vec3 v_2) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_9, vec3 point_10, vec2 u_7) {
-    BoxView _e3 = viewBox(e_9, point_10);
-    vec4 _e4 = pointOnFaces(e_9, _e3, u_7);
+LightSample sampleBox(Emitter e_11, vec3 point_12, vec2 u_7) {
+    BoxView _e3 = viewBox(e_11, point_12);
+    vec4 _e4 = pointOnFaces(e_11, _e3, u_7);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_7);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_9.u);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_11.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_20 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_21 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_3 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_20);
-    return LightSample(_e37, distance_9, e_9.radiance, pdf_3, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_21);
+    return LightSample(_e37, distance_9, e_11.radiance, pdf_3, false);
 }
 
 uvec4 geometryRow(uint i_4) {
@@ -906,15 +919,15 @@ uint mixBits(uint x_3) {
     return (_e14 ^ (_e15 >> 15u));
 }
 
-ChosenTriangle chooseTriangle(Emitter e_10, vec2 u_8) {
+ChosenTriangle chooseTriangle(Emitter e_12, vec2 u_8) {
     uint _e4 = frame.lampTables;
-    uint first = (_e4 + uint(e_10.table));
-    uint column_1 = min(uint((u_8.x * e_10.triangles)), (uint(e_10.triangles) - 1u));
+    uint first = (_e4 + uint(e_12.table));
+    uint column_1 = min(uint((u_8.x * e_12.triangles)), (uint(e_12.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first + column_1));
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_10.triangles);
-    float x_10 = clamp((((u_8.x * e_10.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_12.triangles);
+    float x_10 = clamp((((u_8.x * e_12.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
     bool own_2 = (x_10 < _e18.own);
     float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
@@ -953,36 +966,36 @@ vec3 outOfMesh(Instance i_5, vec3 p) {
     return ((((q_6.x * x_11) + (q_6.y * y_7)) + (q_6.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_11)));
 }
 
-LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
-    ChosenTriangle _e3 = chooseTriangle(e_11, u_10);
+LightSample sampleMesh(Emitter e_13, vec3 point_13, vec2 u_10) {
+    ChosenTriangle _e3 = chooseTriangle(e_13, u_10);
     uint _e6 = frame.instances;
-    Instance _e12 = fetchInstance((_e6 + (uint(e_11.instance) * instanceRows)));
+    Instance _e12 = fetchInstance((_e6 + (uint(e_13.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_5 = (_e34 - point_11);
+    vec3 toLight_5 = (_e34 - point_13);
     vec3 across_2 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
     float height_3 = (dot(across_2, toLight_5) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
     float distance_10 = length(toLight_5);
-    float _e62 = areaPdf((e_11.area / _e3.density), abs(height_3), distance_10);
-    bool lit_1 = pick((height_3 < 0.0), true, pick((e_11.oneSided == 0.0), (height_3 > 0.0), false));
-    float reached = max((distance_10 - (1e-5 * (length(point_11) + distance_10))), 0.0);
-    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, e_11.radiance, pick(lit_1, _e62, 0.0), false);
+    float _e62 = areaPdf((e_13.area / _e3.density), abs(height_3), distance_10);
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_13.oneSided == 0.0), (height_3 > 0.0), false));
+    float reached = max((distance_10 - (1e-5 * (length(point_13) + distance_10))), 0.0);
+    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, e_13.radiance, pick(lit_1, _e62, 0.0), false);
 }
 
-LightSample samplePoint(Emitter e_12, vec3 point_12) {
-    vec3 toLight_6 = (e_12.position - point_12);
+LightSample samplePoint(Emitter e_14, vec3 point_14) {
+    vec3 toLight_6 = (e_14.position - point_14);
     float distance_11 = length(toLight_6);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_6 / vec3(safe)), distance_11, (e_12.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_6 / vec3(safe)), distance_11, (e_14.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_13, vec3 point_13) {
+LightSample sampleSpot(Emitter e_15, vec3 point_15) {
     LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_13, point_13);
+    LightSample _e2 = samplePoint(e_15, point_15);
     s = _e2;
     vec3 _e5 = s.direction;
-    float _e6 = spotFalloff(e_13, _e5);
+    float _e6 = spotFalloff(e_15, _e5);
     vec3 _e8 = s.radiance;
     s.radiance = (_e8 * _e6);
     float _e12 = s.pdf;
@@ -991,10 +1004,10 @@ LightSample sampleSpot(Emitter e_13, vec3 point_13) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_14, vec2 u_11) {
-    bool delta = (e_14.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_14.u), (e_14.area / 6.2831855), u_11);
-    return LightSample(_e10.direction, 1e30, e_14.radiance, pick(delta, 1.0, (1.0 / max(e_14.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_16, vec2 u_11) {
+    bool delta = (e_16.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_16.u), (e_16.area / 6.2831855), u_11);
+    return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
 }
 
 vec4 fetchEntries(Table t_1, uint pair) {
@@ -1118,9 +1131,9 @@ EnvironmentSample sampleEnvironment(vec2 u_14) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_1) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
-    vec3 direction_21 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    vec3 direction_22 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_9), sine_4);
-    return EnvironmentSample(direction_21, _e119);
+    return EnvironmentSample(direction_22, _e119);
 }
 
 vec3 sky(vec3 direction_1) {
@@ -1146,67 +1159,67 @@ LightSample sampleSky(vec2 u_15) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_16) {
+LightSample sampleEmitter(Emitter e_17, vec3 point_16, vec2 u_16) {
     LightSample s_2 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_15.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_15, point_14, u_16);
+        if ((e_17.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_17, point_16, u_16);
             s_2 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_15.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_15, point_14, u_16);
+        if ((e_17.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_17, point_16, u_16);
             s_2 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_15.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_15, point_14, u_16);
+        if ((e_17.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_17, point_16, u_16);
             s_2 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
-        if ((e_15.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_15, point_14, u_16);
+        if ((e_17.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_17, point_16, u_16);
             s_2 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_15.kind == 3.0)) {
-            LightSample _e43 = samplePoint(e_15, point_14);
+        if ((e_17.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_17, point_16);
             s_2 = _e43;
         }
     }
     const bool _e45 = hasPointLights;
     if (_e45) {
-        if ((e_15.kind == 4.0)) {
-            LightSample _e49 = sampleSpot(e_15, point_14);
+        if ((e_17.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_17, point_16);
             s_2 = _e49;
         }
     }
     const bool _e51 = hasSuns;
     if (_e51) {
-        if ((e_15.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_15, u_16);
+        if ((e_17.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_17, u_16);
             s_2 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
-        if ((e_15.kind == 6.0)) {
+        if ((e_17.kind == 6.0)) {
             LightSample _e61 = sampleSky(u_16);
             s_2 = _e61;
         }
     }
     float _e64 = s_2.pdf;
     float _e66 = s_2.distance_;
-    s_2.pdf = pick((_e66 <= (1e-5 * length(point_14))), 0.0, _e64);
+    s_2.pdf = pick((_e66 <= (1e-5 * length(point_16))), 0.0, _e64);
     LightSample _e73 = s_2;
     return _e73;
 }
@@ -1223,9 +1236,9 @@ float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius
     float discriminant = ((radius * radius) - dot(across_3, across_3));
     float half_ = sqrt(max(discriminant, 0.0));
     float near = (along_2 - half_);
-    float far_3 = (along_2 + half_);
-    float t_10 = pick((near > tMin), near, far_3);
-    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_10 > tMin), false), t_10, 1e30));
+    float far_4 = (along_2 + half_);
+    float t_10 = pick((near > tMin), near, far_4);
+    return pick(startsInside, max(far_4, 0.0), pick(pick((discriminant >= 0.0), (t_10 > tMin), false), t_10, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_3) {
@@ -1277,10 +1290,10 @@ PairHit meetBox(PairHit found_2, RayPair p_3, uint i_9) {
 }
 
 float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_11 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_11);
+    vec3 normal_13 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_13);
     vec3 toCenter_2 = (center_1 - origin_4);
-    float t_12 = (dot(toCenter_2, normal_11) / pick((speed == 0.0), 1e-30, speed));
+    float t_12 = (dot(toCenter_2, normal_13) / pick((speed == 0.0), 1e-30, speed));
     vec3 p_10 = ((t_12 * direction_4) - toCenter_2);
     bool within_1 = (max(abs(dot(p_10, reciprocalU)), abs(dot(p_10, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_12 > tMin_2), (t_12 < 1e30), false), within_1, false), t_12, 1e30);
@@ -1295,9 +1308,9 @@ PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_10) {
     return _e24;
 }
 
-float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_6, float offset, float tMin_3) {
-    float speed_1 = dot(direction_5, normal_6);
-    float t_13 = ((offset - dot(origin_5, normal_6)) / pick((speed_1 == 0.0), 1e-12, speed_1));
+float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_8, float offset, float tMin_3) {
+    float speed_1 = dot(direction_5, normal_8);
+    float t_13 = ((offset - dot(origin_5, normal_8)) / pick((speed_1 == 0.0), 1e-12, speed_1));
     float speedAway = pick((offset > 0.0), speed_1, -(speed_1));
     bool eitherWay = pick((t_13 > tMin_3), (abs(speed_1) > 1e-12), false);
     uint _e30 = frame.planesCutView;
@@ -1318,14 +1331,14 @@ vec4 planes(uint row_4, float inverse_, float offset_1) {
 }
 
 vec4 enterChildren(uint node_1, SlabRay r, float t_4) {
-    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
+    uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
     vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
     vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 _e44 = planes((node_1 + far_5.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node_1 + far_5.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node_1 + far_5.z), r.inverse_.z, r.offset.z);
     vec4 far4_ = min(min(_e44, _e51), _e59);
     return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_4))));
 }
@@ -1564,9 +1577,9 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 ra = pick(c_2, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_3, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_3, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                bool e_25 = (ta.y < tb.x);
-                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                bool e_27 = (ta.y < tb.x);
+                vec2 tm = pick(e_27, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e_27, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
                     uint _e177 = top;
                     stack[_e177] = ra.x;
@@ -1880,8 +1893,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_12 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
-        vec3 smoothed = (turn_1 * normal_12);
+        vec3 normal_14 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
+        vec3 smoothed = (turn_1 * normal_14);
         float size_5 = dot(smoothed, smoothed);
         float side_3 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_5 > 0.0), false);
@@ -1913,7 +1926,7 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_8.normal = (smoothed * side_3);
                 p_8.tangent = ((turn_1 * tangent) * side_3);
-                p_8.bitangent = ((turn_1 * cross(normal_12, tangent)) * (hand * side_3));
+                p_8.bitangent = ((turn_1 * cross(normal_14, tangent)) * (hand * side_3));
             }
         }
     }
@@ -1921,65 +1934,65 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     return _e223;
 }
 
-uint emitterOfTriangle(Emitter e_16, LeftTriangle t_6) {
-    return (((t_6.instance - uint(e_16.instance)) * uint(e_16.cosInner)) + (t_6.triangle >> uint(e_16.radius)));
+uint emitterOfTriangle(Emitter e_18, LeftTriangle t_6) {
+    return (((t_6.instance - uint(e_18.instance)) * uint(e_18.cosInner)) + (t_6.triangle >> uint(e_18.radius)));
 }
 
-float spherePdf(Emitter e_17, vec3 point_15, vec3 direction_9) {
-    SphereView _e3 = viewSphere(e_17, point_15);
+float spherePdf(Emitter e_19, vec3 point_17, vec3 direction_9) {
+    SphereView _e3 = viewSphere(e_19, point_17);
     bool reached_1 = pick(_e3.inside, true, (dot(direction_9, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached_1, _e11, 0.0);
 }
 
-float quadPdf(Emitter e_18, vec3 point_16, float distance_2) {
-    QuadView _e3 = viewQuad(e_18, point_16);
-    float _e5 = pdfOfView(_e3, e_18.area, distance_2);
+float quadPdf(Emitter e_20, vec3 point_18, float distance_2) {
+    QuadView _e3 = viewQuad(e_20, point_18);
+    float _e5 = pdfOfView(_e3, e_20.area, distance_2);
     return _e5;
 }
 
-float boxPdf(Emitter e_19, vec3 point_17, vec3 direction_10, float distance_3, vec3 normal_7) {
-    BoxView _e5 = viewBox(e_19, point_17);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_7))), distance_3);
+float boxPdf(Emitter e_21, vec3 point_19, vec3 direction_10, float distance_3, vec3 normal_9) {
+    BoxView _e5 = viewBox(e_21, point_19);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_10, normal_9))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, uint place_2) {
+float meshPdf(Emitter e_22, vec3 direction_11, float distance_4, vec3 normal_10, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_11 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
+    uint row_11 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
     LampTriangle _e20 = fetchLampTriangle(row_11);
-    float _e26 = areaPdf((e_20.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
+    float _e26 = areaPdf((e_22.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_10))), distance_4);
     return _e26;
 }
 
-float shapePdf(Emitter e_21, vec3 point_18, vec3 direction_12, float distance_5, vec3 normal_9, uint place_3) {
+float shapePdf(Emitter e_23, vec3 point_20, vec3 direction_12, float distance_5, vec3 normal_11, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
-        if ((e_21.kind == 0.0)) {
-            float _e13 = spherePdf(e_21, point_18, direction_12);
+        if ((e_23.kind == 0.0)) {
+            float _e13 = spherePdf(e_23, point_20, direction_12);
             pdf = _e13;
         }
     }
     const bool _e15 = hasQuadLights;
     if (_e15) {
-        if ((e_21.kind == 1.0)) {
-            float _e19 = quadPdf(e_21, point_18, distance_5);
+        if ((e_23.kind == 1.0)) {
+            float _e19 = quadPdf(e_23, point_20, distance_5);
             pdf = _e19;
         }
     }
     const bool _e21 = hasBoxLights;
     if (_e21) {
-        if ((e_21.kind == 2.0)) {
-            float _e25 = boxPdf(e_21, point_18, direction_12, distance_5, normal_9);
+        if ((e_23.kind == 2.0)) {
+            float _e25 = boxPdf(e_23, point_20, direction_12, distance_5, normal_11);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
-        if ((e_21.kind == 7.0)) {
-            float _e31 = meshPdf(e_21, direction_12, distance_5, normal_9, place_3);
+        if ((e_23.kind == 7.0)) {
+            float _e31 = meshPdf(e_23, direction_12, distance_5, normal_11, place_3);
             pdf = _e31;
         }
     }
@@ -1987,8 +2000,8 @@ float shapePdf(Emitter e_21, vec3 point_18, vec3 direction_12, float distance_5,
     return _e32;
 }
 
-Start onSurface(vec3 point_19, uint shape, bool seenFromInside) {
-    return Start(point_19, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_19)));
+Start onSurface(vec3 point_21, uint shape, bool seenFromInside) {
+    return Start(point_21, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_21)));
 }
 
 bool isSphere(uint i_15) {
@@ -2114,14 +2127,33 @@ vec3 outwardNormal(uint i_25, Ray ray_7, float t_7) {
     return _e37;
 }
 
-bool isOnDisc(Emitter e_22, vec3 direction_15) {
-    vec3 chord = (direction_15 + e_22.u);
-    return ((3.1415927 * dot(chord, chord)) < e_22.area);
+bool isOnDisc(Emitter e_24, vec3 direction_15) {
+    vec3 chord = (direction_15 + e_24.u);
+    return ((3.1415927 * dot(chord, chord)) < e_24.area);
 }
 
-float directionalPdf(Emitter e_23, vec3 direction_16) {
-    bool _e7 = isOnDisc(e_23, direction_16);
-    return pick(_e7, (1.0 / max(e_23.area, 1e-31)), 0.0);
+float directionalPdf(Emitter e_25, vec3 direction_16) {
+    bool _e7 = isOnDisc(e_25, direction_16);
+    return pick(_e7, (1.0 / max(e_25.area, 1e-31)), 0.0);
+}
+
+FarLight farLight(Emitter e_26, vec3 direction_17, FarLight sky_1) {
+    FarLight far_2 = FarLight(vec3(0.0), 0.0);
+    const bool _e9 = hasSuns;
+    if (_e9) {
+        bool _e13 = isOnDisc(e_26, direction_17);
+        bool seen_1 = pick((e_26.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_26, direction_17);
+        far_2 = FarLight(pick(seen_1, e_26.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+    }
+    const bool _e24 = hasSky;
+    if (_e24) {
+        if ((e_26.kind == 6.0)) {
+            far_2 = sky_1;
+        }
+    }
+    FarLight _e28 = far_2;
+    return _e28;
 }
 
 vec2 quadrantAngles(vec2 x_6, vec2 y_2) {
@@ -2135,16 +2167,16 @@ vec2 quadrantAngles(vec2 x_6, vec2 y_2) {
     return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_6));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_17) {
+EnvironmentLight lookUpEnvironment(vec3 direction_18) {
     vec2 size_6 = frame.environmentSize;
-    float sine_5 = max(length(direction_17.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_17.z, direction_17.y)), vec2(abs(direction_17.x), sine_5));
-    float turn_2 = (pick((direction_17.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_17.x < 0.0), -1.0, 1.0));
+    float sine_5 = max(length(direction_18.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_18.z, direction_18.y)), vec2(abs(direction_18.x), sine_5));
+    float turn_2 = (pick((direction_18.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_18.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
     float row_12 = floor(fromPole_1);
-    bool isLower_1 = (direction_17.y < 0.0);
+    bool isLower_1 = (direction_18.y < 0.0);
     vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_12), row_12));
     float within_3 = (fromPole_1 - row_12);
     vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
@@ -2153,37 +2185,28 @@ EnvironmentLight lookUpEnvironment(vec3 direction_17) {
     return _e67;
 }
 
-EnvironmentLight skyLight(vec3 direction_18) {
+EnvironmentLight skyLight(vec3 direction_19) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_18);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_19);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_18);
+    vec3 _e8 = sky(direction_19);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_24, vec3 direction_19) {
-    FarLight far_2 = FarLight(vec3(0.0), 0.0);
-    const bool _e8 = hasSuns;
-    if (_e8) {
-        bool _e12 = isOnDisc(e_24, direction_19);
-        bool seen_1 = pick((e_24.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_24, direction_19);
-        far_2 = FarLight(pick(seen_1, e_24.radiance, vec3(0.0)), pick(seen_1, _e18, 0.0));
+FarLight skySeen(vec3 direction_20) {
+    FarLight far_3 = FarLight(vec3(0.0), 0.0);
+    const bool _e7 = hasSky;
+    if (_e7) {
+        EnvironmentLight _e8 = skyLight(direction_20);
+        far_3 = FarLight(_e8.radiance, _e8.pdf);
     }
-    const bool _e23 = hasSky;
-    if (_e23) {
-        if ((e_24.kind == 6.0)) {
-            EnvironmentLight _e27 = skyLight(direction_19);
-            far_2 = FarLight(_e27.radiance, _e27.pdf);
-        }
-    }
-    FarLight _e31 = far_2;
-    return _e31;
+    FarLight _e12 = far_3;
+    return _e12;
 }
 
 void main() {
@@ -2215,9 +2238,9 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_3.xyz);
+    vec3 direction_23 = pick((question == pdfOfSample), _e59.direction, c_3.xyz);
     if ((_e56.kind == 7.0)) {
-        RayPair _e85 = oneRay(a_5.xyz, direction_22, 0u);
+        RayPair _e85 = oneRay(a_5.xyz, direction_23, 0u);
         PairHit _e86 = tracePair(_e85);
         if ((_e86.triangle.instance == noInstance)) {
             _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
@@ -2228,14 +2251,14 @@ void main() {
         uint _e105 = emitterOfTriangle(_e56, _e86.triangle);
         Emitter _e107 = fetchEmitter((index + _e105));
         vec3 _e110 = normal;
-        float _e113 = shapePdf(_e107, a_5.xyz, direction_22, _e86.t, _e110, _e86.triangle.triangle);
+        float _e113 = shapePdf(_e107, a_5.xyz, direction_23, _e86.t, _e110, _e86.triangle.triangle);
         _fs2p_location0 = vec4(_e113, _e86.t, _e59.pdf, float(_e59.delta));
         return;
     }
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
         Start _e127 = onSurface(a_5.xyz, noShape, false);
-        Ray ray_8 = Ray(_e127, direction_22);
+        Ray ray_8 = Ray(_e127, direction_23);
         Bounds _e129 = fetchBounds(shape_1);
         float _e130 = hitShape(shape_1, _e129, ray_8);
         t = _e130;
@@ -2248,12 +2271,13 @@ void main() {
             return;
         }
     }
-    FarLight _e144 = farLight(_e56, direction_22);
-    float _e146 = t;
-    vec3 _e147 = normal;
-    float _e149 = shapePdf(_e56, a_5.xyz, direction_22, _e146, _e147, 0u);
-    float _e152 = t;
-    _fs2p_location0 = vec4((_e149 + _e144.pdf), _e152, length(_e144.radiance), float(_e59.delta));
+    FarLight _e144 = skySeen(direction_23);
+    FarLight _e145 = farLight(_e56, direction_23, _e144);
+    float _e147 = t;
+    vec3 _e148 = normal;
+    float _e150 = shapePdf(_e56, a_5.xyz, direction_23, _e147, _e148, 0u);
+    float _e153 = t;
+    _fs2p_location0 = vec4((_e150 + _e145.pdf), _e153, length(_e145.radiance), float(_e59.delta));
     return;
 }
 

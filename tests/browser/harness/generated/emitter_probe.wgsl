@@ -10,6 +10,10 @@ const pdfOfSample = 2u;
 
 const choice = 4u;
 
+fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+  return select(listedProbability(e, point, normal, odds), treeProbability(e, point, normal, odds), e.leaf >= 0.0);
+}
+
 @fragment fn emitterProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
   let pixel = vec2u(fragment.xy);
   let a = textureLoad(questions, vec2u(3u * pixel.x, pixel.y), 0);
@@ -52,152 +56,67 @@ const choice = 4u;
       return vec4f(0.0, miss, s.pdf, f32(s.delta));
     }
   }
-  let far = farLight(e, direction);
+  let far = farLight(e, direction, skySeen(direction));
   return vec4f(shapePdf(e, a.xyz, direction, t, normal, 0u) + far.pdf, t, length(far.radiance), f32(s.delta));
 }
 
-// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
-// lamp that the point itself lies on.
-fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
-  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
-  if (hasSphereLights) {
-    if (e.kind == sphereKind) {
-      s = sampleSphere(e, point, u);
-    }
-  }
-  if (hasQuadLights) {
-    if (e.kind == quadKind) {
-      s = sampleQuad(e, point, u);
-    }
-  }
-  if (hasBoxLights) {
-    if (e.kind == boxKind) {
-      s = sampleBox(e, point, u);
-    }
-  }
-  if (hasMeshLamps) {
-    if (e.kind == meshKind) {
-      s = sampleMesh(e, point, u);
-    }
-  }
-  if (hasPointLights) {
-    if (e.kind == pointKind) {
-      s = samplePoint(e, point);
-    }
-  }
-  if (hasPointLights) {
-    if (e.kind == spotKind) {
-      s = sampleSpot(e, point);
-    }
-  }
-  if (hasSuns) {
-    if (e.kind == directionalKind) {
-      s = sampleDirectional(e, u);
-    }
-  }
-  if (hasSky) {
-    if (e.kind == skyKind) {
-      s = sampleSky(u);
-    }
-  }
-  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
-  return s;
-}
-
-const miss = 1e30;
-
-fn farLight(e: Emitter, direction: vec3f) -> FarLight {
-  var far = FarLight(vec3f(0.0), 0.0);
-  if (hasSuns) {
-    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
-    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
-  }
-  if (hasSky) {
-    if (e.kind == skyKind) {
-      let seen = skyLight(direction);
-      far = FarLight(seen.radiance, seen.pdf);
-    }
-  }
-  return far;
-}
-
-// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
-// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
-fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
-  var hasTree = false;
-  if (hasLightTree) {
-    hasTree = frame.lightTreeDepth > 0u;
-  }
-  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
-  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
-  if (hasManyLights) {
-    if (frame.emitterCount > 1u) {
-      var total = 0.0;
-      var chosen = 0u;
-      var chosenWeight = 0.0;
-      var rest = u;
-      var i = 0u;
-      loop {
-        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
-        total += weight;
-        let share = weight / max(total, 1e-37);
-        let take = rest < share;
-        chosen = select(chosen, i, take);
-        chosenWeight = select(chosenWeight, weight, take);
-        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
-        i++;
-        if (i >= listed) {
-          break;
-        }
-      }
-      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
-      if (hasLightTree) {
-        if (hasTree) {
-          let down = descend(point, normal, rest, noLeaf, total);
-          choice.odds.tree = down.share;
-          choice.index = select(chosen, down.emitter, down.taken);
-          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
-        }
-      }
-    }
-  }
-  return choice;
-}
-
-// With which chooseEmitter would have chosen this one there.
-fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+// With which chooseEmitter would have chosen this one there, which is not in the tree.
+fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
       probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
       if (hasLightTree) {
-        if (frame.lightTreeDepth > 0u) {
-          let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
-          probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
-        }
+        probability *= 1.0 - odds.tree;
       }
     }
   }
   return probability;
 }
 
-fn fetchEmitter(i: u32) -> Emitter {
-  let t0 = tableTexel(14u, i);
-  let t1 = tableTexel(15u, i);
-  let t2 = tableTexel(16u, i);
-  let t3 = tableTexel(17u, i);
-  let t4 = tableTexel(18u, i);
-  let t5 = tableTexel(19u, i);
-  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
+// The same of one that is.
+fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+  var probability = 0.0;
+  if (frame.lightTreeDepth > 0u) {
+    let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
+    probability = down.probability * down.share;
+  }
+  return probability;
 }
 
-override hasLightTree = false;
-
-struct EmitterChoice {
-  index: u32,
-  // 0: no light reaches the point.
-  probability: f32,
-  odds: Odds,
+struct Emitter {
+  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
+  position: vec3f,
+  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
+  kind: f32,
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
+  u: vec3f,
+  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
+  radius: f32,
+  // other edge of a quad; mean of the normals of a mesh, weighted by area
+  v: vec3f,
+  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
+  cosInner: f32,
+  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
+  radiance: vec3f,
+  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
+  area: f32,
+  // row of the shape that rays meet; -1: none, only light sampling finds it
+  shape: f32,
+  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
+  oneSided: f32,
+  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
+  power: f32,
+  // radius of the bounding sphere; of directional light: sine of half the angular diameter
+  reach: f32,
+  // its place among the leaves of the light tree; -1: it is in none
+  leaf: f32,
+  // mesh: row of its first triangle among the tables of lamps
+  table: f32,
+  // mesh: how many
+  triangles: f32,
+  // mesh: of which instance
+  instance: f32,
 }
 
 
@@ -210,9 +129,79 @@ struct Odds {
 }
 
 
+@group(0) @binding(0) var<uniform> frame: Frame;
+
 override hasManyLights = true;
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasMeshLamps) {
+    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
+    let alike = length(e.v);
+    let across = -dot(e.v, toLight);
+    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
+    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
+    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
+    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasLightTree = false;
+
+override hasQuadLights = false;
+
+const quadKind = 1.0;
+
+override hasSuns = false;
+
+const directionalKind = 5.0;
+
+const pi = 3.14159265359;
+
+// Meshes that shine, and so many lights that a tree chooses among them.
+override hasMeshLamps = false;
+
+override hasPointLights = false;
+
+override hasSky = true;
+
+const meshKind = 7.0;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const skyKind = 6.0;
 
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
@@ -292,110 +281,6 @@ struct Frame {
 }
 
 
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  let isQuad = hasQuadLights & (e.kind == quadKind);
-  let isFar = hasSuns & (e.kind == directionalKind);
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
-  if (hasQuadLights) {
-    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-    estimate *= select(1.0, lampCosine, isQuad);
-  }
-  if (hasMeshLamps) {
-    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
-    let alike = length(e.v);
-    let across = -dot(e.v, toLight);
-    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
-    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
-    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
-    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
-  }
-  if (hasPointLights) {
-    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  }
-  if (hasSky) {
-    estimate = select(estimate, e.power, e.kind == skyKind);
-  }
-  return estimate;
-}
-
-override hasQuadLights = false;
-
-const quadKind = 1.0;
-
-override hasSuns = false;
-
-const directionalKind = 5.0;
-
-const pi = 3.14159265359;
-
-// Meshes that shine, and so many lights that a tree chooses among them.
-override hasMeshLamps = false;
-
-override hasPointLights = false;
-
-override hasSky = true;
-
-struct Emitter {
-  // eye-relative: centre of a sphere, box or mesh, corner of a quad, place of a point or spot light
-  position: vec3f,
-  // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
-  kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
-  u: vec3f,
-  // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
-  radius: f32,
-  // other edge of a quad; mean of the normals of a mesh, weighted by area
-  v: vec3f,
-  // cosine of the inner angle of a spot; mesh: how many emitters an instance is, one after the other
-  cosInner: f32,
-  // radiance; of a point or spot: intensity; of directional light without angular size: irradiance
-  radiance: vec3f,
-  // of the surface that shines, m^2; of directional light: its solid angle, 0 without angular size
-  area: f32,
-  // row of the shape that rays meet; -1: none, only light sampling finds it
-  shape: f32,
-  // 1: a quad that shines to the side of u x v only, a mesh to the front of its triangles
-  oneSided: f32,
-  // for choosing among emitters: power / distance^2 estimates the irradiance in front of it
-  power: f32,
-  // radius of the bounding sphere; of directional light: sine of half the angular diameter
-  reach: f32,
-  // its place among the leaves of the light tree; -1: it is in none
-  leaf: f32,
-  // mesh: row of its first triangle among the tables of lamps
-  table: f32,
-  // mesh: how many
-  triangles: f32,
-  // mesh: of which instance
-  instance: f32,
-}
-
-
-const meshKind = 7.0;
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
-const skyKind = 6.0;
-
 // `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
 fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
   var level = frame.lightTreeDepth;
@@ -431,8 +316,6 @@ fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoi
   }
   return choice;
 }
-
-const noLeaf = -1;
 
 struct TreeChoice {
   emitter: u32,
@@ -539,6 +422,144 @@ fn sineOf(cosine: vec4f) -> vec4f {
 fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
   return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
 }
+
+// A direction to the light and its density; pdf 0: no light from there. u in [0, 1)^2. What is nearer than any ray may hit is the
+// lamp that the point itself lies on.
+fn sampleEmitter(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
+  var s = LightSample(vec3f(0.0, 1.0, 0.0), miss, vec3f(0.0), 0.0, true);
+  if (hasSphereLights) {
+    if (e.kind == sphereKind) {
+      s = sampleSphere(e, point, u);
+    }
+  }
+  if (hasQuadLights) {
+    if (e.kind == quadKind) {
+      s = sampleQuad(e, point, u);
+    }
+  }
+  if (hasBoxLights) {
+    if (e.kind == boxKind) {
+      s = sampleBox(e, point, u);
+    }
+  }
+  if (hasMeshLamps) {
+    if (e.kind == meshKind) {
+      s = sampleMesh(e, point, u);
+    }
+  }
+  if (hasPointLights) {
+    if (e.kind == pointKind) {
+      s = samplePoint(e, point);
+    }
+  }
+  if (hasPointLights) {
+    if (e.kind == spotKind) {
+      s = sampleSpot(e, point);
+    }
+  }
+  if (hasSuns) {
+    if (e.kind == directionalKind) {
+      s = sampleDirectional(e, u);
+    }
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      s = sampleSky(u);
+    }
+  }
+  s.pdf = select(s.pdf, 0.0, s.distance <= relativeTMin * length(point));
+  return s;
+}
+
+const miss = 1e30;
+
+// `sky`: skySeen in that direction.
+fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      far = sky;
+    }
+  }
+  return far;
+}
+
+// Of the sky, whichever emitter it is.
+fn skySeen(direction: vec3f) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSky) {
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
+  }
+  return far;
+}
+
+// `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
+// reservoir sampling (Chao 1982) with one random number: whatever of u decided is stretched to [0, 1) again.
+fn chooseEmitter(point: vec3f, normal: vec3f, u: f32) -> EmitterChoice {
+  var hasTree = false;
+  if (hasLightTree) {
+    hasTree = frame.lightTreeDepth > 0u;
+  }
+  let listed = select(frame.emitterCount, frame.farEmitters, hasTree);
+  var choice = EmitterChoice(0u, f32(min(frame.emitterCount, 1u)), Odds(1.0, 0.0));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var total = 0.0;
+      var chosen = 0u;
+      var chosenWeight = 0.0;
+      var rest = u;
+      var i = 0u;
+      loop {
+        let weight = select(0.0, estimatedIrradiance(fetchEmitter(i), point, normal), i < listed);
+        total += weight;
+        let share = weight / max(total, 1e-37);
+        let take = rest < share;
+        chosen = select(chosen, i, take);
+        chosenWeight = select(chosenWeight, weight, take);
+        rest = select((rest - share) / max(1.0 - share, 1e-7), rest / max(share, 1e-37), take);
+        i++;
+        if (i >= listed) {
+          break;
+        }
+      }
+      choice = EmitterChoice(chosen, chosenWeight / max(total, 1e-37), Odds(total, 0.0));
+      if (hasLightTree) {
+        if (hasTree) {
+          let down = descend(point, normal, rest, noLeaf, total);
+          choice.odds.tree = down.share;
+          choice.index = select(chosen, down.emitter, down.taken);
+          choice.probability = select(choice.probability * (1.0 - down.share), down.probability * down.share, down.taken);
+        }
+      }
+    }
+  }
+  return choice;
+}
+
+fn fetchEmitter(i: u32) -> Emitter {
+  let t0 = tableTexel(14u, i);
+  let t1 = tableTexel(15u, i);
+  let t2 = tableTexel(16u, i);
+  let t3 = tableTexel(17u, i);
+  let t4 = tableTexel(18u, i);
+  let t5 = tableTexel(19u, i);
+  return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
+}
+
+struct EmitterChoice {
+  index: u32,
+  // 0: no light reaches the point.
+  probability: f32,
+  odds: Odds,
+}
+
+
+const noLeaf = -1;
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn tracePair(p: RayPair) -> PairHit {

@@ -303,21 +303,21 @@ const bool hasGlass = false;
 
 const bool hasMetallicRoughness = false;
 
-const bool hasManyLights = true;
-
-const bool hasSuns = false;
-
 const bool hasSky = true;
 
 const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
 
+const bool hasManyLights = true;
+
 const bool hasSphereLights = true;
 
 const bool hasQuadLights = false;
 
 const bool hasBoxLights = false;
+
+const bool hasSuns = false;
 
 const bool hasPointLights = false;
 
@@ -625,9 +625,9 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
-    float far_1 = (along + half_1);
-    float t_5 = pick((near > tMin), near, far_1);
-    return pick(startsInside, max(far_1, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
+    float far_2 = (along + half_1);
+    float t_5 = pick((near > tMin), near, far_2);
+    return pick(startsInside, max(far_2, 0.0), pick(pick((discriminant >= 0.0), (t_5 > tMin), false), t_5, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -967,28 +967,6 @@ int emitterOf(float code_6) {
     return ((int(code_6) >> 7u) - 1);
 }
 
-Emitter emitterAt(uint i_14, Emitter only) {
-    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    emitter = only;
-    const bool _e4 = hasManyLights;
-    if (_e4) {
-        Emitter _e5 = fetchEmitter(i_14);
-        emitter = _e5;
-    }
-    Emitter _e6 = emitter;
-    return _e6;
-}
-
-bool isOnDisc(Emitter e, vec3 direction_7) {
-    vec3 chord = (direction_7 + e.u);
-    return ((3.1415927 * dot(chord, chord)) < e.area);
-}
-
-float directionalPdf(Emitter e_1, vec3 direction_8) {
-    bool _e7 = isOnDisc(e_1, direction_8);
-    return pick(_e7, (1.0 / max(e_1.area, 1e-31)), 0.0);
-}
-
 vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
     vec2 low_1 = min(x_9, y_5);
     vec2 high_1 = max(x_9, y_5);
@@ -1021,16 +999,16 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_9) {
+EnvironmentLight lookUpEnvironment(vec3 direction_7) {
     vec2 size_1 = frame.environmentSize;
-    float sine_1 = max(length(direction_9.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_9.z, direction_9.y)), vec2(abs(direction_9.x), sine_1));
-    float turn = (pick((direction_9.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_9.x < 0.0), -1.0, 1.0));
+    float sine_1 = max(length(direction_7.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_7.z, direction_7.y)), vec2(abs(direction_7.x), sine_1));
+    float turn = (pick((direction_7.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_7.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_1 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
     float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
     float row_1 = floor(fromPole);
-    bool isLower = (direction_9.y < 0.0);
+    bool isLower = (direction_7.y < 0.0);
     vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_1.y - row_1), row_1));
     float within_1 = (fromPole - row_1);
     vec2 at_1 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
@@ -1039,51 +1017,54 @@ EnvironmentLight lookUpEnvironment(vec3 direction_9) {
     return _e67;
 }
 
-vec3 sky(vec3 direction_10) {
+vec3 sky0_(vec3 direction_8) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_10.y, 0.0));
+    return mix(_e3, _e6, max(direction_8.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_11) {
+EnvironmentLight skyLight(vec3 direction_9) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_11);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_9);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_11);
+    vec3 _e8 = sky0_(direction_9);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_2, vec3 direction_12) {
+FarLight skySeen(vec3 direction_10) {
     FarLight far = FarLight(vec3(0.0), 0.0);
-    const bool _e8 = hasSuns;
-    if (_e8) {
-        bool _e12 = isOnDisc(e_2, direction_12);
-        bool seen = pick((e_2.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_2, direction_12);
-        far = FarLight(pick(seen, e_2.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
+    const bool _e7 = hasSky;
+    if (_e7) {
+        EnvironmentLight _e8 = skyLight(direction_10);
+        far = FarLight(_e8.radiance, _e8.pdf);
     }
-    const bool _e23 = hasSky;
-    if (_e23) {
-        if ((e_2.kind == 6.0)) {
-            EnvironmentLight _e27 = skyLight(direction_12);
-            far = FarLight(_e27.radiance, _e27.pdf);
-        }
-    }
-    FarLight _e31 = far;
-    return _e31;
+    FarLight _e12 = far;
+    return _e12;
 }
 
-SphereView viewSphere(Emitter e_3, vec3 point) {
-    vec3 toCenter_2 = (e_3.position - point);
+Emitter emitterAt(uint i_14, Emitter only) {
+    Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    emitter = only;
+    const bool _e4 = hasManyLights;
+    if (_e4) {
+        Emitter _e5 = fetchEmitter(i_14);
+        emitter = _e5;
+    }
+    Emitter _e6 = emitter;
+    return _e6;
+}
+
+SphereView viewSphere(Emitter e, vec3 point) {
+    vec3 toCenter_2 = (e.position - point);
     float d_1 = length(toCenter_2);
-    float power = abs(((d_1 - e_3.radius) * (d_1 + e_3.radius)));
-    bool inside_1 = (d_1 <= e_3.radius);
-    float sine_2 = min((e_3.radius / max(d_1, 1e-30)), 1.0);
+    float power = abs(((d_1 - e.radius) * (d_1 + e.radius)));
+    bool inside_1 = (d_1 <= e.radius);
+    float sine_2 = min((e.radius / max(d_1, 1e-30)), 1.0);
     float cosine_10 = (sqrt(power) / max(d_1, 1e-30));
     return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
 }
@@ -1092,9 +1073,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_4, vec3 point_1, vec3 direction_13) {
-    SphereView _e3 = viewSphere(e_4, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_13, _e3.toCenter) > 0.0));
+float spherePdf(Emitter e_1, vec3 point_1, vec3 direction_11) {
+    SphereView _e3 = viewSphere(e_1, point_1);
+    bool reached = pick(_e3.inside, true, (dot(direction_11, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1128,16 +1109,16 @@ float stretch(float x_11, vec2 y_6, float h) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_5, vec3 point_2) {
-    vec3 corner = (e_5.position - point_2);
-    vec2 lengths = vec2(length(e_5.u), length(e_5.v));
-    vec3 axisX = (e_5.u / vec3(lengths.x));
-    vec3 axisY = (e_5.v / vec3(lengths.y));
+QuadView viewQuad(Emitter e_2, vec3 point_2) {
+    vec3 corner = (e_2.position - point_2);
+    vec2 lengths = vec2(length(e_2.u), length(e_2.v));
+    vec3 axisX = (e_2.u / vec3(lengths.x));
+    vec3 axisY = (e_2.v / vec3(lengths.y));
     vec3 normal_8 = normalize(cross(axisX, axisY));
     float signedHeight = dot(corner, normal_8);
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
-    bool lit = pick((abs(signedHeight) > least), pick((e_5.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    bool lit = pick((abs(signedHeight) > least), pick((e_2.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_2 = (low_2 + lengths);
     vec2 y_10 = vec2(low_2.y, high_2.y);
@@ -1149,53 +1130,82 @@ QuadView viewQuad(Emitter e_5, vec3 point_2) {
     return QuadView(corner, axisX, axisY, axisZ, low_2, high_2, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
-float quadPdf(Emitter e_6, vec3 point_3, float distance_2) {
-    QuadView _e3 = viewQuad(e_6, point_3);
-    float _e5 = pdfOfView(_e3, e_6.area, distance_2);
+float quadPdf(Emitter e_3, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_3, point_3);
+    float _e5 = pdfOfView(_e3, e_3.area, distance_2);
     return _e5;
 }
 
-BoxView viewBox(Emitter e_7, vec3 point_4) {
-    Extent _e4 = fetchExtent(uint(e_7.shape));
+BoxView viewBox(Emitter e_4, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_4.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_4 - e_7.position));
-    bvec3 seen_1 = greaterThan(abs(_e8), e_7.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_7.u.yzx) * e_7.u.zxy), seen_1);
-    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
+    vec3 _e8 = rotate(rotation, (point_4 - e_4.position));
+    bvec3 seen = greaterThan(abs(_e8), e_4.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_4.u.yzx) * e_4.u.zxy), seen);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_8, vec3 point_5, vec3 direction_14, float distance_3, vec3 normal_2) {
-    BoxView _e5 = viewBox(e_8, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_14, normal_2))), distance_3);
+float boxPdf(Emitter e_5, vec3 point_5, vec3 direction_12, float distance_3, vec3 normal_2) {
+    BoxView _e5 = viewBox(e_5, point_5);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_12, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_9, vec3 point_6, vec3 direction_15, float distance_4, vec3 normal_3, uint place) {
+float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_13, float distance_4, vec3 normal_3, uint place) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
-        if ((e_9.kind == 0.0)) {
-            float _e13 = spherePdf(e_9, point_6, direction_15);
+        if ((e_6.kind == 0.0)) {
+            float _e13 = spherePdf(e_6, point_6, direction_13);
             pdf = _e13;
         }
     }
     const bool _e15 = hasQuadLights;
     if (_e15) {
-        if ((e_9.kind == 1.0)) {
-            float _e19 = quadPdf(e_9, point_6, distance_4);
+        if ((e_6.kind == 1.0)) {
+            float _e19 = quadPdf(e_6, point_6, distance_4);
             pdf = _e19;
         }
     }
     const bool _e21 = hasBoxLights;
     if (_e21) {
-        if ((e_9.kind == 2.0)) {
-            float _e25 = boxPdf(e_9, point_6, direction_15, distance_4, normal_3);
+        if ((e_6.kind == 2.0)) {
+            float _e25 = boxPdf(e_6, point_6, direction_13, distance_4, normal_3);
             pdf = _e25;
         }
     }
     float _e26 = pdf;
     return _e26;
+}
+
+bool isOnDisc(Emitter e_7, vec3 direction_14) {
+    vec3 chord = (direction_14 + e_7.u);
+    return ((3.1415927 * dot(chord, chord)) < e_7.area);
+}
+
+float directionalPdf(Emitter e_8, vec3 direction_15) {
+    bool _e7 = isOnDisc(e_8, direction_15);
+    return pick(_e7, (1.0 / max(e_8.area, 1e-31)), 0.0);
+}
+
+FarLight farLight(Emitter e_9, vec3 direction_16, FarLight sky) {
+    FarLight far_1 = FarLight(vec3(0.0), 0.0);
+    const bool _e9 = hasSuns;
+    if (_e9) {
+        bool _e13 = isOnDisc(e_9, direction_16);
+        bool seen_1 = pick((e_9.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_9, direction_16);
+        far_1 = FarLight(pick(seen_1, e_9.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+    }
+    const bool _e24 = hasSky;
+    if (_e24) {
+        if ((e_9.kind == 6.0)) {
+            far_1 = sky;
+        }
+    }
+    FarLight _e28 = far_1;
+    return _e28;
 }
 
 float spotFalloff(Emitter e_10, vec3 toLight) {
@@ -1241,7 +1251,7 @@ float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
     return _e115;
 }
 
-float probabilityOf(Emitter e_12, vec3 point_8, vec3 normal_5, Odds odds) {
+float listedProbability(Emitter e_12, vec3 point_8, vec3 normal_5, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -1265,9 +1275,11 @@ float misWeight(float own, float other) {
 vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
     vec3 found_6 = vec3(0.0);
     uint i_15 = 0u;
+    float byTree = 0.0;
+    float probability_1 = 0.0;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_16 = p_8.rays.direction;
-    bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_16) > 0.0), false);
+    vec3 direction_17 = p_8.rays.direction;
+    bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_17) > 0.0), false);
     int _e21 = emitterOf(s_6.code);
     found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_6.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
@@ -1276,40 +1288,44 @@ vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
         vec3 emission = found_6;
         found_6 = vec3(0.0);
         i_15 = pick(escaped, 0u, uint(max(_e21, 0)));
+        FarLight _e46 = skySeen(direction_17);
+        uint _e47 = i_15;
+        Emitter _e48 = emitterAt(_e47, only_1);
+        float _e54 = shapePdf(_e48, p_8.rays.point, direction_17, hit_1.t, outward, hit_1.triangle.triangle);
         while(true) {
-            uint _e46 = i_15;
-            Emitter _e47 = emitterAt(_e46, only_1);
-            FarLight _e48 = farLight(_e47, direction_16);
-            float _e54 = shapePdf(_e47, p_8.rays.point, direction_16, hit_1.t, outward, hit_1.triangle.triangle);
-            float density = pick(escaped, _e48.pdf, _e54);
-            float _e61 = probabilityOf(_e47, p_8.rays.point, p_8.litSide, p_8.odds);
-            float pdf_3 = (density * _e61);
-            vec3 radiance = pick(escaped, _e48.radiance, emission);
-            vec3 _e65 = found_6;
-            float _e67 = misWeight(p_8.pdf, pdf_3);
-            found_6 = (_e65 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e67)));
-            uint _e76 = i_15;
-            i_15 = (_e76 + 1u);
-            const bool _e79 = hasManyLights;
-            if (!(_e79)) {
+            uint _e56 = i_15;
+            Emitter _e57 = emitterAt(_e56, only_1);
+            FarLight _e58 = farLight(_e57, direction_17, _e46);
+            float _e63 = listedProbability(_e57, p_8.rays.point, p_8.litSide, p_8.odds);
+            probability_1 = _e63;
+            float _e67 = probability_1;
+            float pdf_3 = (pick(escaped, _e58.pdf, _e54) * _e67);
+            vec3 radiance = pick(escaped, _e58.radiance, emission);
+            vec3 _e71 = found_6;
+            float _e73 = misWeight(p_8.pdf, pdf_3);
+            found_6 = (_e71 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e73)));
+            uint _e82 = i_15;
+            i_15 = (_e82 + 1u);
+            const bool _e85 = hasManyLights;
+            if (!(_e85)) {
                 break;
             }
-            const bool _e82 = hasSky;
-            if (!(_e82)) {
-                const bool _e85 = hasSuns;
-                if (!(_e85)) {
+            const bool _e88 = hasSky;
+            if (!(_e88)) {
+                const bool _e91 = hasSuns;
+                if (!(_e91)) {
                     break;
                 }
             }
-            uint _e88 = i_15;
-            uint _e91 = frame.farEmitters;
-            if (pick(!(escaped), true, (_e88 >= _e91))) {
+            uint _e94 = i_15;
+            uint _e97 = frame.farEmitters;
+            if (pick(!(escaped), true, (_e94 >= _e97))) {
                 break;
             }
         }
     }
-    vec3 _e94 = found_6;
-    return _e94;
+    vec3 _e100 = found_6;
+    return _e100;
 }
 
 uint pascalW2_(uint x_12) {
@@ -1484,11 +1500,11 @@ LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_17 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_18 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_17);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_18);
     return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
 }
 
@@ -1619,9 +1635,9 @@ EnvironmentSample sampleEnvironment(vec2 u_14) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_18 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    vec3 direction_19 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
-    return EnvironmentSample(direction_18, _e119);
+    return EnvironmentSample(direction_19, _e119);
 }
 
 LightSample sampleSky(vec2 u_15) {
@@ -1636,7 +1652,7 @@ LightSample sampleSky(vec2 u_15) {
     vec3 _e15 = s_9.direction;
     vec3 _e18 = s_9.light.radiance;
     vec3 _e20 = s_9.direction;
-    vec3 _e21 = sky(_e20);
+    vec3 _e21 = sky0_(_e20);
     float _e25 = s_9.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
@@ -1888,7 +1904,7 @@ vec3 mirrored(vec3 wo_4) {
 BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
     BsdfSample drawn = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
-    float probability_1 = 0.0;
+    float probability_2 = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_5 = o_2.wo;
     float _e5 = mirrorShare(s_13.reflectivity);
@@ -1908,7 +1924,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
         vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
         bool crossing = pick(_e29, (choice_1 >= _e38.x), false);
         wi = (((2.0 * oh) * _e33) - wo_5);
-        probability_1 = (base_2 * o_2.share);
+        probability_2 = (base_2 * o_2.share);
         weight = (_e38 / vec3(o_2.share));
         const bool _e55 = hasGlass;
         if (_e55) {
@@ -1916,8 +1932,8 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
             wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
-            float _e63 = probability_1;
-            probability_1 = pick(_e29, (base_2 * pick(crossing, (1.0 - _e38.x), _e38.x)), _e63);
+            float _e63 = probability_2;
+            probability_2 = pick(_e29, (base_2 * pick(crossing, (1.0 - _e38.x), _e38.x)), _e63);
             vec3 _e71 = weight;
             weight = pick(_e29, vec3(pick(pick(crossing, !(_e56), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e71);
         }
@@ -1928,7 +1944,7 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
         vec3 _e99 = wi;
         drawn.direction = pick(specular_1, _e99, _e98);
         float _e103 = drawn.pdf;
-        float _e104 = probability_1;
+        float _e104 = probability_2;
         drawn.pdf = pick(specular_1, pick(lost, 0.0, _e104), _e103);
         vec3 _e110 = drawn.weight;
         vec3 _e111 = weight;

@@ -380,11 +380,18 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
     found = vec3f(0.0);
     var i = select(u32(max(own, 0)), 0u, escaped);
     
+    // One sky, or one lamp that was met: looked up before the loop. A compiler takes the longer for a loop the more is in it.
+    let sky = skySeen(direction);
+    let met = emitterAt(i, only);
+    let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
+    var byTree = 0.0;
+    
     loop {
       let e = emitterAt(i, only);
-      let far = farLight(e, direction);
-      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward, hit.triangle.triangle), far.pdf, escaped);
-      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.odds);
+      let far = farLight(e, direction, sky);
+      var probability = listedProbability(e, p.rays.point, p.litSide, p.odds);
+      
+      let pdf = select(density, far.pdf, escaped) * probability;
       let radiance = select(emission, far.radiance, escaped);
       found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
       i++;
@@ -939,17 +946,12 @@ fn emitterOf(code: f32) -> i32 {
   return (i32(code) >> 7u) - 1;
 }
 
-fn farLight(e: Emitter, direction: vec3f) -> FarLight {
+// Of the sky, whichever emitter it is.
+fn skySeen(direction: vec3f) -> FarLight {
   var far = FarLight(vec3f(0.0), 0.0);
-  if (hasSuns) {
-    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
-    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
-  }
   if (hasSky) {
-    if (e.kind == skyKind) {
-      let seen = skyLight(direction);
-      far = FarLight(seen.radiance, seen.pdf);
-    }
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
   }
   return far;
 }
@@ -977,8 +979,23 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
   return pdf;
 }
 
-// With which chooseEmitter would have chosen this one there.
-fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+// `sky`: skySeen in that direction.
+fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      far = sky;
+    }
+  }
+  return far;
+}
+
+// With which chooseEmitter would have chosen this one there, which is not in the tree.
+fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
   if (hasManyLights) {
     if (frame.emitterCount > 1u) {
@@ -1019,13 +1036,58 @@ const pi = 3.14159265359;
 
 const skyKind = 6.0;
 
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasQuadLights = false;
+
+const quadKind = 1.0;
+
+override hasPointLights = false;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
 // What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
 fn skyLight(direction: vec3f) -> EnvironmentLight {
   var light = white;
   if (hasEnvironment) {
     light = lookUpEnvironment(direction);
   }
-  return EnvironmentLight(light.radiance * sky(direction), light.pdf);
+  return EnvironmentLight(light.radiance * sky0(direction), light.pdf);
 }
 
 // Without a map: white, uniform in all directions.
@@ -1034,7 +1096,7 @@ const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
 // A sky with a map.
 override hasEnvironment = false;
 
-fn sky(direction: vec3f) -> vec3f {
+fn sky0(direction: vec3f) -> vec3f {
   return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
 }
 
@@ -1105,8 +1167,6 @@ struct Corners {
 // Kinds of light, and more than one of them.
 override hasSphereLights = true;
 
-override hasQuadLights = false;
-
 override hasBoxLights = false;
 
 // packed-scene/pack-emitters.ts has the same numbers.
@@ -1144,8 +1204,6 @@ struct SphereView {
   width: f32,
 }
 
-
-const quadKind = 1.0;
 
 fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
   return pdfOfView(viewQuad(e, point), e.area, distance);
@@ -1254,47 +1312,6 @@ struct BoxView {
   inside: bool,
 }
 
-
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  let isQuad = hasQuadLights & (e.kind == quadKind);
-  let isFar = hasSuns & (e.kind == directionalKind);
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
-  if (hasQuadLights) {
-    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-    estimate *= select(1.0, lampCosine, isQuad);
-  }
-  
-  if (hasPointLights) {
-    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  }
-  if (hasSky) {
-    estimate = select(estimate, e.power, e.kind == skyKind);
-  }
-  return estimate;
-}
-
-override hasPointLights = false;
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
   (*s).key = (*s).key + 1u;
@@ -1539,7 +1556,7 @@ fn sampleSky(u: vec2f) -> LightSample {
   if (hasEnvironment) {
     s = sampleEnvironment(u);
   }
-  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
+  return LightSample(s.direction, miss, s.light.radiance * sky0(s.direction), s.light.pdf, false);
 }
 
 struct EnvironmentSample {

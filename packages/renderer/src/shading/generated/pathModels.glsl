@@ -546,8 +546,6 @@ const bool hasMeshLamps = false;
 
 const bool hasManyLights = true;
 
-const bool hasSuns = false;
-
 const bool hasSky = true;
 
 const bool hasEnvironment = false;
@@ -560,9 +558,11 @@ const bool hasQuadLights = false;
 
 const bool hasBoxLights = false;
 
-const bool hasPointLights = false;
-
 const bool hasLightTree = false;
+
+const bool hasSuns = false;
+
+const bool hasPointLights = false;
 
 const bool hasConductors = false;
 
@@ -872,9 +872,9 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
     float discriminant = ((radius * radius) - dot(across_2, across_2));
     float half_1 = sqrt(max(discriminant, 0.0));
     float near = (along - half_1);
-    float far_3 = (along + half_1);
-    float t_8 = pick((near > tMin), near, far_3);
-    return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
+    float far_4 = (along + half_1);
+    float t_8 = pick((near > tMin), near, far_4);
+    return pick(startsInside, max(far_4, 0.0), pick(pick((discriminant >= 0.0), (t_8 > tMin), false), t_8, 1e30));
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
@@ -951,10 +951,10 @@ PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
 }
 
 float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 reciprocalU, vec3 reciprocalV, float tMin_2) {
-    vec3 normal_12 = cross(reciprocalU, reciprocalV);
-    float speed = dot(direction_4, normal_12);
+    vec3 normal_13 = cross(reciprocalU, reciprocalV);
+    float speed = dot(direction_4, normal_13);
     vec3 toCenter_1 = (center_1 - origin_5);
-    float t_11 = (dot(toCenter_1, normal_12) / pick((speed == 0.0), 1e-30, speed));
+    float t_11 = (dot(toCenter_1, normal_13) / pick((speed == 0.0), 1e-30, speed));
     vec3 p_16 = ((t_11 * direction_4) - toCenter_1);
     bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
@@ -997,14 +997,14 @@ vec4 planes(uint row_1, float inverse_, float offset_2) {
 }
 
 vec4 enterChildren(uint node, SlabRay r, float t_1) {
-    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
+    uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
     vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
     vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node + far_4.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_4.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 _e44 = planes((node + far_5.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_5.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_5.z), r.inverse_.z, r.offset.z);
     vec4 far4_ = min(min(_e44, _e51), _e59);
     return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
 }
@@ -1253,9 +1253,9 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                bool e_25 = (ta.y < tb.x);
-                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                bool e_26 = (ta.y < tb.x);
+                vec2 tm = pick(e_26, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
+                uvec2 rm = pick(e_26, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
                 if ((ta.x < 1e30)) {
                     uint _e177 = top;
                     stack[_e177] = ra.x;
@@ -1682,8 +1682,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_13 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
-        vec3 smoothed = (turn * normal_13);
+        vec3 normal_14 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 smoothed = (turn * normal_14);
         float size_2 = dot(smoothed, smoothed);
         float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
@@ -1715,7 +1715,7 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_9.normal = (smoothed * side_2);
                 p_9.tangent = ((turn * tangent_2) * side_2);
-                p_9.bitangent = ((turn * cross(normal_13, tangent_2)) * (hand * side_2));
+                p_9.bitangent = ((turn * cross(normal_14, tangent_2)) * (hand * side_2));
             }
         }
     }
@@ -1986,16 +1986,6 @@ Emitter emitterAt(uint i_19, Emitter only) {
     return _e6;
 }
 
-bool isOnDisc(Emitter e_1, vec3 direction_10) {
-    vec3 chord = (direction_10 + e_1.u);
-    return ((3.1415927 * dot(chord, chord)) < e_1.area);
-}
-
-float directionalPdf(Emitter e_2, vec3 direction_11) {
-    bool _e7 = isOnDisc(e_2, direction_11);
-    return pick(_e7, (1.0 / max(e_2.area, 1e-31)), 0.0);
-}
-
 vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
     vec2 low_2 = min(x_11, y_5);
     vec2 high_1 = max(x_11, y_5);
@@ -2028,16 +2018,16 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_12) {
+EnvironmentLight lookUpEnvironment(vec3 direction_10) {
     vec2 size_7 = frame.environmentSize;
-    float sine_1 = max(length(direction_12.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
-    float turn_1 = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
+    float sine_1 = max(length(direction_10.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_1));
+    float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
     float row_11 = floor(fromPole);
-    bool isLower = (direction_12.y < 0.0);
+    bool isLower = (direction_10.y < 0.0);
     vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_11), row_11));
     float within_2 = (fromPole - row_11);
     vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
@@ -2046,51 +2036,42 @@ EnvironmentLight lookUpEnvironment(vec3 direction_12) {
     return _e67;
 }
 
-vec3 sky(vec3 direction_13) {
+vec3 sky0_(vec3 direction_11) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_13.y, 0.0));
+    return mix(_e3, _e6, max(direction_11.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_14) {
+EnvironmentLight skyLight(vec3 direction_12) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_14);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_12);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_14);
+    vec3 _e8 = sky0_(direction_12);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_3, vec3 direction_15) {
+FarLight skySeen(vec3 direction_13) {
     FarLight far = FarLight(vec3(0.0), 0.0);
-    const bool _e8 = hasSuns;
-    if (_e8) {
-        bool _e12 = isOnDisc(e_3, direction_15);
-        bool seen = pick((e_3.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_3, direction_15);
-        far = FarLight(pick(seen, e_3.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
+    const bool _e7 = hasSky;
+    if (_e7) {
+        EnvironmentLight _e8 = skyLight(direction_13);
+        far = FarLight(_e8.radiance, _e8.pdf);
     }
-    const bool _e23 = hasSky;
-    if (_e23) {
-        if ((e_3.kind == 6.0)) {
-            EnvironmentLight _e27 = skyLight(direction_15);
-            far = FarLight(_e27.radiance, _e27.pdf);
-        }
-    }
-    FarLight _e31 = far;
-    return _e31;
+    FarLight _e12 = far;
+    return _e12;
 }
 
-SphereView viewSphere(Emitter e_4, vec3 point) {
-    vec3 toCenter_2 = (e_4.position - point);
+SphereView viewSphere(Emitter e_1, vec3 point) {
+    vec3 toCenter_2 = (e_1.position - point);
     float d_4 = length(toCenter_2);
-    float power = abs(((d_4 - e_4.radius) * (d_4 + e_4.radius)));
-    bool inside_2 = (d_4 <= e_4.radius);
-    float sine_2 = min((e_4.radius / max(d_4, 1e-30)), 1.0);
+    float power = abs(((d_4 - e_1.radius) * (d_4 + e_1.radius)));
+    bool inside_2 = (d_4 <= e_1.radius);
+    float sine_2 = min((e_1.radius / max(d_4, 1e-30)), 1.0);
     float cosine_18 = (sqrt(power) / max(d_4, 1e-30));
     return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
 }
@@ -2099,9 +2080,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_5, vec3 point_1, vec3 direction_16) {
-    SphereView _e3 = viewSphere(e_5, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_16, _e3.toCenter) > 0.0));
+float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_14) {
+    SphereView _e3 = viewSphere(e_2, point_1);
+    bool reached = pick(_e3.inside, true, (dot(direction_14, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -2135,16 +2116,16 @@ float stretch(float x_13, vec2 y_6, float h_1) {
     return (_e16 - _e22);
 }
 
-QuadView viewQuad(Emitter e_6, vec3 point_2) {
-    vec3 corner = (e_6.position - point_2);
-    vec2 lengths = vec2(length(e_6.u), length(e_6.v));
-    vec3 axisX = (e_6.u / vec3(lengths.x));
-    vec3 axisY = (e_6.v / vec3(lengths.y));
-    vec3 normal_14 = normalize(cross(axisX, axisY));
-    float signedHeight = dot(corner, normal_14);
+QuadView viewQuad(Emitter e_3, vec3 point_2) {
+    vec3 corner = (e_3.position - point_2);
+    vec2 lengths = vec2(length(e_3.u), length(e_3.v));
+    vec3 axisX = (e_3.u / vec3(lengths.x));
+    vec3 axisY = (e_3.v / vec3(lengths.y));
+    vec3 normal_15 = normalize(cross(axisX, axisY));
+    float signedHeight = dot(corner, normal_15);
     float least_1 = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least_1);
-    bool lit = pick((abs(signedHeight) > least_1), pick((e_6.oneSided == 0.0), true, (signedHeight < 0.0)), false);
+    bool lit = pick((abs(signedHeight) > least_1), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
     vec2 low_3 = vec2(dot(corner, axisX), dot(corner, axisY));
     vec2 high_2 = (low_3 + lengths);
     vec2 y_10 = vec2(low_3.y, high_2.y);
@@ -2152,28 +2133,28 @@ QuadView viewQuad(Emitter e_6, vec3 point_2) {
     float _e46 = stretch(high_2.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
-    vec3 axisZ = (normal_14 * pick((signedHeight > 0.0), 1.0, -1.0));
+    vec3 axisZ = (normal_15 * pick((signedHeight > 0.0), 1.0, -1.0));
     return QuadView(corner, axisX, axisY, axisZ, low_3, high_2, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
-float quadPdf(Emitter e_7, vec3 point_3, float distance_2) {
-    QuadView _e3 = viewQuad(e_7, point_3);
-    float _e5 = pdfOfView(_e3, e_7.area, distance_2);
+float quadPdf(Emitter e_4, vec3 point_3, float distance_2) {
+    QuadView _e3 = viewQuad(e_4, point_3);
+    float _e5 = pdfOfView(_e3, e_4.area, distance_2);
     return _e5;
 }
 
-BoxView viewBox(Emitter e_8, vec3 point_4) {
-    Extent _e4 = fetchExtent(uint(e_8.shape));
+BoxView viewBox(Emitter e_5, vec3 point_4) {
+    Extent _e4 = fetchExtent(uint(e_5.shape));
     vec4 rotation = _e4.a;
-    vec3 _e8 = rotate(rotation, (point_4 - e_8.position));
-    bvec3 seen_1 = greaterThan(abs(_e8), e_8.u);
-    vec3 faces = mix(vec3(0.0), ((4.0 * e_8.u.yzx) * e_8.u.zxy), seen_1);
-    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
+    vec3 _e8 = rotate(rotation, (point_4 - e_5.position));
+    bvec3 seen = greaterThan(abs(_e8), e_5.u);
+    vec3 faces = mix(vec3(0.0), ((4.0 * e_5.u.yzx) * e_5.u.zxy), seen);
+    return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_4) {
-    BoxView _e5 = viewBox(e_9, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_4))), distance_3);
+float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_15, float distance_3, vec3 normal_4) {
+    BoxView _e5 = viewBox(e_6, point_5);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_15, normal_4))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
@@ -2183,99 +2164,46 @@ LampTriangle fetchLampTriangle(uint row_8) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_5, uint place_2) {
+float meshPdf(Emitter e_7, vec3 direction_16, float distance_4, vec3 normal_5, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_12 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
+    uint row_12 = ((_e7 + uint(e_7.table)) + (place_2 & ((1u << uint(e_7.radius)) - 1u)));
     LampTriangle _e20 = fetchLampTriangle(row_12);
-    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_18, normal_5))), distance_4);
+    float _e26 = areaPdf((e_7.area / _e20.density), (distance_4 * abs(dot(direction_16, normal_5))), distance_4);
     return _e26;
 }
 
-float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, vec3 normal_6, uint place_3) {
+float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_17, float distance_5, vec3 normal_6, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
-        if ((e_11.kind == 0.0)) {
-            float _e13 = spherePdf(e_11, point_6, direction_19);
+        if ((e_8.kind == 0.0)) {
+            float _e13 = spherePdf(e_8, point_6, direction_17);
             pdf = _e13;
         }
     }
     const bool _e15 = hasQuadLights;
     if (_e15) {
-        if ((e_11.kind == 1.0)) {
-            float _e19 = quadPdf(e_11, point_6, distance_5);
+        if ((e_8.kind == 1.0)) {
+            float _e19 = quadPdf(e_8, point_6, distance_5);
             pdf = _e19;
         }
     }
     const bool _e21 = hasBoxLights;
     if (_e21) {
-        if ((e_11.kind == 2.0)) {
-            float _e25 = boxPdf(e_11, point_6, direction_19, distance_5, normal_6);
+        if ((e_8.kind == 2.0)) {
+            float _e25 = boxPdf(e_8, point_6, direction_17, distance_5, normal_6);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
-        if ((e_11.kind == 7.0)) {
-            float _e31 = meshPdf(e_11, direction_19, distance_5, normal_6, place_3);
+        if ((e_8.kind == 7.0)) {
+            float _e31 = meshPdf(e_8, direction_17, distance_5, normal_6, place_3);
             pdf = _e31;
         }
     }
     float _e32 = pdf;
     return _e32;
-}
-
-float spotFalloff(Emitter e_12, vec3 toLight_1) {
-    float share_3 = clamp(((-(dot(toLight_1, e_12.u)) - e_12.radius) / (e_12.cosInner - e_12.radius)), 0.0, 1.0);
-    return (share_3 * share_3);
-}
-
-float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
-    float estimate = 0.0;
-    const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_13.kind == 1.0), false);
-    const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_13.kind == 5.0), false);
-    vec3 middle_3 = (e_13.position + pick(isQuad, (0.5 * (e_13.u + e_13.v)), vec3(0.0)));
-    vec3 toLight_3 = pick(isFar, -(e_13.u), (middle_3 - point_7));
-    float distance2_ = dot(toLight_3, toLight_3);
-    float distance_6 = sqrt(distance2_);
-    float grown = max((distance_6 + e_13.reach), 1e-15);
-    float above_2 = clamp(((dot(normal_7, toLight_3) + e_13.reach) / grown), 0.0, 1.0);
-    float cosine_19 = pick((dot(normal_7, normal_7) == 0.0), 1.0, above_2);
-    float square = pick(isQuad, (distance2_ + (e_13.area / 3.1415927)), max(distance2_, (e_13.area / 12.566371)));
-    estimate = ((e_13.power * cosine_19) / pick(isFar, 1.0, max(square, 1e-15)));
-    const bool _e65 = hasQuadLights;
-    if (_e65) {
-        float height_2 = (-(dot(cross(e_13.u, e_13.v), toLight_3)) / max(e_13.area, 1e-30));
-        float side_5 = pick((e_13.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_13.reach) / grown), 0.0);
-        float _e89 = estimate;
-        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
-    }
-    const bool _e94 = hasMeshLamps;
-    if (_e94) {
-        float alike = length(e_13.v);
-        float across_5 = -(dot(e_13.v, toLight_3));
-        float side_6 = pick((e_13.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_6 + (alike * e_13.reach)) / grown));
-        float sizeOfMesh = (distance2_ + ((e_13.area * (1.0 + (3.0 * alike))) / 12.566371));
-        float _e125 = estimate;
-        estimate = pick((e_13.kind == 7.0), (((e_13.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
-    }
-    const bool _e137 = hasPointLights;
-    if (_e137) {
-        float _e138 = estimate;
-        float _e143 = spotFalloff(e_13, (toLight_3 / vec3(max(distance_6, 1e-15))));
-        estimate = (_e138 * pick((e_13.kind == 4.0), _e143, 1.0));
-    }
-    const bool _e151 = hasSky;
-    if (_e151) {
-        float _e152 = estimate;
-        estimate = pick((e_13.kind == 6.0), e_13.power, _e152);
-    }
-    float _e158 = estimate;
-    return _e158;
 }
 
 LightNode fetchLightNode(uint i_20) {
@@ -2302,13 +2230,13 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
-    vec4 x_20 = (n_3.x - vec4(point_8.x));
-    vec4 y_11 = (n_3.y - vec4(point_8.y));
-    vec4 z_4 = (n_3.z - vec4(point_8.z));
-    vec4 distance2_1 = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
-    vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
-    bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
+vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
+    vec4 x_20 = (n_3.x - vec4(point_7.x));
+    vec4 y_11 = (n_3.y - vec4(point_7.y));
+    vec4 z_4 = (n_3.z - vec4(point_7.z));
+    vec4 distance2_ = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
+    bvec4 inside_3 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
@@ -2320,21 +2248,21 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
-    vec4 cosN = clamp(((((normal_8.x * x_20) + (normal_8.y * y_11)) + (normal_8.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_11)) + (normal_7.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_3 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
-    vec4 cosIn = pick((dot(normal_8, normal_8) == 0.0), vec4(1.0), above_3);
-    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
+    vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_2);
+    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_, (n_3.reach * n_3.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
 }
 
 float shareOfTree(float total, float far_1) {
-    float share_4 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
+    float share_3 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_3));
 }
 
-TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2) {
+TreeChoice descend(vec3 point_8, vec3 normal_8, float u_4, int leaf, float far_2) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
@@ -2348,7 +2276,7 @@ TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2
         uint _e23 = frame.lightTree;
         uint _e24 = node_1;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_9, normal_9);
+        vec4 _e27 = estimatesOfChildren(_e26, point_8, normal_8);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
@@ -2387,29 +2315,118 @@ TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2
     return _e129;
 }
 
-float probabilityOf(Emitter e_14, vec3 point_10, vec3 normal_10, Odds odds) {
+float treeProbability(Emitter e_9, vec3 point_9, vec3 normal_9, Odds odds) {
     float probability = 0.0;
+    uint _e8 = frame.lightTreeDepth;
+    if ((_e8 > 0u)) {
+        TreeChoice _e17 = descend(point_9, normal_9, 0.0, int(max(e_9.leaf, 0.0)), odds.total);
+        probability = (_e17.probability * _e17.share);
+    }
+    float _e21 = probability;
+    return _e21;
+}
+
+bool isOnDisc(Emitter e_10, vec3 direction_18) {
+    vec3 chord = (direction_18 + e_10.u);
+    return ((3.1415927 * dot(chord, chord)) < e_10.area);
+}
+
+float directionalPdf(Emitter e_11, vec3 direction_19) {
+    bool _e7 = isOnDisc(e_11, direction_19);
+    return pick(_e7, (1.0 / max(e_11.area, 1e-31)), 0.0);
+}
+
+FarLight farLight(Emitter e_12, vec3 direction_20, FarLight sky) {
+    FarLight far_3 = FarLight(vec3(0.0), 0.0);
+    const bool _e9 = hasSuns;
+    if (_e9) {
+        bool _e13 = isOnDisc(e_12, direction_20);
+        bool seen_1 = pick((e_12.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_12, direction_20);
+        far_3 = FarLight(pick(seen_1, e_12.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+    }
+    const bool _e24 = hasSky;
+    if (_e24) {
+        if ((e_12.kind == 6.0)) {
+            far_3 = sky;
+        }
+    }
+    FarLight _e28 = far_3;
+    return _e28;
+}
+
+float spotFalloff(Emitter e_13, vec3 toLight_1) {
+    float share_4 = clamp(((-(dot(toLight_1, e_13.u)) - e_13.radius) / (e_13.cosInner - e_13.radius)), 0.0, 1.0);
+    return (share_4 * share_4);
+}
+
+float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
+    float estimate = 0.0;
+    const bool _e4 = hasQuadLights;
+    bool isQuad = pick(_e4, (e_14.kind == 1.0), false);
+    const bool _e10 = hasSuns;
+    bool isFar = pick(_e10, (e_14.kind == 5.0), false);
+    vec3 middle_3 = (e_14.position + pick(isQuad, (0.5 * (e_14.u + e_14.v)), vec3(0.0)));
+    vec3 toLight_3 = pick(isFar, -(e_14.u), (middle_3 - point_10));
+    float distance2_1 = dot(toLight_3, toLight_3);
+    float distance_6 = sqrt(distance2_1);
+    float grown = max((distance_6 + e_14.reach), 1e-15);
+    float above_3 = clamp(((dot(normal_10, toLight_3) + e_14.reach) / grown), 0.0, 1.0);
+    float cosine_19 = pick((dot(normal_10, normal_10) == 0.0), 1.0, above_3);
+    float square = pick(isQuad, (distance2_1 + (e_14.area / 3.1415927)), max(distance2_1, (e_14.area / 12.566371)));
+    estimate = ((e_14.power * cosine_19) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e65 = hasQuadLights;
+    if (_e65) {
+        float height_2 = (-(dot(cross(e_14.u, e_14.v), toLight_3)) / max(e_14.area, 1e-30));
+        float side_5 = pick((e_14.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_14.reach) / grown), 0.0);
+        float _e89 = estimate;
+        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    }
+    const bool _e94 = hasMeshLamps;
+    if (_e94) {
+        float alike = length(e_14.v);
+        float across_5 = -(dot(e_14.v, toLight_3));
+        float side_6 = pick((e_14.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_6 + (alike * e_14.reach)) / grown));
+        float sizeOfMesh = (distance2_1 + ((e_14.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e125 = estimate;
+        estimate = pick((e_14.kind == 7.0), (((e_14.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
+    }
+    const bool _e137 = hasPointLights;
+    if (_e137) {
+        float _e138 = estimate;
+        float _e143 = spotFalloff(e_14, (toLight_3 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e138 * pick((e_14.kind == 4.0), _e143, 1.0));
+    }
+    const bool _e151 = hasSky;
+    if (_e151) {
+        float _e152 = estimate;
+        estimate = pick((e_14.kind == 6.0), e_14.power, _e152);
+    }
+    float _e158 = estimate;
+    return _e158;
+}
+
+float listedProbability(Emitter e_15, vec3 point_11, vec3 normal_11, Odds odds_1) {
+    float probability_1 = 0.0;
     uint _e6 = frame.emitterCount;
-    probability = float(min(_e6, 1u));
+    probability_1 = float(min(_e6, 1u));
     const bool _e12 = hasManyLights;
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_14, point_10, normal_10);
-            probability = (_e18 / max(odds.total, 1e-37));
+            float _e18 = estimatedIrradiance(e_15, point_11, normal_11);
+            probability_1 = (_e18 / max(odds_1.total, 1e-37));
             const bool _e24 = hasLightTree;
             if (_e24) {
-                uint _e27 = frame.lightTreeDepth;
-                if ((_e27 > 0u)) {
-                    TreeChoice _e36 = descend(point_10, normal_10, 0.0, int(max(e_14.leaf, 0.0)), odds.total);
-                    float _e37 = probability;
-                    probability = pick((e_14.leaf >= 0.0), (_e36.probability * _e36.share), (_e37 * (1.0 - odds.tree)));
-                }
+                float _e25 = probability_1;
+                probability_1 = (_e25 * (1.0 - odds_1.tree));
             }
         }
     }
-    float _e49 = probability;
-    return _e49;
+    float _e30 = probability_1;
+    return _e30;
 }
 
 float misWeight(float own_1, float other) {
@@ -2420,9 +2437,11 @@ float misWeight(float own_1, float other) {
 vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
     uint i_21 = 0u;
+    float byTree = 0.0;
+    float probability_2 = 0.0;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_20 = p_10.rays.direction;
-    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_20) > 0.0), false);
+    vec3 direction_21 = p_10.rays.direction;
+    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_21) > 0.0), false);
     int _e21 = emitterOf(s_7.code);
     found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
@@ -2441,40 +2460,55 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
                 i_21 = (_e52 + _e56);
             }
         }
+        FarLight _e58 = skySeen(direction_21);
+        uint _e59 = i_21;
+        Emitter _e60 = emitterAt(_e59, only_1);
+        float _e66 = shapePdf(_e60, p_10.rays.point, direction_21, hit_1.t, outward, hit_1.triangle.triangle);
+        const bool _e70 = hasLightTree;
+        if (_e70) {
+            float _e75 = treeProbability(_e60, p_10.rays.point, p_10.litSide, p_10.odds);
+            byTree = _e75;
+        }
         while(true) {
-            uint _e58 = i_21;
-            Emitter _e59 = emitterAt(_e58, only_1);
-            FarLight _e60 = farLight(_e59, direction_20);
-            float _e66 = shapePdf(_e59, p_10.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
-            float density = pick(escaped, _e60.pdf, _e66);
-            float _e73 = probabilityOf(_e59, p_10.rays.point, p_10.litSide, p_10.odds);
-            float pdf_3 = (density * _e73);
-            vec3 radiance = pick(escaped, _e60.radiance, emission);
-            vec3 _e77 = found_8;
-            float _e79 = misWeight(p_10.pdf, pdf_3);
-            found_8 = (_e77 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e79)));
-            uint _e88 = i_21;
-            i_21 = (_e88 + 1u);
-            const bool _e91 = hasManyLights;
-            if (!(_e91)) {
+            uint _e76 = i_21;
+            Emitter _e77 = emitterAt(_e76, only_1);
+            FarLight _e78 = farLight(_e77, direction_21, _e58);
+            float _e83 = listedProbability(_e77, p_10.rays.point, p_10.litSide, p_10.odds);
+            probability_2 = _e83;
+            const bool _e86 = hasLightTree;
+            if (_e86) {
+                float _e87 = probability_2;
+                float _e88 = byTree;
+                probability_2 = pick(pick(!(escaped), (_e60.leaf >= 0.0), false), _e88, _e87);
+            }
+            float _e97 = probability_2;
+            float pdf_3 = (pick(escaped, _e78.pdf, _e66) * _e97);
+            vec3 radiance = pick(escaped, _e78.radiance, emission);
+            vec3 _e101 = found_8;
+            float _e103 = misWeight(p_10.pdf, pdf_3);
+            found_8 = (_e101 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e103)));
+            uint _e112 = i_21;
+            i_21 = (_e112 + 1u);
+            const bool _e115 = hasManyLights;
+            if (!(_e115)) {
                 break;
             }
-            const bool _e94 = hasSky;
-            if (!(_e94)) {
-                const bool _e97 = hasSuns;
-                if (!(_e97)) {
+            const bool _e118 = hasSky;
+            if (!(_e118)) {
+                const bool _e121 = hasSuns;
+                if (!(_e121)) {
                     break;
                 }
             }
-            uint _e100 = i_21;
-            uint _e103 = frame.farEmitters;
-            if (pick(!(escaped), true, (_e100 >= _e103))) {
+            uint _e124 = i_21;
+            uint _e127 = frame.farEmitters;
+            if (pick(!(escaped), true, (_e124 >= _e127))) {
                 break;
             }
         }
     }
-    vec3 _e106 = found_8;
-    return _e106;
+    vec3 _e130 = found_8;
+    return _e130;
 }
 
 uint pascalW2_(uint x_14) {
@@ -2502,7 +2536,7 @@ vec3 next3d(inout Sampler s_8) {
     return vec3(_e13, _e17);
 }
 
-EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
+EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
@@ -2529,7 +2563,7 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
             while(true) {
                 uint _e48 = i_22;
                 Emitter _e49 = fetchEmitter(_e48);
-                float _e50 = estimatedIrradiance(_e49, point_11, normal_11);
+                float _e50 = estimatedIrradiance(_e49, point_12, normal_12);
                 uint _e51 = i_22;
                 float weight_1 = pick((_e51 < listed), _e50, 0.0);
                 float _e55 = total_1;
@@ -2564,7 +2598,7 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
                 if (_e97) {
                     float _e98 = rest_1;
                     float _e100 = total_1;
-                    TreeChoice _e101 = descend(point_11, normal_11, _e98, -1, _e100);
+                    TreeChoice _e101 = descend(point_12, normal_12, _e98, -1, _e100);
                     choice_1.odds.tree = _e101.share;
                     uint _e106 = chosen;
                     choice_1.index = pick(_e101.taken, _e101.emitter, _e106);
@@ -2598,17 +2632,17 @@ ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_6) {
     return ConeDirection(_e23, cosine_20, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_15, vec3 point_12, vec2 u_7) {
-    SphereView _e3 = viewSphere(e_15, point_12);
+LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_7) {
+    SphereView _e3 = viewSphere(e_16, point_13);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_7);
     float along_3 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_15.radius * e_15.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_16.radius * e_16.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_3) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_3 > 0.0), false);
     float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_15.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_16.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_15) {
@@ -2633,17 +2667,17 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
     return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_16, vec3 point_13, vec2 u_9) {
-    QuadView _e3 = viewQuad(e_16, point_13);
-    vec3 onArea = ((_e3.corner + (u_9.x * e_16.u)) + (u_9.y * e_16.v));
+LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_9) {
+    QuadView _e3 = viewQuad(e_17, point_14);
+    vec3 onArea = ((_e3.corner + (u_9.x * e_17.u)) + (u_9.y * e_17.v));
     vec3 _e13 = sphericalRectangle(_e3, u_9);
     vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_8 = max(length(toLight_4), _e3.height);
-    float _e23 = pdfOfView(_e3, e_16.area, distance_8);
-    return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_16.radiance, _e23, false);
+    float _e23 = pdfOfView(_e3, e_17.area, distance_8);
+    return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_17.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_17, BoxView b_2, vec2 u_10) {
+vec4 pointOnFaces(Emitter e_18, BoxView b_2, vec2 u_10) {
     float both = (b_2.faces.x + b_2.faces.y);
     float at_4 = (u_10.x * b_2.area);
     bool onX_1 = (at_4 < b_2.faces.x);
@@ -2652,7 +2686,7 @@ vec4 pointOnFaces(Emitter e_17, BoxView b_2, vec2 u_10) {
     float within_3 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
     vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_10.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_17.u) - b_2.point);
+    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_2.point);
     return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
 }
 
@@ -2661,36 +2695,36 @@ vec3 rotateBack(vec4 q_5, vec3 v_6) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_18, vec3 point_14, vec2 u_11) {
-    BoxView _e3 = viewBox(e_18, point_14);
-    vec4 _e4 = pointOnFaces(e_18, _e3, u_11);
+LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_11) {
+    BoxView _e3 = viewBox(e_19, point_15);
+    vec4 _e4 = pointOnFaces(e_19, _e3, u_11);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_11);
     vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_18.u);
+    Slabs _e16 = boxSlabs(_e3.point, outwards, e_19.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_21 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_22 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_21);
-    return LightSample(_e37, distance_9, e_18.radiance, pdf_4, false);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
+    return LightSample(_e37, distance_9, e_19.radiance, pdf_4, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_19, vec2 u_12) {
+ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_12) {
     uint _e4 = frame.lampTables;
-    uint first_2 = (_e4 + uint(e_19.table));
-    uint column_2 = min(uint((u_12.x * e_19.triangles)), (uint(e_19.triangles) - 1u));
+    uint first_2 = (_e4 + uint(e_20.table));
+    uint column_2 = min(uint((u_12.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_19.triangles);
-    float x_23 = clamp((((u_12.x * e_19.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
+    float x_23 = clamp((((u_12.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_9 = (x_23 < _e18.own);
     float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_7 = pick(own_9, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_7) - _e18.place));
-    float density_1 = _e67.density;
-    return ChosenTriangle(place_7, density_1, vec2(min(rest_2, 1.0), u_12.y));
+    float density = _e67.density;
+    return ChosenTriangle(place_7, density, vec2(min(rest_2, 1.0), u_12.y));
 }
 
 vec2 weightsOnTriangle(vec2 u_13) {
@@ -2707,36 +2741,36 @@ vec3 outOfMesh(Instance i_23, vec3 p_11) {
     return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
 }
 
-LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
-    ChosenTriangle _e3 = chooseTriangle(e_20, u_14);
+LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_14) {
+    ChosenTriangle _e3 = chooseTriangle(e_21, u_14);
     uint _e6 = frame.instances;
-    Instance _e12 = fetchInstance((_e6 + (uint(e_20.instance) * instanceRows)));
+    Instance _e12 = fetchInstance((_e6 + (uint(e_21.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_6 = (_e34 - point_15);
+    vec3 toLight_6 = (_e34 - point_16);
     vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
     float height_3 = (dot(across_7, toLight_6) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
     float distance_10 = length(toLight_6);
-    float _e62 = areaPdf((e_20.area / _e3.density), abs(height_3), distance_10);
-    bool lit_1 = pick((height_3 < 0.0), true, pick((e_20.oneSided == 0.0), (height_3 > 0.0), false));
-    float reached_1 = max((distance_10 - (1e-5 * (length(point_15) + distance_10))), 0.0);
-    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, e_20.radiance, pick(lit_1, _e62, 0.0), false);
+    float _e62 = areaPdf((e_21.area / _e3.density), abs(height_3), distance_10);
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_21.oneSided == 0.0), (height_3 > 0.0), false));
+    float reached_1 = max((distance_10 - (1e-5 * (length(point_16) + distance_10))), 0.0);
+    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, e_21.radiance, pick(lit_1, _e62, 0.0), false);
 }
 
-LightSample samplePoint(Emitter e_21, vec3 point_16) {
-    vec3 toLight_7 = (e_21.position - point_16);
+LightSample samplePoint(Emitter e_22, vec3 point_17) {
+    vec3 toLight_7 = (e_22.position - point_17);
     float distance_11 = length(toLight_7);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_7 / vec3(safe)), distance_11, (e_21.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_7 / vec3(safe)), distance_11, (e_22.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_22, vec3 point_17) {
+LightSample sampleSpot(Emitter e_23, vec3 point_18) {
     LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_22, point_17);
+    LightSample _e2 = samplePoint(e_23, point_18);
     s_9 = _e2;
     vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_22, _e5);
+    float _e6 = spotFalloff(e_23, _e5);
     vec3 _e8 = s_9.radiance;
     s_9.radiance = (_e8 * _e6);
     float _e12 = s_9.pdf;
@@ -2745,10 +2779,10 @@ LightSample sampleSpot(Emitter e_22, vec3 point_17) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_23, vec2 u_15) {
-    bool delta = (e_23.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_23.u), (e_23.area / 6.2831855), u_15);
-    return LightSample(_e10.direction, 1e30, e_23.radiance, pick(delta, 1.0, (1.0 / max(e_23.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_24, vec2 u_15) {
+    bool delta = (e_24.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_24.u), (e_24.area / 6.2831855), u_15);
+    return LightSample(_e10.direction, 1e30, e_24.radiance, pick(delta, 1.0, (1.0 / max(e_24.area, 1e-31))), delta);
 }
 
 vec4 fetchEntries(Table t_5, uint pair) {
@@ -2851,9 +2885,9 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_22 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    vec3 direction_23 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_15), sine_5);
-    return EnvironmentSample(direction_22, _e119);
+    return EnvironmentSample(direction_23, _e119);
 }
 
 LightSample sampleSky(vec2 u_19) {
@@ -2868,72 +2902,72 @@ LightSample sampleSky(vec2 u_19) {
     vec3 _e15 = s_10.direction;
     vec3 _e18 = s_10.light.radiance;
     vec3 _e20 = s_10.direction;
-    vec3 _e21 = sky(_e20);
+    vec3 _e21 = sky0_(_e20);
     float _e25 = s_10.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_20) {
+LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_24.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_24, point_18, u_20);
+        if ((e_25.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_25, point_19, u_20);
             s_11 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_24.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_24, point_18, u_20);
+        if ((e_25.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_25, point_19, u_20);
             s_11 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_24.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_24, point_18, u_20);
+        if ((e_25.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_25, point_19, u_20);
             s_11 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
-        if ((e_24.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_24, point_18, u_20);
+        if ((e_25.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_25, point_19, u_20);
             s_11 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_24.kind == 3.0)) {
-            LightSample _e43 = samplePoint(e_24, point_18);
+        if ((e_25.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_25, point_19);
             s_11 = _e43;
         }
     }
     const bool _e45 = hasPointLights;
     if (_e45) {
-        if ((e_24.kind == 4.0)) {
-            LightSample _e49 = sampleSpot(e_24, point_18);
+        if ((e_25.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_25, point_19);
             s_11 = _e49;
         }
     }
     const bool _e51 = hasSuns;
     if (_e51) {
-        if ((e_24.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_24, u_20);
+        if ((e_25.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_25, u_20);
             s_11 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
-        if ((e_24.kind == 6.0)) {
+        if ((e_25.kind == 6.0)) {
             LightSample _e61 = sampleSky(u_20);
             s_11 = _e61;
         }
     }
     float _e64 = s_11.pdf;
     float _e66 = s_11.distance_;
-    s_11.pdf = pick((_e66 <= (1e-5 * length(point_18))), 0.0, _e64);
+    s_11.pdf = pick((_e66 <= (1e-5 * length(point_19))), 0.0, _e64);
     LightSample _e73 = s_11;
     return _e73;
 }
@@ -3447,7 +3481,7 @@ vec3 mirrored(vec3 wo_6) {
 BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
-    float probability_1 = 0.0;
+    float probability_3 = 0.0;
     vec3 weight = vec3(0.0);
     vec3 wo_10 = o_9.wo;
     float _e5 = mirrorShare(s_19.reflectivity);
@@ -3467,7 +3501,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
         bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
         wi = (((2.0 * oh_1) * _e33) - wo_10);
-        probability_1 = (base_2 * o_9.share);
+        probability_3 = (base_2 * o_9.share);
         weight = (_e38 / vec3(o_9.share));
         const bool _e55 = hasGlass;
         if (_e55) {
@@ -3475,8 +3509,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
             vec3 _e57 = wi;
             vec3 _e59 = refracted(wo_10, _e33, o_9.ratio);
             wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
-            float _e63 = probability_1;
-            probability_1 = pick(_e29, (base_2 * pick(crossing_2, (1.0 - _e38.x), _e38.x)), _e63);
+            float _e63 = probability_3;
+            probability_3 = pick(_e29, (base_2 * pick(crossing_2, (1.0 - _e38.x), _e38.x)), _e63);
             vec3 _e71 = weight;
             weight = pick(_e29, vec3(pick(pick(crossing_2, !(_e56), false), (1.0 / (o_9.ratio * o_9.ratio)), 1.0)), _e71);
         }
@@ -3487,7 +3521,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         vec3 _e99 = wi;
         drawn_1.direction = pick(specular_1, _e99, _e98);
         float _e103 = drawn_1.pdf;
-        float _e104 = probability_1;
+        float _e104 = probability_3;
         drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e104), _e103);
         vec3 _e110 = drawn_1.weight;
         vec3 _e111 = weight;
@@ -3621,8 +3655,8 @@ float shadowingExponent(float x_16, float alpha_11) {
     float b_12 = mix(3.82987, 3.32435, m_2);
     float c_5 = mix(0.19823, 0.16801, m_2);
     float d_5 = mix(-1.9776, -1.27393, m_2);
-    float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_26);
+    float e_27 = mix(-4.32054, -4.85967, m_2);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_27);
 }
 
 float sheenShadowing(float cosine_17, float alpha_12) {
@@ -3638,11 +3672,11 @@ float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
     float m2_2 = max(dot(m_3, m_3), 1e-20);
     float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
     float power_1 = (0.5 / alpha_13);
-    float density_2 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
+    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
     float zo_1 = max(wo_7.z, 1e-6);
     float _e38 = sheenShadowing(wo_7.z, alpha_13);
     float _e42 = sheenShadowing(wi_3.z, alpha_13);
-    return (density_2 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
+    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
 float sheenAlpha(float roughness_1) {
@@ -3690,7 +3724,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         float _e98 = ellipticBound(wo_12, wide_2);
         bool _e102 = isCoat;
         float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_3 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
+        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
         bool _e115 = isCoat;
         vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
         Parting _e120 = partingOf(s_23, o_13, _e119);
@@ -3705,7 +3739,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         vec4 _e151 = sum_1;
         vec3 _e152 = lobe;
         float _e155 = chosen_1;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_3)));
+        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_2)));
         bool _e159 = isCoat;
         if (!(_e159)) {
             break;
@@ -3800,17 +3834,17 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     float _e14 = surface_1.code;
     float _e18 = surface_1.eta.x;
     bool _e19 = letsThrough(uint(_e14), _e18);
-    vec3 point_19 = (rays_2.point + (hit_2.t * rays_2.direction));
+    vec3 point_20 = (rays_2.point + (hit_2.t * rays_2.direction));
     vec3 outward_1 = _e10.shading;
-    vec3 normal_15 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
-    Basis _e34 = basisAbout(normal_15);
+    vec3 normal_16 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
+    Basis _e34 = basisAbout(normal_16);
     basis = _e34;
     const bool _e37 = hasLayers;
     if (_e37) {
         vec3 _e39 = grainHere;
         if (any(notEqual(_e39, vec3(0.0)))) {
             vec3 _e45 = grainHere;
-            Basis _e46 = basisAlong(normal_15, _e45);
+            Basis _e46 = basisAlong(normal_16, _e45);
             basis = _e46;
         }
     }
@@ -3847,12 +3881,12 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
             return;
         }
     }
-    vec3 litSide = pick(_e19, vec3(0.0), normal_15);
+    vec3 litSide = pick(_e19, vec3(0.0), normal_16);
     vec3 _e112 = next3d(p_12.sampler_);
     vec3 _e114 = next3d(p_12.sampler_);
-    EmitterChoice _e116 = chooseEmitter(point_19, litSide, _e112.z);
+    EmitterChoice _e116 = chooseEmitter(point_20, litSide, _e112.z);
     Emitter _e118 = emitterAt(_e116.index, _e93);
-    LightSample _e120 = sampleEmitter(_e118, point_19, _e112.xy);
+    LightSample _e120 = sampleEmitter(_e118, point_20, _e112.xy);
     float lightPdf = (_e120.pdf * _e116.probability);
     const bool _e128 = hasLayers;
     if (_e128) {
@@ -3913,7 +3947,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     bool _e281 = p_12.alive;
     Sampler _e296 = p_12.sampler_;
     uint _e297 = numberOfNext(_e296);
-    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e281, _e183, pick(solid, (dot(_e183, outward_1) < 0.0), false), _e120.direction, pick(solid, (dot(_e120.direction, outward_1) < 0.0), false), pick(lit_2, _e120.distance_, -1.0), lightShape, _e297);
+    p_12.rays = RayPair(point_20, shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e281, _e183, pick(solid, (dot(_e183, outward_1) < 0.0), false), _e120.direction, pick(solid, (dot(_e120.direction, outward_1) < 0.0), false), pick(lit_2, _e120.distance_, -1.0), lightShape, _e297);
     return;
 }
 

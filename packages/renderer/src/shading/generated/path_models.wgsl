@@ -424,11 +424,22 @@ fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) 
         i += emitterOfTriangle(emitterAt(i, only), hit.triangle);
       }
     }
+    // One sky, or one lamp that was met: looked up before the loop. A compiler takes the longer for a loop the more is in it.
+    let sky = skySeen(direction);
+    let met = emitterAt(i, only);
+    let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
+    var byTree = 0.0;
+    if (hasLightTree) {
+      byTree = treeProbability(met, p.rays.point, p.litSide, p.odds);
+    }
     loop {
       let e = emitterAt(i, only);
-      let far = farLight(e, direction);
-      let density = select(shapePdf(e, p.rays.point, direction, hit.t, outward, hit.triangle.triangle), far.pdf, escaped);
-      let pdf = density * probabilityOf(e, p.rays.point, p.litSide, p.odds);
+      let far = farLight(e, direction, sky);
+      var probability = listedProbability(e, p.rays.point, p.litSide, p.odds);
+      if (hasLightTree) {
+        probability = select(probability, byTree, !escaped & (met.leaf >= 0.0));
+      }
+      let pdf = select(density, far.pdf, escaped) * probability;
       let radiance = select(emission, far.radiance, escaped);
       found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
       i++;
@@ -1565,22 +1576,12 @@ fn emitterOf(code: f32) -> i32 {
 // Meshes that shine, and so many lights that a tree chooses among them.
 override hasMeshLamps = false;
 
-// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
-fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
-  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
-}
-
-fn farLight(e: Emitter, direction: vec3f) -> FarLight {
+// Of the sky, whichever emitter it is.
+fn skySeen(direction: vec3f) -> FarLight {
   var far = FarLight(vec3f(0.0), 0.0);
-  if (hasSuns) {
-    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
-    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
-  }
   if (hasSky) {
-    if (e.kind == skyKind) {
-      let seen = skyLight(direction);
-      far = FarLight(seen.radiance, seen.pdf);
-    }
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
   }
   return far;
 }
@@ -1612,353 +1613,22 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
   return pdf;
 }
 
-// With which chooseEmitter would have chosen this one there.
-fn probabilityOf(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
-  var probability = f32(min(frame.emitterCount, 1u));
-  if (hasManyLights) {
-    if (frame.emitterCount > 1u) {
-      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
-      if (hasLightTree) {
-        if (frame.lightTreeDepth > 0u) {
-          let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
-          probability = select(probability * (1.0 - odds.tree), down.probability * down.share, e.leaf >= 0.0);
-        }
-      }
-    }
+override hasLightTree = false;
+
+// The first emitter of a shape and the triangle of it that was met -> how many emitters further on that triangle is.
+fn emitterOfTriangle(e: Emitter, t: LeftTriangle) -> u32 {
+  return (t.instance - u32(e.instance)) * u32(e.cosInner) + (t.triangle >> u32(e.radius));
+}
+
+// The same of one that is.
+fn treeProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+  var probability = 0.0;
+  if (frame.lightTreeDepth > 0u) {
+    let down = descend(point, normal, 0.0, i32(max(e.leaf, 0.0)), odds.total);
+    probability = down.probability * down.share;
   }
   return probability;
 }
-
-override hasManyLights = true;
-
-override hasSky = true;
-
-override hasSuns = false;
-
-// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
-// before the sky and add to it.
-struct FarLight {
-  radiance: vec3f,
-  pdf: f32,
-}
-
-
-const directionalKind = 5.0;
-
-// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
-fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
-  let chord = direction + e.u;
-  return pi * dot(chord, chord) < e.area;
-}
-
-fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
-  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
-}
-
-const pi = 3.14159265359;
-
-const skyKind = 6.0;
-
-// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
-fn skyLight(direction: vec3f) -> EnvironmentLight {
-  var light = white;
-  if (hasEnvironment) {
-    light = lookUpEnvironment(direction);
-  }
-  return EnvironmentLight(light.radiance * sky(direction), light.pdf);
-}
-
-// Without a map: white, uniform in all directions.
-const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
-
-// A sky with a map.
-override hasEnvironment = false;
-
-fn sky(direction: vec3f) -> vec3f {
-  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
-}
-
-fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
-  let size = frame.environmentSize;
-  let sine = max(length(direction.xz), 1e-9);
-  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
-  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
-  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
-  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
-  let fromPole = angles.y * (size.y / pi) + 0.5;
-  let row = floor(fromPole);
-  let isLower = direction.y < 0.0;
-  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
-  let within = fromPole - row;
-  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
-  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
-}
-
-// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
-fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
-  let low = min(x, y);
-  let high = max(x, y);
-  let middle = low > 0.4142135624 * high;
-  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
-  let z = r * r;
-  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
-  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
-  return select(angle, 1.570796327 - angle, y > x);
-}
-
-fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
-  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
-}
-
-fn environmentCorners(cell: vec2u) -> Corners {
-  let size = vec2u(frame.environmentSize);
-  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
-  let right = select(cell.x, 0u, cell.x == size.x);
-  let upper = max(cell.y, 1u) - 1u;
-  let lower = min(cell.y, size.y - 1u);
-  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
-  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
-  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
-}
-
-struct EnvironmentLight {
-  radiance: vec3f,
-  // Per solid angle.
-  pdf: f32,
-}
-
-
-// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
-// the upper pole, j = rows that at the lower.
-struct Corners {
-  a: vec4f,
-  b: vec4f,
-  c: vec4f,
-  d: vec4f,
-}
-
-
-// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
-@group(0) @binding(4) var environment: texture_2d<f32>;
-
-// Kinds of light, and more than one of them.
-override hasSphereLights = true;
-
-override hasQuadLights = false;
-
-override hasBoxLights = false;
-
-// packed-scene/pack-emitters.ts has the same numbers.
-const sphereKind = 0.0;
-
-// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
-fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
-  let view = viewSphere(e, point);
-  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
-  return select(0.0, conePdf(view.width), reached);
-}
-
-fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
-  let toCenter = e.position - point;
-  let d = length(toCenter);
-  let power = abs((d - e.radius) * (d + e.radius));
-  let inside = d <= e.radius;
-  let sine = min(e.radius / max(d, 1e-30), 1.0);
-  let cosine = sqrt(power) / max(d, 1e-30);
-  // 1 - cos = sin^2 / (1 + cos)
-  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
-}
-
-fn conePdf(width: f32) -> f32 {
-  return 1.0 / (2.0 * pi * max(width, 1e-31));
-}
-
-struct SphereView {
-  toCenter: vec3f,
-  distance: f32,
-  // |distance^2 - radius^2|
-  power: f32,
-  inside: bool,
-  // 1 - cosine of the cone's half angle.
-  width: f32,
-}
-
-
-const quadKind = 1.0;
-
-fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
-  return pdfOfView(viewQuad(e, point), e.area, distance);
-}
-
-fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
-  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
-  return select(0.0, pdf, q.lit);
-}
-
-fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
-  let corner = e.position - point;
-  let lengths = vec2f(length(e.u), length(e.v));
-  let axisX = e.u / lengths.x;
-  let axisY = e.v / lengths.y;
-  let normal = normalize(cross(axisX, axisY));
-  let signedHeight = dot(corner, normal);
-  // From the plane itself a quad is a line.
-  let least = 1e-7 * (lengths.x + lengths.y);
-  let height = max(abs(signedHeight), least);
-  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
-  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
-  let high = low + lengths;
-  let y = vec2f(low.y, high.y);
-  let start = stretch(low.x, y, height);
-  let solidAngle = stretch(high.x, y, height) - start;
-  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
-  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
-  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
-}
-
-// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
-fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
-  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
-  return min(pdf, largestPdf);
-}
-
-// Rectangles that fill less than this, in steradians, are sampled by area.
-const smallSolidAngle = 0.01;
-
-struct QuadView {
-  // From the point.
-  corner: vec3f,
-  // Unit, along u and v, and from the point to the plane.
-  axisX: vec3f,
-  axisY: vec3f,
-  axisZ: vec3f,
-  // The corner's coordinates and the edges' lengths.
-  low: vec2f,
-  high: vec2f,
-  height: f32,
-  // T(x0) and T(x1) - T(x0).
-  start: f32,
-  solidAngle: f32,
-  // Shines at the point.
-  lit: bool,
-  bySolidAngle: bool,
-}
-
-
-// Above all real densities, so that what divides by one stays finite.
-const largestPdf = 1e30;
-
-// T(x)
-fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
-  let r = sqrt(x * x + y * y + h * h);
-  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
-}
-
-// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
-// 1e-4, and solid angles are differences of such angles.
-fn arctangent(x: f32) -> f32 {
-  let a = abs(x);
-  let steep = a > 2.414213562;
-  let middle = (a > 0.4142135624) & !steep;
-  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
-  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
-  let z = r * r;
-  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
-  return sign(x) * (base + (series * z * r + r));
-}
-
-const boxKind = 2.0;
-
-fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
-  let b = viewBox(e, point);
-  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
-}
-
-fn viewBox(e: Emitter, point: vec3f) -> BoxView {
-  let rotation = fetchExtent(u32(e.shape)).a;
-  let p = rotate(rotation, point - e.position);
-  let seen = abs(p) > e.u;
-  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
-  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
-}
-
-struct BoxView {
-  // World to box.
-  rotation: vec4f,
-  // The point in the box's own axes.
-  point: vec3f,
-  // Area, per axis, of the face that is seen; at most one of the two.
-  faces: vec3f,
-  area: f32,
-  inside: bool,
-}
-
-
-const meshKind = 7.0;
-
-fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
-  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
-  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
-}
-
-fn fetchLampTriangle(row: u32) -> LampTriangle {
-  let r0 = geometryRow(row + 0u);
-  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
-}
-
-struct LampTriangle {
-  // alias table: probability to take this triangle and not the other one
-  own: f32,
-  // of this triangle, in the order of its mesh
-  place: u32,
-  // place of the other one
-  other: u32,
-  // how likely its points are: as a factor on 1 / area of the emitter
-  density: f32,
-}
-
-
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  let isQuad = hasQuadLights & (e.kind == quadKind);
-  let isFar = hasSuns & (e.kind == directionalKind);
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
-  if (hasQuadLights) {
-    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-    estimate *= select(1.0, lampCosine, isQuad);
-  }
-  if (hasMeshLamps) {
-    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
-    let alike = length(e.v);
-    let across = -dot(e.v, toLight);
-    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
-    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
-    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
-    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
-  }
-  if (hasPointLights) {
-    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  }
-  if (hasSky) {
-    estimate = select(estimate, e.power, e.kind == skyKind);
-  }
-  return estimate;
-}
-
-override hasLightTree = false;
 
 // `leaf`: the one that is asked for, or noLeaf: one is taken by u. `far`: the sum of the estimates of lights that are infinitely far.
 fn descend(point: vec3f, normal: vec3f, u: f32, leaf: i32, far: f32) -> TreeChoice {
@@ -2089,7 +1759,111 @@ fn cosineLess(cosA: vec4f, sinA: vec4f, cosB: vec4f, sinB: vec4f) -> vec4f {
   return select(cosA * cosB + sinA * sinB, vec4f(1.0), cosA > cosB);
 }
 
+// `sky`: skySeen in that direction.
+fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      far = sky;
+    }
+  }
+  return far;
+}
+
+// With which chooseEmitter would have chosen this one there, which is not in the tree.
+fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      probability = estimatedIrradiance(e, point, normal) / max(odds.total, 1e-37);
+      if (hasLightTree) {
+        probability *= 1.0 - odds.tree;
+      }
+    }
+  }
+  return probability;
+}
+
+override hasManyLights = true;
+
+override hasSky = true;
+
+override hasSuns = false;
+
+// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
+// before the sky and add to it.
+struct FarLight {
+  radiance: vec3f,
+  pdf: f32,
+}
+
+
+const directionalKind = 5.0;
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
+
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
+}
+
+const pi = 3.14159265359;
+
+const skyKind = 6.0;
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  if (hasMeshLamps) {
+    // As much of the surface as looks the same way shines like a quad, the rest like a convex body.
+    let alike = length(e.v);
+    let across = -dot(e.v, toLight);
+    let side = select(abs(across), max(across, 0.0), e.oneSided == 1.0);
+    let shown = 0.25 * (1.0 - alike) + (side + alike * e.reach) / grown;
+    let sizeOfMesh = distance2 + e.area * (1.0 + 3.0 * alike) / (4.0 * pi);
+    estimate = select(estimate, e.power * cosine * shown / max(sizeOfMesh, 1e-15), e.kind == meshKind);
+  }
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasQuadLights = false;
+
+const quadKind = 1.0;
+
 override hasPointLights = false;
+
+const meshKind = 7.0;
 
 // glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
 fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
@@ -2098,6 +1872,260 @@ fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
 }
 
 const spotKind = 4.0;
+
+// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
+fn skyLight(direction: vec3f) -> EnvironmentLight {
+  var light = white;
+  if (hasEnvironment) {
+    light = lookUpEnvironment(direction);
+  }
+  return EnvironmentLight(light.radiance * sky0(direction), light.pdf);
+}
+
+// Without a map: white, uniform in all directions.
+const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+
+// A sky with a map.
+override hasEnvironment = false;
+
+fn sky0(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
+
+fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
+  let size = frame.environmentSize;
+  let sine = max(length(direction.xz), 1e-9);
+  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
+  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
+  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
+  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
+  let fromPole = angles.y * (size.y / pi) + 0.5;
+  let row = floor(fromPole);
+  let isLower = direction.y < 0.0;
+  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
+  let within = fromPole - row;
+  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
+  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
+}
+
+// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
+fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
+  let low = min(x, y);
+  let high = max(x, y);
+  let middle = low > 0.4142135624 * high;
+  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
+  return select(angle, 1.570796327 - angle, y > x);
+}
+
+fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
+  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
+}
+
+fn environmentCorners(cell: vec2u) -> Corners {
+  let size = vec2u(frame.environmentSize);
+  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
+  let right = select(cell.x, 0u, cell.x == size.x);
+  let upper = max(cell.y, 1u) - 1u;
+  let lower = min(cell.y, size.y - 1u);
+  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
+  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
+  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+}
+
+struct EnvironmentLight {
+  radiance: vec3f,
+  // Per solid angle.
+  pdf: f32,
+}
+
+
+// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
+// the upper pole, j = rows that at the lower.
+struct Corners {
+  a: vec4f,
+  b: vec4f,
+  c: vec4f,
+  d: vec4f,
+}
+
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+// Kinds of light, and more than one of them.
+override hasSphereLights = true;
+
+override hasBoxLights = false;
+
+// packed-scene/pack-emitters.ts has the same numbers.
+const sphereKind = 0.0;
+
+// A ray can meet a sphere that rounding takes it to be outside of in its back; light sampling never goes there.
+fn spherePdf(e: Emitter, point: vec3f, direction: vec3f) -> f32 {
+  let view = viewSphere(e, point);
+  let reached = view.inside | (dot(direction, view.toCenter) > 0.0);
+  return select(0.0, conePdf(view.width), reached);
+}
+
+fn viewSphere(e: Emitter, point: vec3f) -> SphereView {
+  let toCenter = e.position - point;
+  let d = length(toCenter);
+  let power = abs((d - e.radius) * (d + e.radius));
+  let inside = d <= e.radius;
+  let sine = min(e.radius / max(d, 1e-30), 1.0);
+  let cosine = sqrt(power) / max(d, 1e-30);
+  // 1 - cos = sin^2 / (1 + cos)
+  return SphereView(toCenter, d, power, inside, select(sine * sine / (1.0 + cosine), 2.0, inside));
+}
+
+fn conePdf(width: f32) -> f32 {
+  return 1.0 / (2.0 * pi * max(width, 1e-31));
+}
+
+struct SphereView {
+  toCenter: vec3f,
+  distance: f32,
+  // |distance^2 - radius^2|
+  power: f32,
+  inside: bool,
+  // 1 - cosine of the cone's half angle.
+  width: f32,
+}
+
+
+fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
+  return pdfOfView(viewQuad(e, point), e.area, distance);
+}
+
+fn pdfOfView(q: QuadView, area: f32, distance: f32) -> f32 {
+  let pdf = select(areaPdf(area, q.height, distance), 1.0 / max(q.solidAngle, smallSolidAngle), q.bySolidAngle);
+  return select(0.0, pdf, q.lit);
+}
+
+fn viewQuad(e: Emitter, point: vec3f) -> QuadView {
+  let corner = e.position - point;
+  let lengths = vec2f(length(e.u), length(e.v));
+  let axisX = e.u / lengths.x;
+  let axisY = e.v / lengths.y;
+  let normal = normalize(cross(axisX, axisY));
+  let signedHeight = dot(corner, normal);
+  // From the plane itself a quad is a line.
+  let least = 1e-7 * (lengths.x + lengths.y);
+  let height = max(abs(signedHeight), least);
+  let lit = (abs(signedHeight) > least) & ((e.oneSided == 0.0) | (signedHeight < 0.0));
+  let low = vec2f(dot(corner, axisX), dot(corner, axisY));
+  let high = low + lengths;
+  let y = vec2f(low.y, high.y);
+  let start = stretch(low.x, y, height);
+  let solidAngle = stretch(high.x, y, height) - start;
+  let rectangle = abs(dot(axisX, axisY)) <= 1e-5;
+  let axisZ = normal * select(-1.0, 1.0, signedHeight > 0.0);
+  return QuadView(corner, axisX, axisY, axisZ, low, high, height, start, solidAngle, lit, rectangle & (solidAngle > smallSolidAngle));
+}
+
+// Density per solid angle of a point that is uniform on a flat face: distance^2 / (area cos), with cos = height / distance.
+fn areaPdf(area: f32, height: f32, distance: f32) -> f32 {
+  let pdf = (distance / max(height, 1e-30)) * distance / max(area / distance, 1e-30);
+  return min(pdf, largestPdf);
+}
+
+// Rectangles that fill less than this, in steradians, are sampled by area.
+const smallSolidAngle = 0.01;
+
+struct QuadView {
+  // From the point.
+  corner: vec3f,
+  // Unit, along u and v, and from the point to the plane.
+  axisX: vec3f,
+  axisY: vec3f,
+  axisZ: vec3f,
+  // The corner's coordinates and the edges' lengths.
+  low: vec2f,
+  high: vec2f,
+  height: f32,
+  // T(x0) and T(x1) - T(x0).
+  start: f32,
+  solidAngle: f32,
+  // Shines at the point.
+  lit: bool,
+  bySolidAngle: bool,
+}
+
+
+// Above all real densities, so that what divides by one stays finite.
+const largestPdf = 1e30;
+
+// T(x)
+fn stretch(x: f32, y: vec2f, h: f32) -> f32 {
+  let r = sqrt(x * x + y * y + h * h);
+  return arctangent(x * y.y / (h * r.y)) - arctangent(x * y.x / (h * r.x));
+}
+
+// Angles to a few units in the last place, by the polynomials of Moshier's Cephes (atanf, sinf). GPUs' own functions may be off by
+// 1e-4, and solid angles are differences of such angles.
+fn arctangent(x: f32) -> f32 {
+  let a = abs(x);
+  let steep = a > 2.414213562;
+  let middle = (a > 0.4142135624) & !steep;
+  let r = select(select(a, (a - 1.0) / (a + 1.0), middle), -1.0 / max(a, 1.0), steep);
+  let base = select(select(0.0, 0.7853981634, middle), 1.570796327, steep);
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  return sign(x) * (base + (series * z * r + r));
+}
+
+const boxKind = 2.0;
+
+fn boxPdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f) -> f32 {
+  let b = viewBox(e, point);
+  return select(areaPdf(b.area, distance * abs(dot(direction, normal)), distance), conePdf(2.0), b.inside);
+}
+
+fn viewBox(e: Emitter, point: vec3f) -> BoxView {
+  let rotation = fetchExtent(u32(e.shape)).a;
+  let p = rotate(rotation, point - e.position);
+  let seen = abs(p) > e.u;
+  let faces = select(vec3f(0.0), 4.0 * e.u.yzx * e.u.zxy, seen);
+  return BoxView(rotation, p, faces, faces.x + faces.y + faces.z, !any(seen));
+}
+
+struct BoxView {
+  // World to box.
+  rotation: vec4f,
+  // The point in the box's own axes.
+  point: vec3f,
+  // Area, per axis, of the face that is seen; at most one of the two.
+  faces: vec3f,
+  area: f32,
+  inside: bool,
+}
+
+
+fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
+  let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
+  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
+}
+
+fn fetchLampTriangle(row: u32) -> LampTriangle {
+  let r0 = geometryRow(row + 0u);
+  return LampTriangle(bitcast<f32>(r0.x), r0.y, r0.z, bitcast<f32>(r0.w));
+}
+
+struct LampTriangle {
+  // alias table: probability to take this triangle and not the other one
+  own: f32,
+  // of this triangle, in the order of its mesh
+  place: u32,
+  // place of the other one
+  other: u32,
+  // how likely its points are: as a factor on 1 / area of the emitter
+  density: f32,
+}
+
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
   (*s).key = (*s).key + 1u;
@@ -2399,7 +2427,7 @@ fn sampleSky(u: vec2f) -> LightSample {
   if (hasEnvironment) {
     s = sampleEnvironment(u);
   }
-  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
+  return LightSample(s.direction, miss, s.light.radiance * sky0(s.direction), s.light.pdf, false);
 }
 
 struct EnvironmentSample {
