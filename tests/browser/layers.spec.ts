@@ -73,6 +73,12 @@ for (const backend of backends) {
     expect(report.open, 'what rounding leaves open').toBeLessThan(0.05 * report.lit);
   });
 
+  test(`${backend}: programs for one kind of layer say the same of it (seed 305)`, async ({ harness }) => {
+    const reports = await harness.evaluate((b) => window.harness.probeLayersAlone(b, 305), backend);
+    expect(reports.map(({ examples }) => examples)).toEqual(reports.map(() => []));
+    for (const { lit, asked } of reports) expect(lit, 'answers above 0').toBeGreaterThan(0.3 * asked);
+  });
+
   test(`${backend}: layered BSDFs are finite where formulas divide by zero (seed 302)`, async ({ harness }) => {
     const report = await harness.evaluate((b) => window.harness.probeLayerEdges(b, 302), backend);
     expect(report.examples, `${report.faults} of ${report.asked}`).toEqual([]);

@@ -15,7 +15,7 @@ import { fuzz, fuzzLeast } from './fuzz.ts';
 import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts';
 import { headlessFilms } from './headless.ts';
 import { layerFurnaces, layersFromBothEnds, layersOverSphere } from './layers/sphere.ts';
-import { probeLayerEdges, probeLayers } from './layers/values.ts';
+import { probeLayerEdges, probeLayers, probeLayersAlone } from './layers/values.ts';
 import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
@@ -63,6 +63,7 @@ export const harness = {
   probeLamps,
   probeLayerEdges,
   probeLayers,
+  probeLayersAlone,
   probeMeshLamps,
   probeLookups,
   probeShapes,

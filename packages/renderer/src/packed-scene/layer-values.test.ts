@@ -37,6 +37,30 @@ test('a material has layers when one of them makes a difference', () => {
   for (const material of some) expect(isLayered(material)).toBe(true);
 });
 
+test('a program has of the layers only what some material of the scene has', () => {
+  const LAYERS = ['hasCoats', 'hasSheen', 'hasGrain', 'hasTransmission', 'hasIridescence'] as const;
+  const asked = (...list: Material[]) => {
+    const named = list.map((material, i) => [`m${i}`, material] as const);
+    const shapes = Object.fromEntries(named.map(([name]) => [name, ball(name)]));
+    const scene = testScene(shapes, {}, { materials: Object.fromEntries(named) });
+    const needs = pathFeatures({ scene, camera: scene.camera, settings: { pixelFilter: 'box' } });
+    return [needs.has('hasLayers'), LAYERS.filter((layer) => needs.has(layer))];
+  };
+  const coated = plastic({ clearcoat: { weight: 0.5, roughness: 0 } });
+  const cloth = plastic({ sheen: { color: [0, 0.1, 0], roughness: 0 } });
+  const brushed = plastic({ anisotropy: { strength: 0.1, rotation: 0 } });
+  const leaf = plastic({ diffuseTransmission: { weight: 0.1, color: [1, 1, 1] } });
+  const bubble = plastic({ iridescence: { weight: 0.1, ior: 1.3, thicknessMinimum: 400, thicknessMaximum: 400 } });
+  expect(asked(plastic())).toEqual([false, []]);
+  expect(asked(plastic({ ior: 1.33 }))).toEqual([true, []]);
+  expect(asked(coated)).toEqual([true, ['hasCoats']]);
+  expect(asked(cloth)).toEqual([true, ['hasSheen']]);
+  expect(asked(brushed)).toEqual([true, ['hasGrain']]);
+  expect(asked(wall)).toEqual([true, ['hasTransmission']]);
+  expect(asked(leaf, coated)).toEqual([true, ['hasCoats', 'hasTransmission']]);
+  expect(asked(bubble)).toEqual([true, ['hasIridescence']]);
+});
+
 test('light goes through, and bodies are solid, only where something lets it in', () => {
   expect([isClear(wall), isSolid(wall)]).toEqual([true, false]);
   const volume = { thickness: 1 };

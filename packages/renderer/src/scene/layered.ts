@@ -36,3 +36,9 @@ const isTextured = ({ weightTexture, colorTexture }: SpecularLobe): boolean =>
 
 /** Whether what it sends out goes through a coat first. */
 export const hasCoat = (m: Layered): boolean => isLayered(m) && (m.clearcoat?.weight ?? 0) > 0;
+
+/** Whether fibres stand on it. */
+export const hasSheen = (m: Layered): boolean => isLayered(m) && (m.sheen?.color.some((x) => x > 0) ?? false);
+
+/** Whether its facets are rougher along one direction. */
+export const hasGrain = (m: Layered): boolean => isLayered(m) && (m.anisotropy?.strength ?? 0) > 0;

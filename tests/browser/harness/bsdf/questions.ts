@@ -40,7 +40,6 @@ const PROBE: PassSource = {
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [{ block: 'Frame' }, SCENE_TABLE, { texture: 'questions' }],
   target: 'film',
-  switches: ALL_SWITCHES,
 };
 /** Questions in a row of the film. */
 const WIDTH = 256;
@@ -90,7 +89,12 @@ export const ask = (device: Device, surfaces: readonly BsdfSurface[], questions:
   askTable(device, surfaceTable(surfaces), questions);
 
 /** `table`: rows of the scene table, each with a Surface; a question's `surface` is the number of its row. */
-export async function askTable(device: Device, scene: Block, questions: readonly Question[]): Promise<Answer[]> {
+export async function askTable(
+  device: Device,
+  scene: Block,
+  questions: readonly Question[],
+  switches: PassSource['switches'] = ALL_SWITCHES,
+): Promise<Answer[]> {
   const rows = scene.f32.length / (4 * TABLE_WIDTH);
   const height = Math.ceil(questions.length / WIDTH);
   const texels = new Float32Array(WIDTH * height * 8);
@@ -107,7 +111,7 @@ export async function askTable(device: Device, scene: Block, questions: readonly
   const asked = device.createTable(2 * WIDTH, height);
   asked.write(texels, height);
   const film = device.createFilm(WIDTH, height);
-  const pass = await device.createPass(PROBE);
+  const pass = await device.createPass({ ...PROBE, switches });
   device.draw(pass, film, [frame, table, asked], { width: WIDTH, height, firstRow: 0, rowCount: height });
   const all = await device.read(film.layers[0]!, WIDTH, height);
   for (const resource of [frame, table, asked, film]) resource.destroy();

@@ -93,11 +93,6 @@ struct Pair {
     vec4 toLight;
     vec4 toSample;
 };
-struct FacetLobe {
-    vec3 value;
-    float pdf;
-    float cosine;
-};
 struct Frame {
     vec3 right;
     float width;
@@ -137,6 +132,11 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
+};
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;
 const uint metallicRoughness = 1u;
@@ -159,6 +159,12 @@ const bool hasConductors = false;
 const bool hasGlass = false;
 
 Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
+const bool hasTransmission = false;
+
+const bool hasCoats = false;
+
+const bool hasSheen = false;
 
 const bool hasCompensation = false;
 
@@ -237,13 +243,13 @@ bool isDielectric(uint code_5) {
     return pick(_e2, (_e3 == dielectric0_), false);
 }
 
+vec2 ellipticAlpha(float alpha, float strength) {
+    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
+}
+
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
     float side = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
     return max((ior + (((side * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
-}
-
-vec2 ellipticAlpha(float alpha, float strength) {
-    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
@@ -350,47 +356,59 @@ bool reflectsAll(float cosine_6, float ratio_1) {
 }
 
 vec4 baseReflectance(Surface s, Stack o, float cosine_7) {
+    float outer = 0.0;
     vec3 dielectric = vec3(0.0);
     vec3 metal = vec3(0.0);
     bool isMetal = false;
     Layers l_3 = o.layers;
-    float _e5 = cosineInAir(cosine_7, o.ratio);
-    vec3 _e6 = dielectricF0_(l_3);
-    vec3 _e8 = schlick(_e6, _e5);
-    dielectric = (l_3.specularWeight * _e8);
-    vec3 _e12 = schlick(s.baseColor, _e5);
-    metal = _e12;
-    const bool _e15 = hasIridescence;
-    if (_e15) {
+    outer = cosine_7;
+    const bool _e6 = hasTransmission;
+    if (_e6) {
+        float _e8 = cosineInAir(cosine_7, o.ratio);
+        outer = _e8;
+    }
+    vec3 _e9 = dielectricF0_(l_3);
+    float _e11 = outer;
+    vec3 _e12 = schlick(_e9, _e11);
+    dielectric = (l_3.specularWeight * _e12);
+    float _e16 = outer;
+    vec3 _e17 = schlick(s.baseColor, _e16);
+    metal = _e17;
+    const bool _e20 = hasIridescence;
+    if (_e20) {
         if ((l_3.film > 0.0)) {
             isMetal = (s.metallic >= 1.0);
             while(true) {
-                bool _e26 = isMetal;
-                vec3 _e30 = filmReflectance(pick(_e26, s.baseColor, (l_3.specularWeight * _e6)), l_3.filmIor, l_3.filmThickness, _e5);
                 bool _e31 = isMetal;
-                if (_e31) {
-                    vec3 _e32 = metal;
-                    metal = mix(_e32, _e30, l_3.film);
+                float _e35 = outer;
+                vec3 _e36 = filmReflectance(pick(_e31, s.baseColor, (l_3.specularWeight * _e9)), l_3.filmIor, l_3.filmThickness, _e35);
+                bool _e37 = isMetal;
+                if (_e37) {
+                    vec3 _e38 = metal;
+                    metal = mix(_e38, _e36, l_3.film);
                 } else {
-                    vec3 _e35 = dielectric;
-                    dielectric = mix(_e35, _e30, l_3.film);
+                    vec3 _e41 = dielectric;
+                    dielectric = mix(_e41, _e36, l_3.film);
                 }
-                bool _e38 = isMetal;
-                if (pick(_e38, true, (s.metallic <= 0.0))) {
+                bool _e44 = isMetal;
+                if (pick(_e44, true, (s.metallic <= 0.0))) {
                     break;
                 }
                 isMetal = true;
             }
         }
     }
-    vec3 _e44 = dielectric;
-    bool _e48 = reflectsAll(cosine_7, o.ratio);
-    dielectric = pick(_e48, vec3(1.0), _e44);
-    vec3 _e50 = dielectric;
-    vec3 _e51 = metal;
-    vec3 _e57 = dielectric;
-    float _e58 = greatest(_e57);
-    return vec4(mix(_e50, _e51, s.metallic), ((1.0 - s.metallic) * (1.0 - _e58)));
+    const bool _e51 = hasTransmission;
+    if (_e51) {
+        vec3 _e52 = dielectric;
+        bool _e56 = reflectsAll(cosine_7, o.ratio);
+        dielectric = pick(_e56, vec3(1.0), _e52);
+    }
+    vec3 _e58 = dielectric;
+    vec3 _e59 = metal;
+    vec3 _e65 = dielectric;
+    float _e66 = greatest(_e65);
+    return vec4(mix(_e58, _e59, s.metallic), ((1.0 - s.metallic) * (1.0 - _e66)));
 }
 
 float mean3_(vec3 v_1) {
@@ -398,62 +416,95 @@ float mean3_(vec3 v_1) {
 }
 
 Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
+    bool inside = false;
+    float ratio_2 = 1.0;
+    vec2 alpha_2 = vec2(0.0);
+    float coat_1 = 0.0;
+    float sheenColor = 0.0;
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_1 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float side_1 = pick((given.z < 0.0), -1.0, 1.0);
     vec3 wo_8 = vec3(given.xy, (given.z * side_1));
-    bool isSolid = (l_2.solid > 0.0);
-    bool inside = pick(isSolid, (side_1 < 0.0), false);
-    float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
-    float ratio_6 = pick(isSolid, pick(inside, (1.0 / _e22), _e22), 1.0);
-    bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
-    vec2 _e39 = ellipticAlpha(s_1.alpha, l_2.anisotropy);
-    vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
+    vec2 _e20 = ellipticAlpha(s_1.alpha, l_2.anisotropy);
+    alpha_2 = _e20;
+    const bool _e23 = hasTransmission;
+    if (_e23) {
+        bool isSolid = (l_2.solid > 0.0);
+        inside = pick(isSolid, (side_1 < 0.0), false);
+        float _e32 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
+        bool _e35 = inside;
+        ratio_2 = pick(isSolid, pick(_e35, (1.0 / _e32), _e32), 1.0);
+        bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e32 - 1.0) < 0.001), false);
+        vec2 _e48 = alpha_2;
+        alpha_2 = pick(flat_, vec2(0.0), _e48);
+    }
+    const bool _e55 = hasCoats;
+    if (_e55) {
+        float _e58 = coatReflectance(l_2.coat, wo_8.z);
+        bool _e59 = inside;
+        coat_1 = pick(_e59, 0.0, _e58);
+    }
     float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
-    float _e48 = coatReflectance(l_2.coat, wo_8.z);
-    float coat_1 = pick(inside, 0.0, _e48);
-    float _e52 = greatest(l_2.sheenColor);
-    if ((_e52 > 0.0)) {
-        float _e59 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
-        sheen = pick(inside, 0.0, _e59);
+    const bool _e70 = hasSheen;
+    if (_e70) {
+        float _e72 = greatest(l_2.sheenColor);
+        sheenColor = _e72;
+        float _e73 = sheenColor;
+        if ((_e73 > 0.0)) {
+            float _e78 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
+            bool _e79 = inside;
+            sheen = pick(_e79, 0.0, _e78);
+        }
     }
-    vec3 _e63 = dielectricF0_(l_2);
-    vec3 f0_3 = (l_2.specularWeight * _e63);
-    const bool _e69 = hasCompensation;
-    if (_e69) {
-        float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
+    vec3 _e83 = dielectricF0_(l_2);
+    vec3 f0_3 = (l_2.specularWeight * _e83);
+    const bool _e89 = hasCompensation;
+    if (_e89) {
+        float _e92 = alpha_2.x;
+        float _e94 = alpha_2.y;
+        float _e97 = singleScatteringAlbedo(wo_8.z, sqrt((_e92 * _e94)));
         bool asked = pick(((uint(s_1.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
-        vec3 _e86 = more;
-        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_1.baseColor, s_1.metallic) * ((1.0 - _e75) / _e75))), _e86);
+        vec3 _e108 = more;
+        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_1.baseColor, s_1.metallic) * ((1.0 - _e97) / _e97))), _e108);
     }
-    vec3 _e98 = more;
-    float _e99 = sheen;
-    o_1 = Stack(l_2, wo_8, side_1, hero_1, ratio_6, inside, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
-    Stack _e106 = o_1;
-    vec4 _e108 = baseReflectance(s_1, _e106, wo_8.z);
-    float _e111 = sheen;
-    float below = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
+    float _e120 = ratio_2;
+    bool _e121 = inside;
+    vec3 _e122 = more;
+    vec2 _e123 = alpha_2;
+    float _e124 = coat_1;
+    float _e125 = sheen;
+    float _e126 = sheenColor;
+    o_1 = Stack(l_2, wo_8, side_1, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
+    Stack _e133 = o_1;
+    vec4 _e135 = baseReflectance(s_1, _e133, wo_8.z);
+    float _e136 = coat_1;
+    float _e139 = sheenColor;
+    float _e140 = sheen;
+    float below = ((1.0 - _e136) * (1.0 - (_e139 * min(_e140, 1.0))));
     float film = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
-    float _e127 = mean3_(_e108.xyz);
-    float _e133 = mean3_(s_1.baseColor);
-    float facets = (below * ((_e127 + film) + ((_e108.w * l_2.transmission) * _e133)));
-    float _e139 = sheen;
-    float _e142 = mean3_(l_2.sheenColor);
-    float fibres = (((1.0 - coat_1) * _e139) * _e142);
-    float _e148 = greatest(f0_3);
-    float body = (((below * (1.0 - s_1.metallic)) * (1.0 - _e148)) * (1.0 - l_2.transmission));
-    float _e161 = mean3_(s_1.baseColor);
-    float diffuse = ((body * (1.0 - l_2.beyond)) * _e161);
-    float _e166 = mean3_(l_2.beyondColor);
-    float beyond = ((body * l_2.beyond) * _e166);
-    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    o_1.ofCoat = (coat_1 / all_);
+    float _e156 = mean3_(_e135.xyz);
+    float _e162 = mean3_(s_1.baseColor);
+    float facets = (below * ((_e156 + film) + ((_e135.w * l_2.transmission) * _e162)));
+    float _e166 = coat_1;
+    float _e169 = sheen;
+    float _e172 = mean3_(l_2.sheenColor);
+    float fibres = (((1.0 - _e166) * _e169) * _e172);
+    float _e178 = greatest(f0_3);
+    float body = (((below * (1.0 - s_1.metallic)) * (1.0 - _e178)) * (1.0 - l_2.transmission));
+    float _e191 = mean3_(s_1.baseColor);
+    float diffuse = ((body * (1.0 - l_2.beyond)) * _e191);
+    float _e196 = mean3_(l_2.beyondColor);
+    float beyond = ((body * l_2.beyond) * _e196);
+    float _e198 = coat_1;
+    float all_ = max(((((_e198 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    float _e206 = coat_1;
+    o_1.ofCoat = (_e206 / all_);
     o_1.ofFacets = (facets / all_);
     o_1.ofSheen = (fibres / all_);
     o_1.ofDiffuse = (diffuse / all_);
-    Stack _e182 = o_1;
-    return _e182;
+    Stack _e214 = o_1;
+    return _e214;
 }
 
 vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
@@ -483,15 +534,15 @@ bool isThin(uint code_6) {
     return pick(_e2, ((code_6 & 7u) == 7u), false);
 }
 
-float reflectionBound(vec3 wo, float alpha_2) {
+float reflectionBound(vec3 wo, float alpha_3) {
     float s_12 = (1.0 + length(wo.xy));
     float s2_ = (s_12 * s_12);
-    float a2_1 = (alpha_2 * alpha_2);
+    float a2_1 = (alpha_3 * alpha_3);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w, float alpha_3) {
-    return sqrt(((w.z * w.z) + ((alpha_3 * alpha_3) * dot(w.xy, w.xy))));
+float stretched(vec3 w, float alpha_4) {
+    return sqrt(((w.z * w.z) + ((alpha_4 * alpha_4) * dot(w.xy, w.xy))));
 }
 
 Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
@@ -552,19 +603,19 @@ bool isSmooth(uint code_7) {
     return ((code_7 & 32u) != 0u);
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_1) {
-    float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_2 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_1) {
+    float _e8 = stretched(wo_2, alpha_5);
+    vec3 w_2 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_1 = ((6.2831855 * u_1.x) - 3.1415927);
     float drop = (u_1.y * (1.0 + (bound * w_2.z)));
     float sine = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_3 = (w_2 + vec3((sine * cos(phi_1)), (sine * sin(phi_1)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_3.xy), max(h_3.z, 1e-7)));
+    return normalize(vec3((alpha_5 * h_3.xy), max(h_3.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_2) {
+vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_3, vec2 u_2) {
     float side_2 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_2), max(alpha_5, 0.001), o_3.bound, u_2);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_2), max(alpha_6, 0.001), o_3.bound, u_2);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_2);
 }
 
@@ -593,20 +644,20 @@ vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_1, float cosine_1
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
-float dielectricFresnel(float cosine_12, float ratio_2) {
-    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_12 * cosine_12));
+float dielectricFresnel(float cosine_12, float ratio_3) {
+    float inside2_ = (((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_12 * cosine_12));
     float inside_1 = sqrt(max(inside2_, 0.0));
     float across_1 = ((cosine_12 - inside_1) / (cosine_12 + inside_1));
-    float along = ((((ratio_2 * ratio_2) * cosine_12) - inside_1) / (((ratio_2 * ratio_2) * cosine_12) + inside_1));
+    float along = ((((ratio_3 * ratio_3) * cosine_12) - inside_1) / (((ratio_3 * ratio_3) * cosine_12) + inside_1));
     return pick((inside2_ > 0.0), (0.5 * ((across_1 * across_1) + (along * along))), 1.0);
 }
 
-float glassReflectance(float cosine_13, float ratio_3, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_13, ratio_3);
+float glassReflectance(float cosine_13, float ratio_4, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_13, ratio_4);
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
+vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_5) {
     vec3 reflectance = vec3(0.0);
     uint code_10 = uint(s_3.code);
     const bool _e9 = hasMetallicRoughness;
@@ -626,7 +677,7 @@ vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
     if (_e24) {
         vec3 _e25 = reflectance;
         bool _e26 = isThin(code_10);
-        float _e27 = glassReflectance(cosine_14, ratio_4, _e26);
+        float _e27 = glassReflectance(cosine_14, ratio_5, _e26);
         bool _e29 = isDielectric(code_10);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
@@ -634,102 +685,131 @@ vec3 facetReflectance(Surface s_3, float cosine_14, float ratio_4) {
     return _e31;
 }
 
-vec3 refracted(vec3 wo_3, vec3 h, float ratio_5) {
+vec3 refracted(vec3 wo_3, vec3 h, float ratio_6) {
     float cosine_17 = dot(wo_3, h);
-    float inside_2 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_17 * cosine_17)), 0.0));
-    return ((((cosine_17 - inside_2) * h) - wo_3) / vec3(ratio_5));
+    float inside_2 = sqrt(max((((ratio_6 - 1.0) * (ratio_6 + 1.0)) + (cosine_17 * cosine_17)), 0.0));
+    return ((((cosine_17 - inside_2) * h) - wo_3) / vec3(ratio_6));
 }
 
-float ellipticBound(vec3 wo_4, vec2 alpha_6) {
+float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     float s_13 = (1.0 + length(wo_4.xy));
     float s2_1 = (s_13 * s_13);
-    float least = min(alpha_6.x, alpha_6.y);
+    float least = min(alpha_7.x, alpha_7.y);
     float a2_2 = (least * least);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_1, vec2 alpha_7) {
-    vec2 scaled = (alpha_7 * w_1.xy);
+float ellipticStretched(vec3 w_1, vec2 alpha_8) {
+    vec2 scaled = (alpha_8 * w_1.xy);
     return sqrt(((w_1.z * w_1.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_3) {
-    float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_3 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_3) {
+    float _e8 = ellipticStretched(wo_5, alpha_9);
+    vec3 w_3 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_2 = ((6.2831855 * u_3.x) - 3.1415927);
     float drop_1 = (u_3.y * (1.0 + (bound_1 * w_3.z)));
     float sine_1 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
     vec3 h_4 = (w_3 + vec3((sine_1 * cos(phi_2)), (sine_1 * sin(phi_2)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_4.xy), max(h_4.z, 1e-7)));
+    return normalize(vec3((alpha_9 * h_4.xy), max(h_4.z, 1e-7)));
 }
 
 Parting partingOf(Surface s_4, Stack o_4, vec4 reflectance_1) {
-    vec3 toward = (reflectance_1.xyz * pick(o_4.inside, o_4.hero, vec3(1.0)));
-    vec3 beyond_1 = (((reflectance_1.w * o_4.layers.transmission) * s_4.baseColor) * o_4.hero);
-    float _e18 = mean3_(toward);
-    float _e19 = mean3_(beyond_1);
-    return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
+    Parting parting = Parting(vec3(0.0), vec3(0.0), 0.0);
+    parting = Parting(reflectance_1.xyz, vec3(0.0), 1.0);
+    const bool _e10 = hasTransmission;
+    if (_e10) {
+        vec3 toward = (reflectance_1.xyz * pick(o_4.inside, o_4.hero, vec3(1.0)));
+        vec3 beyond_1 = (((reflectance_1.w * o_4.layers.transmission) * s_4.baseColor) * o_4.hero);
+        float _e26 = mean3_(toward);
+        float _e27 = mean3_(beyond_1);
+        parting = Parting(toward, beyond_1, pick((_e27 > 0.0), (_e26 / max((_e26 + _e27), 1e-20)), 1.0));
+    }
+    Parting _e37 = parting;
+    return _e37;
 }
 
 float throughCover(Stack o_5, float zi, bool crossing) {
+    float left = 1.0;
     float sheen_1 = 0.0;
     Layers l_4 = o_5.layers;
-    bool isSolid_1 = (l_4.solid > 0.0);
-    bool entersHere = pick(o_5.inside, crossing, false);
-    float _e11 = coatReflectance(l_4.coat, zi);
-    float coat_2 = pick(entersHere, _e11, o_5.coat);
-    sheen_1 = o_5.sheen;
-    if ((o_5.sheenColor > 0.0)) {
-        bool isOutside = pick(!(isSolid_1), true, (o_5.inside == crossing));
-        float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
-        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
+    const bool _e7 = hasCoats;
+    if (_e7) {
+        bool entersHere = pick(o_5.inside, crossing, false);
+        float _e12 = coatReflectance(l_4.coat, zi);
+        left = (1.0 - pick(entersHere, _e12, o_5.coat));
     }
-    float _e31 = sheen_1;
-    return ((1.0 - coat_2) * (1.0 - (o_5.sheenColor * min(_e31, 1.0))));
+    const bool _e17 = hasSheen;
+    if (_e17) {
+        sheen_1 = o_5.sheen;
+        if ((o_5.sheenColor > 0.0)) {
+            bool isOutside = pick(!((l_4.solid > 0.0)), true, (o_5.inside == crossing));
+            float _e30 = sheen_1;
+            float _e32 = sheenAlbedo(zi, l_4.sheenRoughness);
+            sheen_1 = max(_e30, pick(isOutside, _e32, 0.0));
+        }
+        float _e36 = left;
+        float _e38 = sheen_1;
+        left = (_e36 * (1.0 - (o_5.sheenColor * min(_e38, 1.0))));
+    }
+    float _e45 = left;
+    return _e45;
 }
 
 LayeredSample sampleLayered(Surface s_5, Stack o_6, vec3 u_4) {
+    vec3 met = vec3(0.0);
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_6.wo;
-    bool isSolid_2 = (o_6.layers.solid > 0.0);
-    bool isCoat_1 = (u_4.z < o_6.ofCoat);
+    const bool _e5 = hasTransmission;
+    bool isSolid_1 = pick(_e5, (o_6.layers.solid > 0.0), false);
+    const bool _e12 = hasCoats;
+    bool isCoat_1 = pick(_e12, (u_4.z < o_6.ofCoat), false);
     bool isFacet = (u_4.z < (o_6.ofCoat + o_6.ofFacets));
     vec2 alpha_15 = pick(isCoat_1, vec2(o_6.coatAlpha), o_6.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide = max(alpha_15, vec2(0.001));
-    float _e28 = ellipticBound(wo_9, wide);
-    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide, bound_2, u_4.xy);
-    vec3 h_5 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
+    float _e34 = ellipticBound(wo_9, wide);
+    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e34);
+    vec3 _e40 = sampleEllipticNormal(wo_9, wide, bound_2, u_4.xy);
+    vec3 h_5 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e40);
     float oh = max(dot(wo_9, h_5), 0.0);
-    vec4 _e43 = baseReflectance(s_5, o_6, oh);
-    Parting _e44 = partingOf(s_5, o_6, _e43);
-    float left = ((u_4.z - o_6.ofCoat) / max(o_6.ofFacets, 1e-20));
-    bool crossing_1 = pick(!(isCoat_1), (left >= _e44.share), false);
+    vec4 _e49 = baseReflectance(s_5, o_6, oh);
+    Parting _e50 = partingOf(s_5, o_6, _e49);
+    float left_1 = ((u_4.z - o_6.ofCoat) / max(o_6.ofFacets, 1e-20));
+    const bool _e59 = hasTransmission;
+    bool crossing_1 = pick(pick(_e59, !(isCoat_1), false), (left_1 >= _e50.share), false);
     vec3 reflected = (((2.0 * oh) * h_5) - wo_9);
-    vec3 _e65 = refracted(wo_9, h_5, o_6.ratio);
-    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected.xy, -(reflected.z)));
-    vec3 met = pick(crossing_1, beyond_2, reflected);
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
-    float _e76 = throughCover(o_6, abs(met.z), crossing_1);
-    vec3 weight_1 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_6.ratio) * o_6.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met, pick(isCoat_1, o_6.ofCoat, (o_6.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_6.coat / max(o_6.ofCoat, 1e-20))), (weight_1 / vec3(max(o_6.ofFacets, 1e-20)))), isSmooth_1);
-    float _e122 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e122);
+    met = reflected;
+    const bool _e71 = hasTransmission;
+    if (_e71) {
+        vec3 _e77 = refracted(wo_9, h_5, o_6.ratio);
+        vec3 beyond_2 = pick(isSolid_1, _e77, vec3(reflected.xy, -(reflected.z)));
+        met = pick(crossing_1, beyond_2, reflected);
+    }
+    float _e82 = met.z;
+    bool lost = pick(!(isSmooth_1), (crossing_1 != (_e82 < 0.0)), false);
+    float _e88 = met.z;
+    float _e90 = throughCover(o_6, abs(_e88), crossing_1);
+    vec3 weight_1 = (_e90 * pick(crossing_1, (_e50.beyond / vec3(max((((1.0 - _e50.share) * o_6.ratio) * o_6.ratio), 1e-20))), (_e50.toward / vec3(max(_e50.share, 1e-20)))));
+    vec3 _e111 = met;
+    drawn = LayeredSample(_e111, pick(isCoat_1, o_6.ofCoat, (o_6.ofFacets * pick(crossing_1, (1.0 - _e50.share), _e50.share))), pick(isCoat_1, vec3((o_6.coat / max(o_6.ofCoat, 1e-20))), (weight_1 / vec3(max(o_6.ofFacets, 1e-20)))), isSmooth_1);
+    float _e137 = drawn.pdf;
+    drawn.pdf = pick(lost, 0.0, _e137);
     if (!(isFacet)) {
         float next = ((u_4.z - o_6.ofCoat) - o_6.ofFacets);
         float sine_2 = sqrt(max((u_4.x * (2.0 - u_4.x)), 0.0));
         float phi_3 = ((6.2831855 * u_4.y) - 3.1415927);
         vec3 even = vec3((sine_2 * cos(phi_3)), (sine_2 * sin(phi_3)), (1.0 - u_4.x));
-        vec3 _e153 = sampleCosine(u_4.xy);
-        vec3 below_1 = vec3(_e153.xy, pick((next >= (o_6.ofSheen + o_6.ofDiffuse)), -(_e153.z), _e153.z));
-        drawn = LayeredSample(pick((next < o_6.ofSheen), even, below_1), 1.0, vec3(1.0), false);
+        vec3 _e168 = sampleCosine(u_4.xy);
+        const bool _e174 = hasTransmission;
+        vec3 below_1 = vec3(_e168.xy, pick(pick(_e174, (next >= (o_6.ofSheen + o_6.ofDiffuse)), false), -(_e168.z), _e168.z));
+        const bool _e183 = hasSheen;
+        drawn = LayeredSample(pick(pick(_e183, (next < o_6.ofSheen), false), even, below_1), 1.0, vec3(1.0), false);
     }
-    float _e174 = drawn.direction.z;
-    drawn.direction.z = (_e174 * o_6.side);
-    LayeredSample _e177 = drawn;
-    return _e177;
+    float _e195 = drawn.direction.z;
+    drawn.direction.z = (_e195 * o_6.side);
+    LayeredSample _e198 = drawn;
+    return _e198;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -812,9 +892,9 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     return _e156;
 }
 
-float facetDensity(vec3 h_1, float alpha_9) {
-    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_9 * alpha_9)) + (h_1.z * h_1.z)), 1.0);
-    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
+float facetDensity(vec3 h_1, float alpha_10) {
+    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_10 * alpha_10)) + (h_1.z * h_1.z)), 1.0);
+    return (0.31830987 / (((alpha_10 * alpha_10) * slope) * slope));
 }
 
 bool hidesApart(uint code_8) {
@@ -901,14 +981,14 @@ vec4 evaluateBsdf(Surface s_9, Outgoing o_9, vec3 wi_2) {
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_2, vec2 alpha_10) {
-    vec2 scaled_1 = (h_2.xy / alpha_10);
+float ellipticDensity(vec3 h_2, vec2 alpha_11) {
+    vec2 scaled_1 = (h_2.xy / alpha_11);
     float slope_1 = max((dot(scaled_1, scaled_1) + (h_2.z * h_2.z)), 1.0);
-    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
+    return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
 }
 
-float shadowingExponent(float x, float alpha_11) {
-    float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+float shadowingExponent(float x, float alpha_12) {
+    float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
     float a_1 = mix(21.5473, 25.3245, m_2);
     float b_1 = mix(3.82987, 3.32435, m_2);
     float c = mix(0.19823, 0.16801, m_2);
@@ -917,23 +997,23 @@ float shadowingExponent(float x, float alpha_11) {
     return (((a_1 / (1.0 + (b_1 * pow(x, c)))) + (d * x)) + e);
 }
 
-float sheenShadowing(float cosine_16, float alpha_12) {
+float sheenShadowing(float cosine_16, float alpha_13) {
     float x_3 = clamp(cosine_16, 1e-6, 1.0);
     bool isLow = (x_3 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_3, max((1.0 - x_3), 1e-6)), alpha_12);
-    float _e14 = shadowingExponent(0.5, alpha_12);
+    float _e12 = shadowingExponent(pick(isLow, x_3, max((1.0 - x_3), 1e-6)), alpha_13);
+    float _e14 = shadowingExponent(0.5, alpha_13);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
 
-float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
+float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_14) {
     vec3 m_3 = (wo_7 + wi_3);
     float m2_2 = max(dot(m_3, m_3), 1e-20);
     float sine2_3 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
-    float power = (0.5 / alpha_13);
+    float power = (0.5 / alpha_14);
     float density = (((2.0 + (2.0 * power)) * 0.15915494) * pick((sine2_3 < 1e-20), 0.0, exp((power * log(max(sine2_3, 1e-20))))));
     float zo_1 = max(wo_7.z, 1e-6);
-    float _e38 = sheenShadowing(wo_7.z, alpha_13);
-    float _e42 = sheenShadowing(wi_3.z, alpha_13);
+    float _e38 = sheenShadowing(wo_7.z, alpha_14);
+    float _e42 = sheenShadowing(wi_3.z, alpha_14);
     return (density / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
@@ -955,16 +1035,22 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
     Layers l_5 = o_11.layers;
     vec3 wo_12 = o_11.wo;
     vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_11.side));
-    bool crossing_4 = (wi_4.z < 0.0);
+    const bool _e11 = hasTransmission;
+    bool crossing_4 = pick(_e11, (wi_4.z < 0.0), false);
+    const bool _e17 = hasTransmission;
+    bool dark_1 = pick(!(_e17), (wi_4.z < 0.0), false);
     vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
     float zi_2 = facing.z;
-    float _e18 = throughCover(o_11, zi_2, crossing_4);
-    isCoat = pick((o_11.coat > 0.0), true, (s_10.metallic < 1.0));
+    float _e28 = throughCover(o_11, zi_2, crossing_4);
+    const bool _e35 = hasCoats;
+    const bool _e37 = hasTransmission;
+    isCoat = pick(pick(_e35, true, _e37), pick((o_11.coat > 0.0), true, (s_10.metallic < 1.0)), false);
     while(true) {
-        bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
-        bool _e42 = isCoat;
-        vec2 alpha_16 = pick(_e42, vec2(o_11.coatAlpha), o_11.alpha);
+        const bool _e49 = hasTransmission;
+        bool _e51 = isCoat;
+        bool bends = pick(pick(pick(_e49, crossing_4, false), !(_e51), false), (l_5.solid > 0.0), false);
+        bool _e61 = isCoat;
+        vec2 alpha_16 = pick(_e61, vec2(o_11.coatAlpha), o_11.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_1 = max(alpha_16, vec2(0.001));
         vec3 met_1 = pick(bends, wi_4, facing);
@@ -974,92 +1060,119 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
         float oh_3 = dot(wo_12, h_7);
         float ih_1 = dot(met_1, h_7);
         bool faces_1 = pick(((oh_3 * h_7.z) >= 0.0), (((ih_1 * h_7.z) * met_1.z) >= 0.0), false);
-        float _e81 = ellipticDensity(h_7, wide_1);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_1, !(isSmooth_2), false), (2.0 * _e81), 0.0));
-        float _e89 = ellipticStretched(wo_12, wide_1);
-        float _e92 = ellipticStretched(facing, wide_1);
-        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
-        float _e98 = ellipticBound(wo_12, wide_1);
-        bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_1 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
-        bool _e115 = isCoat;
-        vec4 _e119 = baseReflectance(s_10, o_11, pick(pick(_e115, o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e120 = partingOf(s_10, o_11, _e119);
-        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_11.more)));
-        chosen = ((o_11.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_11.ratio * o_11.ratio), 1.0));
-        bool _e142 = isCoat;
-        if (_e142) {
-            intoBody = _e119.w;
+        float _e100 = ellipticDensity(h_7, wide_1);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_1, !(isSmooth_2), false), (2.0 * _e100), 0.0));
+        float _e108 = ellipticStretched(wo_12, wide_1);
+        float _e111 = ellipticStretched(facing, wide_1);
+        float masked_1 = (zi_2 / max(((zi_2 * _e108) + (wo_12.z * _e111)), 1e-20));
+        float _e117 = ellipticBound(wo_12, wide_1);
+        const bool _e119 = hasTransmission;
+        bool _e124 = isCoat;
+        float bound_3 = pick(pick(pick(_e119, (l_5.solid > 0.0), false), !(_e124), false), 1.0, _e117);
+        float density_1 = (spread_1 / ((bound_3 * wo_12.z) + _e108));
+        const bool _e138 = hasTransmission;
+        bool _e139 = isCoat;
+        vec4 _e144 = baseReflectance(s_10, o_11, pick(pick(pick(_e138, _e139, false), o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e145 = partingOf(s_10, o_11, _e144);
+        lobe = (_e28 * pick(crossing_4, _e145.beyond, (_e145.toward * o_11.more)));
+        chosen = ((o_11.ofFacets * pick(crossing_4, (1.0 - _e145.share), _e145.share)) * pick(bends, (o_11.ratio * o_11.ratio), 1.0));
+        const bool _e168 = hasCoats;
+        if (!(_e168)) {
+            const bool _e171 = hasTransmission;
+            if (!(_e171)) {
+                intoBody = _e144.w;
+            }
+        }
+        bool _e174 = isCoat;
+        if (_e174) {
+            intoBody = _e144.w;
             lobe = vec3(pick(crossing_4, 0.0, o_11.coat));
             chosen = pick(crossing_4, 0.0, o_11.ofCoat);
         }
-        vec4 _e151 = sum_1;
-        vec3 _e152 = lobe;
-        float _e155 = chosen;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_1)));
-        bool _e159 = isCoat;
-        if (!(_e159)) {
+        vec4 _e183 = sum_1;
+        vec3 _e184 = lobe;
+        float _e187 = chosen;
+        sum_1 = (_e183 + vec4((_e184 * (spread_1 * masked_1)), (_e187 * density_1)));
+        const bool _e192 = hasCoats;
+        if (!(_e192)) {
+            const bool _e195 = hasTransmission;
+            if (!(_e195)) {
+                break;
+            }
+        }
+        bool _e197 = isCoat;
+        if (!(_e197)) {
             break;
         }
         isCoat = false;
     }
-    if (pick(pick((o_11.sheenColor > 0.0), !(crossing_4), false), !(o_11.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-        float most = max(max(o_11.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_5.sheenRoughness);
-        float _e181 = whiteSheen(wo_12, wi_4, _e180);
-        float fibres_1 = (((1.0 - o_11.coat) * _e181) / most);
-        vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
+    const bool _e201 = hasSheen;
+    if (_e201) {
+        if (pick(pick((o_11.sheenColor > 0.0), !(crossing_4), false), !(o_11.inside), false)) {
+            float _e212 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+            float most = max(max(o_11.sheen, _e212), 1.0);
+            float _e220 = sheenAlpha(l_5.sheenRoughness);
+            float _e221 = whiteSheen(wo_12, wi_4, _e220);
+            float fibres_1 = (((1.0 - o_11.coat) * _e221) / most);
+            vec4 _e224 = sum_1;
+            sum_1 = (_e224 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
+        }
     }
     vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_10.baseColor));
-    float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e208 = sum_1;
-    float _e210 = ofBeyond(o_11);
-    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
+    float _e241 = intoBody;
+    vec3 matte = (((_e28 * _e241) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e248 = sum_1;
+    float _e250 = ofBeyond(o_11);
+    vec4 all_1 = (_e248 + (vec4(matte, pick(crossing_4, _e250, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
+    return pick(dark_1, vec4(0.0), all_1);
 }
 
 Pair evaluatePair(Surface s_11, Outgoing o_12, vec3 toLight, vec3 toSample) {
     Pair pair = Pair(vec4(0.0), vec4(0.0));
     bool isLight = false;
-    vec4 _e4 = evaluateBsdf(s_11, o_12, toLight);
-    vec4 _e5 = evaluateBsdf(s_11, o_12, toSample);
-    pair = Pair(_e4, _e5);
-    const bool _e9 = hasLayers;
-    if (_e9) {
-        bool _e14 = isLayered(uint(s_11.code), s_11.eta.x);
-        if (_e14) {
-            uint _e17 = frame.emitterCount;
-            isLight = (_e17 > 0u);
-            while(true) {
-                float _e22 = mirrorShare(s_11.reflectivity);
-                Stack _e26 = stackHere;
-                bool _e27 = isLight;
-                vec4 _e29 = evaluateLayered(s_11, _e26, pick(_e27, toLight, toSample));
-                vec4 value_2 = ((1.0 - _e22) * _e29);
-                bool _e31 = isLight;
-                if (_e31) {
-                    pair.toLight = value_2;
-                } else {
-                    pair.toSample = value_2;
-                }
-                bool _e34 = isLight;
-                if (!(_e34)) {
-                    break;
-                }
-                isLight = false;
+    vec4 value_1 = vec4(0.0);
+    const bool _e6 = hasLayers;
+    if (_e6) {
+        uint _e9 = frame.emitterCount;
+        isLight = (_e9 > 0u);
+        while(true) {
+            bool _e13 = isLight;
+            vec3 wi_5 = pick(_e13, toLight, toSample);
+            vec4 _e15 = evaluateBsdf(s_11, o_12, wi_5);
+            value_1 = _e15;
+            bool _e21 = isLayered(uint(s_11.code), s_11.eta.x);
+            if (_e21) {
+                float _e23 = mirrorShare(s_11.reflectivity);
+                Stack _e27 = stackHere;
+                vec4 _e28 = evaluateLayered(s_11, _e27, wi_5);
+                value_1 = ((1.0 - _e23) * _e28);
             }
+            bool _e30 = isLight;
+            if (_e30) {
+                vec4 _e32 = value_1;
+                pair.toLight = _e32;
+            } else {
+                vec4 _e34 = value_1;
+                pair.toSample = _e34;
+            }
+            bool _e35 = isLight;
+            if (!(_e35)) {
+                break;
+            }
+            isLight = false;
         }
+    } else {
+        vec4 _e38 = evaluateBsdf(s_11, o_12, toLight);
+        vec4 _e39 = evaluateBsdf(s_11, o_12, toSample);
+        pair = Pair(_e38, _e39);
     }
-    Pair _e37 = pair;
-    return _e37;
+    Pair _e41 = pair;
+    return _e41;
 }
 
-BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf > 0.0), (value_1.xyz / vec3(max(pdf, 1e-30))), vec3(0.0));
+BsdfSample completed(BsdfSample drawn_2, vec4 value_2) {
+    float pdf = pick((drawn_2.pdf <= 0.0), 0.0, value_2.w);
+    vec3 weight_2 = pick((pdf > 0.0), (value_2.xyz / vec3(max(pdf, 1e-30))), vec3(0.0));
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
 }
 

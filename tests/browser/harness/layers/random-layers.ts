@@ -61,3 +61,21 @@ export const someLayers = (random: Random, count: number): LayeredMaterial[] => 
   ...NAMED.map(([, m]) => m),
   ...Array.from({ length: count }, () => inFloats(randomLayers(random))),
 ];
+
+/** Layers that a program may know alone. Without any, the dielectric's index and reflectance may still be others than glTF's. */
+export const LAYER_KINDS = ['none', 'clearcoat', 'sheenColor', 'anisotropy', 'transmission', 'iridescence'] as const;
+
+/** The material without layers of other kinds. Diffuse transmission goes with transmission. */
+export function withOnly(m: LayeredMaterial, kind: (typeof LAYER_KINDS)[number]): LayeredMaterial {
+  const clear = kind === 'transmission';
+  return {
+    ...m,
+    clearcoat: kind === 'clearcoat' ? m.clearcoat : 0,
+    sheenColor: kind === 'sheenColor' ? m.sheenColor : [0, 0, 0],
+    anisotropy: kind === 'anisotropy' ? m.anisotropy : 0,
+    transmission: clear ? m.transmission : 0,
+    diffuseTransmission: clear ? m.diffuseTransmission : 0,
+    solid: clear && m.solid,
+    iridescence: kind === 'iridescence' ? m.iridescence : 0,
+  };
+}

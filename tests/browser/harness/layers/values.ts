@@ -1,14 +1,17 @@
 /** The kernels' layered BSDF against the double-precision one, which is written from the specifications. */
+import type { Device } from '../../../../packages/renderer/src/gpu/device.ts';
+import { isLayered } from '../../../../packages/renderer/src/scene/layered.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
 import { add, negate } from '../../../../packages/renderer/src/scene/vec3.ts';
 import { directionOf } from '../../../fixtures/bsdf-cases.ts';
+import { materialOf } from '../../../fixtures/layers/as-material.ts';
 import { evaluateLayered } from '../../../fixtures/layers/layered-bsdf.ts';
 import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';
 import { between, inCube, pick, type Random, seededRandom } from '../../../fixtures/random.ts';
 import { randomNumbers } from '../bsdf/cases.ts';
 import { type Answer, ASKED, askTable, floatVector, openDevice, type Question } from '../bsdf/questions.ts';
-import { albedoOfSheen, layerTable } from './materials.ts';
-import { someLayers } from './random-layers.ts';
+import { albedoOfSheen, layerTable, switchesOf } from './materials.ts';
+import { LAYER_KINDS, someLayers, withOnly } from './random-layers.ts';
 
 type Backend = 'webgpu' | 'webgl2';
 
@@ -101,31 +104,58 @@ const randomDirection = (random: Random): Vec3 => {
 };
 const heroOf = (m: LayeredMaterial, random: Random) => (m.dispersion > 0 && m.solid ? Math.floor(4 * random()) : 0);
 
-/** Directions at random and directions that samples give, at materials with all kinds of layers. */
-export async function probeLayers(backend: Backend, seed: number): Promise<LayersReport> {
-  const random = seededRandom(seed);
-  const materials = someLayers(random, MATERIALS);
+/** Directions at random and directions that samples give, at these materials by a program with these switches. */
+async function probe(
+  device: Device,
+  materials: readonly LayeredMaterial[],
+  report: LayersReport,
+  random: Random,
+  switches?: Record<string, boolean>,
+): Promise<void> {
   const table = layerTable(materials);
-  const first = Array.from({ length: QUESTIONS }, (_, k): Question => {
+  const first = Array.from({ length: report.asked }, (_, k): Question => {
     const surface = k % materials.length;
     const hero = heroOf(materials[surface]!, random);
     return { surface, wo: randomDirection(random), second: randomNumbers(random), asked: ASKED.sampledDirection, hero };
   });
-  const device = await openDevice(backend);
-  const sampled = await askTable(device, table, first);
+  const sampled = await askTable(device, table, first, switches);
   const questions = first.map((q, k): Question => {
     const [x, y, z, pdf] = sampled[k]!;
     const takesSample = pdf > 0 && Math.abs(z) > 1e-4 && k % 2 === 0;
     return { ...q, asked: ASKED.evaluation, second: takesSample ? [x, y, z] : randomDirection(random) };
   });
-  const answers = await askTable(device, table, questions);
-  device.destroy();
-  const report = newReport();
+  const answers = await askTable(device, table, questions, switches);
   questions.forEach((q, k) => {
     const m = materials[q.surface]!;
     complain(report, judge(report, m, q, q.second, answers[k]!, random), { m, wo: q.wo, wi: q.second, hero: q.hero });
   });
+}
+
+/** Materials with all kinds of layers, by a program that knows all. */
+export async function probeLayers(backend: Backend, seed: number): Promise<LayersReport> {
+  const random = seededRandom(seed);
+  const report = newReport();
+  const device = await openDevice(backend);
+  await probe(device, someLayers(random, MATERIALS), report, random);
+  device.destroy();
   return report;
+}
+
+/** Kinds of layer, each by the program that a scene with this kind alone is drawn by. */
+export async function probeLayersAlone(backend: Backend, seed: number): Promise<LayersReport[]> {
+  const random = seededRandom(seed);
+  const device = await openDevice(backend);
+  const reports: LayersReport[] = [];
+  for (const kind of LAYER_KINDS) {
+    const materials = someLayers(random, 40)
+      .map((m) => withOnly(m, kind))
+      .filter((m) => isLayered(materialOf(m)));
+    const report = { ...newReport(), asked: 1024, examples: [] };
+    await probe(device, materials, report, random, switchesOf(materials));
+    reports.push(report);
+  }
+  device.destroy();
+  return reports;
 }
 
 const ALONG: readonly Vec3[] = [[1, 0, 0], [0, -1, 0], floatVector(directionOf(0, 1)), [0, 0, 1], [0, 0, -1], floatVector(directionOf(1e-20, 2))]; // biome-ignore format: one line

@@ -7,7 +7,7 @@ import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-sc
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
-import { isLayered } from '../../scene/layered.ts';
+import { hasCoat, hasGrain, hasSheen, isClear, isLayered } from '../../scene/layered.ts';
 import { meshShapes } from '../../scene/placed.ts';
 import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
@@ -71,8 +71,6 @@ function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [strin
   };
 }
 
-const hasGrain = (material: Material): boolean => isLayered(material) && (material.anisotropy?.strength ?? 0) > 0;
-
 function lightFeatures({ kinds, far, near }: EmitterPlan) {
   const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));
   return {
@@ -97,6 +95,10 @@ function materialFeatures(materials: readonly Material[]) {
     hasGlass: has('dielectric'),
     hasCompensation: materials.some(({ energyCompensation }) => energyCompensation),
     hasLayers: materials.some(isLayered),
+    hasCoats: materials.some(hasCoat),
+    hasSheen: materials.some(hasSheen),
+    hasGrain: materials.some(hasGrain),
+    hasTransmission: materials.some(isClear),
     hasIridescence: materials.some((material) => isLayered(material) && (material.iridescence?.weight ?? 0) > 0),
   };
 }

@@ -357,6 +357,16 @@ const bool hasMetallicRoughness = false;
 
 const bool hasTextures = false;
 
+const bool hasTransmission = false;
+
+const bool hasCoats = false;
+
+const bool hasSheen = false;
+
+const bool hasIridescence = false;
+
+const bool hasGrain = false;
+
 const bool hasGlass = false;
 
 vec3 grainHere = vec3(0.0);
@@ -1499,35 +1509,53 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     layersHere.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
     vec3 _e13 = layersHere.specularColor;
     layersHere.specularColor = (_e13 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e23 = layersHere.transmission;
-    layersHere.transmission = (_e23 * pick((slot == transmissionSlot), texel_1.x, 1.0));
-    float _e32 = layersHere.beyond;
-    layersHere.beyond = (_e32 * pick((slot == beyondSlot), texel_1.w, 1.0));
-    vec3 _e41 = layersHere.beyondColor;
-    layersHere.beyondColor = (_e41 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e51 = layersHere.coat;
-    layersHere.coat = (_e51 * pick((slot == coatSlot), texel_1.x, 1.0));
-    float _e60 = layersHere.coatRoughness;
-    layersHere.coatRoughness = (_e60 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
-    vec3 _e69 = layersHere.sheenColor;
-    layersHere.sheenColor = (_e69 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e79 = layersHere.sheenRoughness;
-    layersHere.sheenRoughness = (_e79 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
-    float _e88 = layersHere.film;
-    layersHere.film = (_e88 * pick((slot == filmSlot), texel_1.x, 1.0));
-    float _e99 = layersHere.filmThickness;
-    float _e102 = layersHere.filmLeast;
-    float _e105 = layersHere.filmThickness;
-    layersHere.filmThickness = pick((slot == filmThicknessSlot), mix(_e102, _e105, texel_1.y), _e99);
-    bool isGrain = (slot == anisotropySlot);
-    float _e115 = layersHere.anisotropy;
-    layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
-    vec2 given = ((2.0 * texel_1.xy) - vec2(1.0));
-    float size_3 = dot(given, given);
-    vec2 d_3 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
-    vec2 own_5 = layersHere.grain;
-    layersHere.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
-    return;
+    const bool _e22 = hasTransmission;
+    if (_e22) {
+        float _e25 = layersHere.transmission;
+        layersHere.transmission = (_e25 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+        float _e34 = layersHere.beyond;
+        layersHere.beyond = (_e34 * pick((slot == beyondSlot), texel_1.w, 1.0));
+        vec3 _e43 = layersHere.beyondColor;
+        layersHere.beyondColor = (_e43 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    }
+    const bool _e52 = hasCoats;
+    if (_e52) {
+        float _e55 = layersHere.coat;
+        layersHere.coat = (_e55 * pick((slot == coatSlot), texel_1.x, 1.0));
+        float _e64 = layersHere.coatRoughness;
+        layersHere.coatRoughness = (_e64 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    }
+    const bool _e72 = hasSheen;
+    if (_e72) {
+        vec3 _e75 = layersHere.sheenColor;
+        layersHere.sheenColor = (_e75 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+        float _e85 = layersHere.sheenRoughness;
+        layersHere.sheenRoughness = (_e85 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    }
+    const bool _e93 = hasIridescence;
+    if (_e93) {
+        float _e96 = layersHere.film;
+        layersHere.film = (_e96 * pick((slot == filmSlot), texel_1.x, 1.0));
+        float _e105 = layersHere.filmLeast;
+        float _e108 = layersHere.filmThickness;
+        float thickness = mix(_e105, _e108, texel_1.y);
+        float _e115 = layersHere.filmThickness;
+        layersHere.filmThickness = pick((slot == filmThicknessSlot), thickness, _e115);
+    }
+    const bool _e120 = hasGrain;
+    if (_e120) {
+        bool isGrain = (slot == anisotropySlot);
+        float _e125 = layersHere.anisotropy;
+        layersHere.anisotropy = (_e125 * pick(isGrain, texel_1.z, 1.0));
+        vec2 given = ((2.0 * texel_1.xy) - vec2(1.0));
+        float size_3 = dot(given, given);
+        vec2 d_3 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+        vec2 own_5 = layersHere.grain;
+        layersHere.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
+        return;
+    } else {
+        return;
+    }
 }
 
 vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
@@ -1609,8 +1637,9 @@ bool isDielectric(uint code_6) {
 
 bool letsThrough(uint code_7, float eta_2) {
     bool _e2 = isDielectric(code_7);
-    bool _e3 = isLayered(code_7, eta_2);
-    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+    const bool _e4 = hasTransmission;
+    bool _e5 = isLayered(code_7, eta_2);
+    return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_2 < 0.0), false));
 }
 
 vec3 tangentAbout(vec3 normal_2) {
@@ -1672,7 +1701,7 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
             normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
         }
     }
-    const bool _e99 = hasLayers;
+    const bool _e99 = hasGrain;
     if (_e99) {
         grainHere = vec3(0.0);
         float _e105 = layersHere.anisotropy;

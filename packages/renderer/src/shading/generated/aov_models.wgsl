@@ -1281,7 +1281,7 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
   }
-  if (hasLayers) {
+  if (hasGrain) {
     grainHere = vec3f(0.0);
     if (layersHere.anisotropy > 0.0) {
       grainHere = grainAt(normals.shading, tangent, bitangent, layersHere.grain);
@@ -1337,7 +1337,8 @@ fn fetchSurface(i: u32) -> Surface {
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
 
-// What glTF's extensions add to metallicRoughness, and the one of them that is long.
+// What glTF's extensions add to metallicRoughness: any of them, and those that take a program something of their own. Light that goes
+// through is one, be it by facets or diffusely.
 override hasLayers = false;
 
 struct Normals {
@@ -1493,7 +1494,7 @@ override hasTextures = false;
 
 // Whether light may go through the surface.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
 }
 
 // `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
@@ -1613,28 +1614,49 @@ const normalSlot = 3u;
 fn takeUpLayer(slot: u32, texel: vec4f) {
   layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
   layersHere.specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
-  layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
-  layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
-  layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
-  layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
-  layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
-  layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
-  layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
-  layersHere.film *= select(1.0, texel.r, slot == filmSlot);
-  layersHere.filmThickness = select(layersHere.filmThickness, mix(layersHere.filmLeast, layersHere.filmThickness, texel.g), slot == filmThicknessSlot);
-  let isGrain = slot == anisotropySlot;
-  layersHere.anisotropy *= select(1.0, texel.b, isGrain);
-  // A direction in the frame of tangents, which the material's angle turns.
-  let given = 2.0 * texel.rg - 1.0;
-  let size = dot(given, given);
-  let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
-  let own = layersHere.grain;
-  layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+  if (hasTransmission) {
+    layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
+    layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
+    layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
+  }
+  if (hasCoats) {
+    layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
+    layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
+  }
+  if (hasSheen) {
+    layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
+    layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
+  }
+  if (hasIridescence) {
+    layersHere.film *= select(1.0, texel.r, slot == filmSlot);
+    let thickness = mix(layersHere.filmLeast, layersHere.filmThickness, texel.g);
+    layersHere.filmThickness = select(layersHere.filmThickness, thickness, slot == filmThicknessSlot);
+  }
+  if (hasGrain) {
+    let isGrain = slot == anisotropySlot;
+    layersHere.anisotropy *= select(1.0, texel.b, isGrain);
+    // A direction in the frame of tangents, which the material's angle turns.
+    let given = 2.0 * texel.rg - 1.0;
+    let size = dot(given, given);
+    let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
+    let own = layersHere.grain;
+    layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+  }
 }
 
 const specularWeightSlot = 4u;
 
 const specularColorSlot = 5u;
+
+override hasTransmission = false;
+
+override hasCoats = false;
+
+override hasSheen = false;
+
+override hasIridescence = false;
+
+override hasGrain = false;
 
 const transmissionSlot = 6u;
 

@@ -270,6 +270,7 @@ const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
 const LeftTriangle noTriangle = LeftTriangle(4294967295u, 0u);
 const uint dielectric = 3u;
+const bool hasTransmission = false;
 const bool hasLayers = false;
 const uint metallicRoughness = 1u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
@@ -933,8 +934,8 @@ bool isLayered(uint code_3, float eta) {
 
 bool letsThrough(uint code_4, float eta_1) {
     bool _e2 = isDielectric(code_4);
-    bool _e3 = isLayered(code_4, eta_1);
-    return pick(_e2, true, pick(_e3, (eta_1 < 0.0), false));
+    bool _e4 = isLayered(code_4, eta_1);
+    return pick(_e2, true, pick(pick(hasTransmission, _e4, false), (eta_1 < 0.0), false));
 }
 
 Basis basisAbout(vec3 n) {
@@ -2066,9 +2067,11 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
 
 Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
     Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
-    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
-    vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
-    pair_2 = Pair(_e4, _e5);
+    {
+        vec4 _e5 = evaluateBsdf(s_17, o_5, toLight_1);
+        vec4 _e6 = evaluateBsdf(s_17, o_5, toSample);
+        pair_2 = Pair(_e5, _e6);
+    }
     Pair _e8 = pair_2;
     return _e8;
 }
@@ -2133,7 +2136,7 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     Basis _e36 = basis;
     vec3 _e39 = toLocal(_e36, -(rays_1.direction));
     const bool _e41 = hasGlass;
-    if (pick(_e41, true, hasLayers)) {
+    if (pick(_e41, true, hasTransmission)) {
         float _e45 = surface_1.code;
         bool _e47 = isThin(uint(_e45));
         bool inside_4 = pick(pick(pick(_e19, !(_e47), false), (_e39.z < 0.0), false), !(escaped_1), false);

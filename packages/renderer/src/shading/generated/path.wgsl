@@ -267,7 +267,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   var basis = basisAbout(normal);
   
   let wo = toLocal(basis, -rays.direction);
-  if (hasGlass | hasLayers) {
+  if (hasGlass | hasTransmission) {
     let inside = isClear & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
@@ -337,7 +337,7 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
 
 // Whether light may go through the surface.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -347,14 +347,13 @@ fn basisAbout(n: vec3f) -> Basis {
   return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
 }
 
-// What glTF's extensions add to metallicRoughness, and the one of them that is long.
-const hasLayers = false;
-
 fn toLocal(b: Basis, v: vec3f) -> vec3f {
   return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
 }
 
 override hasGlass = false;
+
+const hasTransmission = false;
 
 fn fetchEmitter(i: u32) -> Emitter {
   let t0 = tableTexel(14u, i);
@@ -570,11 +569,13 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
-// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
+// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. With layers that is done in a loop, so that they stand
+// in the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
-  
+  var pair: Pair;
+  {
+    pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+  }
   return pair;
 }
 
@@ -702,6 +703,10 @@ fn fetchSurface(i: u32) -> Surface {
   let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
+
+// What glTF's extensions add to metallicRoughness: any of them, and those that take a program something of their own. Light that goes
+// through is one, be it by facets or diffusely.
+const hasLayers = false;
 
 struct Normals {
   geometric: vec3f,

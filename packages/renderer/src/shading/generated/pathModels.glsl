@@ -538,6 +538,16 @@ const bool hasMetallicRoughness = false;
 
 const bool hasTextures = false;
 
+const bool hasTransmission = false;
+
+const bool hasCoats = false;
+
+const bool hasSheen = false;
+
+const bool hasIridescence = false;
+
+const bool hasGrain = false;
+
 const bool hasGlass = false;
 
 vec3 grainHere = vec3(0.0);
@@ -569,8 +579,6 @@ const bool hasConductors = false;
 Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasCompensation = false;
-
-const bool hasIridescence = false;
 
 const bool hasMirrorLayers = true;
 
@@ -754,8 +762,8 @@ vec2 concentricDisc(vec2 u_2) {
     vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
     bool wide = (abs(p_15.x) > abs(p_15.y));
     float radius_1 = pick(wide, p_15.x, p_15.y);
-    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
-    float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
+    float ratio_7 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio_7), (1.5707964 - (0.7853982 * ratio_7)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
 
@@ -1096,8 +1104,8 @@ TextureUse fetchTextureUse(uint row_7) {
 }
 
 Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
-    float at_1 = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
+    float inside_1 = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
+    float at_1 = ((inside_1 * float(size)) - pick(nearest, 0.0, 0.5));
     float low_1 = floor(at_1);
     int last = (int(size) - 1);
     int first = int(low_1);
@@ -1320,12 +1328,12 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 if (_e281) {
                     float inverse_2 = (1.0 / _e252.sum);
                     uint _e287 = instance_1;
-                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_6, (_e252.weights * inverse_2), false);
+                    MeshHit met_1 = MeshHit((_e252.depth * inverse_2), _e287, place_6, (_e252.weights * inverse_2), false);
                     const bool _e293 = hasCutouts;
                     if (_e293) {
                         uint _e294 = cover;
                         if (((_e294 & coverRow) != 0u)) {
-                            doubted = met;
+                            doubted = met_1;
                             break;
                         }
                     }
@@ -1334,8 +1342,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                         found_5.blocked = true;
                         break;
                     }
-                    most = met.t;
-                    found_5 = met;
+                    most = met_1.t;
+                    found_5 = met_1;
                 }
             } else {
                 uint _e303 = current;
@@ -1589,10 +1597,10 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
     const bool _e21 = hasBoxes;
     if (_e21) {
         Extent _e22 = fetchExtent(i_14);
-        bool inside_1 = pick((i_14 == p_8.shape), p_8.inwards, false);
+        bool inside_2 = pick((i_14 == p_8.shape), p_8.inwards, false);
         vec3 _e28 = turned(_e22.a, origin_10);
         vec3 _e31 = turned(_e22.a, p_8.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside_1);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside_2);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
         bool _e39 = isBox(i_14);
@@ -1732,35 +1740,53 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     layersHere.specularWeight = (_e4 * pick((slot == specularWeightSlot), texel_1.w, 1.0));
     vec3 _e13 = layersHere.specularColor;
     layersHere.specularColor = (_e13 * pick((slot == specularColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e23 = layersHere.transmission;
-    layersHere.transmission = (_e23 * pick((slot == transmissionSlot), texel_1.x, 1.0));
-    float _e32 = layersHere.beyond;
-    layersHere.beyond = (_e32 * pick((slot == beyondSlot), texel_1.w, 1.0));
-    vec3 _e41 = layersHere.beyondColor;
-    layersHere.beyondColor = (_e41 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e51 = layersHere.coat;
-    layersHere.coat = (_e51 * pick((slot == coatSlot), texel_1.x, 1.0));
-    float _e60 = layersHere.coatRoughness;
-    layersHere.coatRoughness = (_e60 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
-    vec3 _e69 = layersHere.sheenColor;
-    layersHere.sheenColor = (_e69 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
-    float _e79 = layersHere.sheenRoughness;
-    layersHere.sheenRoughness = (_e79 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
-    float _e88 = layersHere.film;
-    layersHere.film = (_e88 * pick((slot == filmSlot), texel_1.x, 1.0));
-    float _e99 = layersHere.filmThickness;
-    float _e102 = layersHere.filmLeast;
-    float _e105 = layersHere.filmThickness;
-    layersHere.filmThickness = pick((slot == filmThicknessSlot), mix(_e102, _e105, texel_1.y), _e99);
-    bool isGrain = (slot == anisotropySlot);
-    float _e115 = layersHere.anisotropy;
-    layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
-    vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
-    float size_3 = dot(given_2, given_2);
-    vec2 d_3 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
-    vec2 own_6 = layersHere.grain;
-    layersHere.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
-    return;
+    const bool _e22 = hasTransmission;
+    if (_e22) {
+        float _e25 = layersHere.transmission;
+        layersHere.transmission = (_e25 * pick((slot == transmissionSlot), texel_1.x, 1.0));
+        float _e34 = layersHere.beyond;
+        layersHere.beyond = (_e34 * pick((slot == beyondSlot), texel_1.w, 1.0));
+        vec3 _e43 = layersHere.beyondColor;
+        layersHere.beyondColor = (_e43 * pick((slot == beyondColorSlot), texel_1.xyz, vec3(1.0)));
+    }
+    const bool _e52 = hasCoats;
+    if (_e52) {
+        float _e55 = layersHere.coat;
+        layersHere.coat = (_e55 * pick((slot == coatSlot), texel_1.x, 1.0));
+        float _e64 = layersHere.coatRoughness;
+        layersHere.coatRoughness = (_e64 * pick((slot == coatRoughnessSlot), texel_1.y, 1.0));
+    }
+    const bool _e72 = hasSheen;
+    if (_e72) {
+        vec3 _e75 = layersHere.sheenColor;
+        layersHere.sheenColor = (_e75 * pick((slot == sheenColorSlot), texel_1.xyz, vec3(1.0)));
+        float _e85 = layersHere.sheenRoughness;
+        layersHere.sheenRoughness = (_e85 * pick((slot == sheenRoughnessSlot), texel_1.w, 1.0));
+    }
+    const bool _e93 = hasIridescence;
+    if (_e93) {
+        float _e96 = layersHere.film;
+        layersHere.film = (_e96 * pick((slot == filmSlot), texel_1.x, 1.0));
+        float _e105 = layersHere.filmLeast;
+        float _e108 = layersHere.filmThickness;
+        float thickness_1 = mix(_e105, _e108, texel_1.y);
+        float _e115 = layersHere.filmThickness;
+        layersHere.filmThickness = pick((slot == filmThicknessSlot), thickness_1, _e115);
+    }
+    const bool _e120 = hasGrain;
+    if (_e120) {
+        bool isGrain = (slot == anisotropySlot);
+        float _e125 = layersHere.anisotropy;
+        layersHere.anisotropy = (_e125 * pick(isGrain, texel_1.z, 1.0));
+        vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
+        float size_3 = dot(given_2, given_2);
+        vec2 d_3 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+        vec2 own_6 = layersHere.grain;
+        layersHere.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
+        return;
+    } else {
+        return;
+    }
 }
 
 vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
@@ -1842,8 +1868,9 @@ bool isDielectric(uint code_6) {
 
 bool letsThrough(uint code_7, float eta_2) {
     bool _e2 = isDielectric(code_7);
-    bool _e3 = isLayered(code_7, eta_2);
-    return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+    const bool _e4 = hasTransmission;
+    bool _e5 = isLayered(code_7, eta_2);
+    return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_2 < 0.0), false));
 }
 
 vec3 tangentAbout(vec3 normal_2) {
@@ -1905,7 +1932,7 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
             normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
         }
     }
-    const bool _e99 = hasLayers;
+    const bool _e99 = hasGrain;
     if (_e99) {
         grainHere = vec3(0.0);
         float _e105 = layersHere.anisotropy;
@@ -2005,15 +2032,15 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_6 = uvec2(_e3);
-    uint left_1 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
+    uint left_2 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
     uint right = pick((cell.x == size_6.x), 0u, cell.x);
     uint upper_1 = (max(cell.y, 1u) - 1u);
     uint lower_1 = min(cell.y, (size_6.y - 1u));
     vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_6.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_2, upper_1)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_2, lower_1)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
     return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
 }
@@ -2070,10 +2097,10 @@ SphereView viewSphere(Emitter e_1, vec3 point) {
     vec3 toCenter_2 = (e_1.position - point);
     float d_4 = length(toCenter_2);
     float power = abs(((d_4 - e_1.radius) * (d_4 + e_1.radius)));
-    bool inside_2 = (d_4 <= e_1.radius);
+    bool inside_3 = (d_4 <= e_1.radius);
     float sine_2 = min((e_1.radius / max(d_4, 1e-30)), 1.0);
     float cosine_18 = (sqrt(power) / max(d_4, 1e-30));
-    return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
+    return SphereView(toCenter_2, d_4, power, inside_3, pick(inside_3, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
 }
 
 float conePdf(float width) {
@@ -2236,10 +2263,10 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 z_4 = (n_3.z - vec4(point_7.z));
     vec4 distance2_ = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
     vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
-    bvec4 inside_3 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
+    bvec4 inside_4 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
-    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_4);
     vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
@@ -2247,11 +2274,11 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
-    vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
+    vec4 cosOut = mix(_e64, vec4(1.0), inside_4);
     vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_11)) + (normal_7.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_4);
     vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_2);
     vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_, (n_3.reach * n_3.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
@@ -2430,8 +2457,8 @@ float listedProbability(Emitter e_15, vec3 point_11, vec3 normal_11, Odds odds_1
 }
 
 float misWeight(float own_1, float other) {
-    float ratio_7 = (other / own_1);
-    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
+    float ratio_8 = (other / own_1);
+    return (1.0 / (1.0 + (ratio_8 * ratio_8)));
 }
 
 vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
@@ -2999,13 +3026,13 @@ bool isConductor(uint code_10) {
     return pick(_e2, (_e3 == conductor), false);
 }
 
+vec2 ellipticAlpha(float alpha, float strength) {
+    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
+}
+
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
     float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
     return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
-}
-
-vec2 ellipticAlpha(float alpha, float strength) {
-    return pick((strength > 0.0), vec2(mix(alpha, 1.0, (strength * strength)), max(alpha, 0.001)), vec2(alpha));
 }
 
 float greatest(vec3 v_7) {
@@ -3101,47 +3128,59 @@ bool reflectsAll(float cosine_7, float ratio_1) {
 }
 
 vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
+    float outer = 0.0;
     vec3 dielectric = vec3(0.0);
     vec3 metal = vec3(0.0);
     bool isMetal = false;
     Layers l_3 = o_2.layers;
-    float _e5 = cosineInAir(cosine_8, o_2.ratio);
-    vec3 _e6 = dielectricF0_(l_3);
-    vec3 _e8 = schlick(_e6, _e5);
-    dielectric = (l_3.specularWeight * _e8);
-    vec3 _e12 = schlick(s_13.baseColor, _e5);
-    metal = _e12;
-    const bool _e15 = hasIridescence;
-    if (_e15) {
+    outer = cosine_8;
+    const bool _e6 = hasTransmission;
+    if (_e6) {
+        float _e8 = cosineInAir(cosine_8, o_2.ratio);
+        outer = _e8;
+    }
+    vec3 _e9 = dielectricF0_(l_3);
+    float _e11 = outer;
+    vec3 _e12 = schlick(_e9, _e11);
+    dielectric = (l_3.specularWeight * _e12);
+    float _e16 = outer;
+    vec3 _e17 = schlick(s_13.baseColor, _e16);
+    metal = _e17;
+    const bool _e20 = hasIridescence;
+    if (_e20) {
         if ((l_3.film > 0.0)) {
             isMetal = (s_13.metallic >= 1.0);
             while(true) {
-                bool _e26 = isMetal;
-                vec3 _e30 = filmReflectance(pick(_e26, s_13.baseColor, (l_3.specularWeight * _e6)), l_3.filmIor, l_3.filmThickness, _e5);
                 bool _e31 = isMetal;
-                if (_e31) {
-                    vec3 _e32 = metal;
-                    metal = mix(_e32, _e30, l_3.film);
+                float _e35 = outer;
+                vec3 _e36 = filmReflectance(pick(_e31, s_13.baseColor, (l_3.specularWeight * _e9)), l_3.filmIor, l_3.filmThickness, _e35);
+                bool _e37 = isMetal;
+                if (_e37) {
+                    vec3 _e38 = metal;
+                    metal = mix(_e38, _e36, l_3.film);
                 } else {
-                    vec3 _e35 = dielectric;
-                    dielectric = mix(_e35, _e30, l_3.film);
+                    vec3 _e41 = dielectric;
+                    dielectric = mix(_e41, _e36, l_3.film);
                 }
-                bool _e38 = isMetal;
-                if (pick(_e38, true, (s_13.metallic <= 0.0))) {
+                bool _e44 = isMetal;
+                if (pick(_e44, true, (s_13.metallic <= 0.0))) {
                     break;
                 }
                 isMetal = true;
             }
         }
     }
-    vec3 _e44 = dielectric;
-    bool _e48 = reflectsAll(cosine_8, o_2.ratio);
-    dielectric = pick(_e48, vec3(1.0), _e44);
-    vec3 _e50 = dielectric;
-    vec3 _e51 = metal;
-    vec3 _e57 = dielectric;
-    float _e58 = greatest(_e57);
-    return vec4(mix(_e50, _e51, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e58)));
+    const bool _e51 = hasTransmission;
+    if (_e51) {
+        vec3 _e52 = dielectric;
+        bool _e56 = reflectsAll(cosine_8, o_2.ratio);
+        dielectric = pick(_e56, vec3(1.0), _e52);
+    }
+    vec3 _e58 = dielectric;
+    vec3 _e59 = metal;
+    vec3 _e65 = dielectric;
+    float _e66 = greatest(_e65);
+    return vec4(mix(_e58, _e59, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e66)));
 }
 
 float mean3_(vec3 v_8) {
@@ -3149,62 +3188,95 @@ float mean3_(vec3 v_8) {
 }
 
 Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
+    bool inside = false;
+    float ratio_2 = 1.0;
+    vec2 alpha_2 = vec2(0.0);
+    float coat_1 = 0.0;
+    float sheenColor = 0.0;
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     float side_8 = pick((given.z < 0.0), -1.0, 1.0);
     vec3 wo_8 = vec3(given.xy, (given.z * side_8));
-    bool isSolid = (l_2.solid > 0.0);
-    bool inside_4 = pick(isSolid, (side_8 < 0.0), false);
-    float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
-    float ratio_8 = pick(isSolid, pick(inside_4, (1.0 / _e22), _e22), 1.0);
-    bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
-    vec2 _e39 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
-    vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
+    vec2 _e20 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
+    alpha_2 = _e20;
+    const bool _e23 = hasTransmission;
+    if (_e23) {
+        bool isSolid = (l_2.solid > 0.0);
+        inside = pick(isSolid, (side_8 < 0.0), false);
+        float _e32 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
+        bool _e35 = inside;
+        ratio_2 = pick(isSolid, pick(_e35, (1.0 / _e32), _e32), 1.0);
+        bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e32 - 1.0) < 0.001), false);
+        vec2 _e48 = alpha_2;
+        alpha_2 = pick(flat_, vec2(0.0), _e48);
+    }
+    const bool _e55 = hasCoats;
+    if (_e55) {
+        float _e58 = coatReflectance(l_2.coat, wo_8.z);
+        bool _e59 = inside;
+        coat_1 = pick(_e59, 0.0, _e58);
+    }
     float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
-    float _e48 = coatReflectance(l_2.coat, wo_8.z);
-    float coat_1 = pick(inside_4, 0.0, _e48);
-    float _e52 = greatest(l_2.sheenColor);
-    if ((_e52 > 0.0)) {
-        float _e59 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
-        sheen = pick(inside_4, 0.0, _e59);
+    const bool _e70 = hasSheen;
+    if (_e70) {
+        float _e72 = greatest(l_2.sheenColor);
+        sheenColor = _e72;
+        float _e73 = sheenColor;
+        if ((_e73 > 0.0)) {
+            float _e78 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
+            bool _e79 = inside;
+            sheen = pick(_e79, 0.0, _e78);
+        }
     }
-    vec3 _e63 = dielectricF0_(l_2);
-    vec3 f0_3 = (l_2.specularWeight * _e63);
-    const bool _e69 = hasCompensation;
-    if (_e69) {
-        float _e75 = singleScatteringAlbedo(wo_8.z, sqrt((alpha_14.x * alpha_14.y)));
+    vec3 _e83 = dielectricF0_(l_2);
+    vec3 f0_3 = (l_2.specularWeight * _e83);
+    const bool _e89 = hasCompensation;
+    if (_e89) {
+        float _e92 = alpha_2.x;
+        float _e94 = alpha_2.y;
+        float _e97 = singleScatteringAlbedo(wo_8.z, sqrt((_e92 * _e94)));
         bool asked = pick(((uint(s_14.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
-        vec3 _e86 = more;
-        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, s_14.metallic) * ((1.0 - _e75) / _e75))), _e86);
+        vec3 _e108 = more;
+        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, s_14.metallic) * ((1.0 - _e97) / _e97))), _e108);
     }
-    vec3 _e98 = more;
-    float _e99 = sheen;
-    o_3 = Stack(l_2, wo_8, side_8, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
-    Stack _e106 = o_3;
-    vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
-    float _e111 = sheen;
-    float below_2 = ((1.0 - coat_1) * (1.0 - (_e52 * min(_e111, 1.0))));
+    float _e120 = ratio_2;
+    bool _e121 = inside;
+    vec3 _e122 = more;
+    vec2 _e123 = alpha_2;
+    float _e124 = coat_1;
+    float _e125 = sheen;
+    float _e126 = sheenColor;
+    o_3 = Stack(l_2, wo_8, side_8, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
+    Stack _e133 = o_3;
+    vec4 _e135 = baseReflectance(s_14, _e133, wo_8.z);
+    float _e136 = coat_1;
+    float _e139 = sheenColor;
+    float _e140 = sheen;
+    float below_2 = ((1.0 - _e136) * (1.0 - (_e139 * min(_e140, 1.0))));
     float film_1 = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
-    float _e127 = mean3_(_e108.xyz);
-    float _e133 = mean3_(s_14.baseColor);
-    float facets = (below_2 * ((_e127 + film_1) + ((_e108.w * l_2.transmission) * _e133)));
-    float _e139 = sheen;
-    float _e142 = mean3_(l_2.sheenColor);
-    float fibres = (((1.0 - coat_1) * _e139) * _e142);
-    float _e148 = greatest(f0_3);
-    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e148)) * (1.0 - l_2.transmission));
-    float _e161 = mean3_(s_14.baseColor);
-    float diffuse = ((body * (1.0 - l_2.beyond)) * _e161);
-    float _e166 = mean3_(l_2.beyondColor);
-    float beyond = ((body * l_2.beyond) * _e166);
-    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    o_3.ofCoat = (coat_1 / all_);
+    float _e156 = mean3_(_e135.xyz);
+    float _e162 = mean3_(s_14.baseColor);
+    float facets = (below_2 * ((_e156 + film_1) + ((_e135.w * l_2.transmission) * _e162)));
+    float _e166 = coat_1;
+    float _e169 = sheen;
+    float _e172 = mean3_(l_2.sheenColor);
+    float fibres = (((1.0 - _e166) * _e169) * _e172);
+    float _e178 = greatest(f0_3);
+    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e178)) * (1.0 - l_2.transmission));
+    float _e191 = mean3_(s_14.baseColor);
+    float diffuse = ((body * (1.0 - l_2.beyond)) * _e191);
+    float _e196 = mean3_(l_2.beyondColor);
+    float beyond = ((body * l_2.beyond) * _e196);
+    float _e198 = coat_1;
+    float all_ = max(((((_e198 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    float _e206 = coat_1;
+    o_3.ofCoat = (_e206 / all_);
     o_3.ofFacets = (facets / all_);
     o_3.ofSheen = (fibres / all_);
     o_3.ofDiffuse = (diffuse / all_);
-    Stack _e182 = o_3;
-    return _e182;
+    Stack _e214 = o_3;
+    return _e214;
 }
 
 vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
@@ -3229,15 +3301,15 @@ float indexRatio(float eta_3, float z, bool thin) {
     return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
 }
 
-float reflectionBound(vec3 wo, float alpha_2) {
+float reflectionBound(vec3 wo, float alpha_3) {
     float s_28 = (1.0 + length(wo.xy));
     float s2_ = (s_28 * s_28);
-    float a2_1 = (alpha_2 * alpha_2);
+    float a2_1 = (alpha_3 * alpha_3);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w_1, float alpha_3) {
-    return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
+float stretched(vec3 w_1, float alpha_4) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_4 * alpha_4) * dot(w_1.xy, w_1.xy))));
 }
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
@@ -3294,19 +3366,19 @@ vec3 sampleCosine(vec2 u_22) {
     return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_22.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_23) {
-    float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_23) {
+    float _e8 = stretched(wo_2, alpha_5);
+    vec3 w_5 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
     float drop = (u_23.y * (1.0 + (bound * w_5.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+    return normalize(vec3((alpha_5 * h_7.xy), max(h_7.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_24) {
+vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_24) {
     float side_9 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_5, 0.001), o_5.bound, u_24);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_6, 0.001), o_5.bound, u_24);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
 }
 
@@ -3335,20 +3407,20 @@ vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_1
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
-float dielectricFresnel(float cosine_13, float ratio_2) {
-    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
+float dielectricFresnel(float cosine_13, float ratio_3) {
+    float inside2_ = (((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_13 * cosine_13));
     float inside_5 = sqrt(max(inside2_, 0.0));
     float across_9 = ((cosine_13 - inside_5) / (cosine_13 + inside_5));
-    float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_5) / (((ratio_2 * ratio_2) * cosine_13) + inside_5));
+    float along_4 = ((((ratio_3 * ratio_3) * cosine_13) - inside_5) / (((ratio_3 * ratio_3) * cosine_13) + inside_5));
     return pick((inside2_ > 0.0), (0.5 * ((across_9 * across_9) + (along_4 * along_4))), 1.0);
 }
 
-float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_14, ratio_3);
+float glassReflectance(float cosine_14, float ratio_4, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_14, ratio_4);
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
+vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_5) {
     vec3 reflectance = vec3(0.0);
     uint code_13 = uint(s_16.code);
     const bool _e9 = hasMetallicRoughness;
@@ -3368,7 +3440,7 @@ vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     if (_e24) {
         vec3 _e25 = reflectance;
         bool _e26 = isThin(code_13);
-        float _e27 = glassReflectance(cosine_15, ratio_4, _e26);
+        float _e27 = glassReflectance(cosine_15, ratio_5, _e26);
         bool _e29 = isDielectric(code_13);
         reflectance = pick(_e29, vec3(_e27), _e25);
     }
@@ -3376,102 +3448,131 @@ vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     return _e31;
 }
 
-vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
+vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_6) {
     float cosine_21 = dot(wo_3, h_2);
-    float inside_6 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_21 * cosine_21)), 0.0));
-    return ((((cosine_21 - inside_6) * h_2) - wo_3) / vec3(ratio_5));
+    float inside_6 = sqrt(max((((ratio_6 - 1.0) * (ratio_6 + 1.0)) + (cosine_21 * cosine_21)), 0.0));
+    return ((((cosine_21 - inside_6) * h_2) - wo_3) / vec3(ratio_6));
 }
 
-float ellipticBound(vec3 wo_4, vec2 alpha_6) {
+float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     float s_29 = (1.0 + length(wo_4.xy));
     float s2_1 = (s_29 * s_29);
-    float least_2 = min(alpha_6.x, alpha_6.y);
+    float least_2 = min(alpha_7.x, alpha_7.y);
     float a2_2 = (least_2 * least_2);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_2, vec2 alpha_7) {
-    vec2 scaled = (alpha_7 * w_2.xy);
+float ellipticStretched(vec3 w_2, vec2 alpha_8) {
+    vec2 scaled = (alpha_8 * w_2.xy);
     return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_25) {
-    float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_25) {
+    float _e8 = ellipticStretched(wo_5, alpha_9);
+    vec3 w_6 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_4 = ((6.2831855 * u_25.x) - 3.1415927);
     float drop_1 = (u_25.y * (1.0 + (bound_1 * w_6.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
     vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
+    return normalize(vec3((alpha_9 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
 Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
-    vec3 toward = (reflectance_1.xyz * pick(o_6.inside, o_6.hero, vec3(1.0)));
-    vec3 beyond_1 = (((reflectance_1.w * o_6.layers.transmission) * s_17.baseColor) * o_6.hero);
-    float _e18 = mean3_(toward);
-    float _e19 = mean3_(beyond_1);
-    return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
+    Parting parting = Parting(vec3(0.0), vec3(0.0), 0.0);
+    parting = Parting(reflectance_1.xyz, vec3(0.0), 1.0);
+    const bool _e10 = hasTransmission;
+    if (_e10) {
+        vec3 toward = (reflectance_1.xyz * pick(o_6.inside, o_6.hero, vec3(1.0)));
+        vec3 beyond_1 = (((reflectance_1.w * o_6.layers.transmission) * s_17.baseColor) * o_6.hero);
+        float _e26 = mean3_(toward);
+        float _e27 = mean3_(beyond_1);
+        parting = Parting(toward, beyond_1, pick((_e27 > 0.0), (_e26 / max((_e26 + _e27), 1e-20)), 1.0));
+    }
+    Parting _e37 = parting;
+    return _e37;
 }
 
 float throughCover(Stack o_7, float zi, bool crossing) {
+    float left_1 = 1.0;
     float sheen_1 = 0.0;
     Layers l_4 = o_7.layers;
-    bool isSolid_1 = (l_4.solid > 0.0);
-    bool entersHere = pick(o_7.inside, crossing, false);
-    float _e11 = coatReflectance(l_4.coat, zi);
-    float coat_2 = pick(entersHere, _e11, o_7.coat);
-    sheen_1 = o_7.sheen;
-    if ((o_7.sheenColor > 0.0)) {
-        bool isOutside = pick(!(isSolid_1), true, (o_7.inside == crossing));
-        float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
-        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
+    const bool _e7 = hasCoats;
+    if (_e7) {
+        bool entersHere = pick(o_7.inside, crossing, false);
+        float _e12 = coatReflectance(l_4.coat, zi);
+        left_1 = (1.0 - pick(entersHere, _e12, o_7.coat));
     }
-    float _e31 = sheen_1;
-    return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e31, 1.0))));
+    const bool _e17 = hasSheen;
+    if (_e17) {
+        sheen_1 = o_7.sheen;
+        if ((o_7.sheenColor > 0.0)) {
+            bool isOutside = pick(!((l_4.solid > 0.0)), true, (o_7.inside == crossing));
+            float _e30 = sheen_1;
+            float _e32 = sheenAlbedo(zi, l_4.sheenRoughness);
+            sheen_1 = max(_e30, pick(isOutside, _e32, 0.0));
+        }
+        float _e36 = left_1;
+        float _e38 = sheen_1;
+        left_1 = (_e36 * (1.0 - (o_7.sheenColor * min(_e38, 1.0))));
+    }
+    float _e45 = left_1;
+    return _e45;
 }
 
 LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
+    vec3 met = vec3(0.0);
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_8.wo;
-    bool isSolid_2 = (o_8.layers.solid > 0.0);
-    bool isCoat_1 = (u_26.z < o_8.ofCoat);
+    const bool _e5 = hasTransmission;
+    bool isSolid_1 = pick(_e5, (o_8.layers.solid > 0.0), false);
+    const bool _e12 = hasCoats;
+    bool isCoat_1 = pick(_e12, (u_26.z < o_8.ofCoat), false);
     bool isFacet = (u_26.z < (o_8.ofCoat + o_8.ofFacets));
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
-    float _e28 = ellipticBound(wo_9, wide_1);
-    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_26.xy);
-    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
+    float _e34 = ellipticBound(wo_9, wide_1);
+    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e34);
+    vec3 _e40 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_26.xy);
+    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e40);
     float oh = max(dot(wo_9, h_9), 0.0);
-    vec4 _e43 = baseReflectance(s_18, o_8, oh);
-    Parting _e44 = partingOf(s_18, o_8, _e43);
-    float left_2 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
-    bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
+    vec4 _e49 = baseReflectance(s_18, o_8, oh);
+    Parting _e50 = partingOf(s_18, o_8, _e49);
+    float left_3 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    const bool _e59 = hasTransmission;
+    bool crossing_1 = pick(pick(_e59, !(isCoat_1), false), (left_3 >= _e50.share), false);
     vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
-    vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
-    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected_1.xy, -(reflected_1.z)));
-    vec3 met_1 = pick(crossing_1, beyond_2, reflected_1);
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
-    float _e76 = throughCover(o_8, abs(met_1.z), crossing_1);
-    vec3 weight_2 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
-    float _e122 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e122);
+    met = reflected_1;
+    const bool _e71 = hasTransmission;
+    if (_e71) {
+        vec3 _e77 = refracted(wo_9, h_9, o_8.ratio);
+        vec3 beyond_2 = pick(isSolid_1, _e77, vec3(reflected_1.xy, -(reflected_1.z)));
+        met = pick(crossing_1, beyond_2, reflected_1);
+    }
+    float _e82 = met.z;
+    bool lost = pick(!(isSmooth_1), (crossing_1 != (_e82 < 0.0)), false);
+    float _e88 = met.z;
+    float _e90 = throughCover(o_8, abs(_e88), crossing_1);
+    vec3 weight_2 = (_e90 * pick(crossing_1, (_e50.beyond / vec3(max((((1.0 - _e50.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e50.toward / vec3(max(_e50.share, 1e-20)))));
+    vec3 _e111 = met;
+    drawn = LayeredSample(_e111, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e50.share), _e50.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    float _e137 = drawn.pdf;
+    drawn.pdf = pick(lost, 0.0, _e137);
     if (!(isFacet)) {
         float next_1 = ((u_26.z - o_8.ofCoat) - o_8.ofFacets);
         float sine_8 = sqrt(max((u_26.x * (2.0 - u_26.x)), 0.0));
         float phi_5 = ((6.2831855 * u_26.y) - 3.1415927);
         vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_26.x));
-        vec3 _e153 = sampleCosine(u_26.xy);
-        vec3 below_3 = vec3(_e153.xy, pick((next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
-        drawn = LayeredSample(pick((next_1 < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
+        vec3 _e168 = sampleCosine(u_26.xy);
+        const bool _e174 = hasTransmission;
+        vec3 below_3 = vec3(_e168.xy, pick(pick(_e174, (next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), false), -(_e168.z), _e168.z));
+        const bool _e183 = hasSheen;
+        drawn = LayeredSample(pick(pick(_e183, (next_1 < o_8.ofSheen), false), even, below_3), 1.0, vec3(1.0), false);
     }
-    float _e174 = drawn.direction.z;
-    drawn.direction.z = (_e174 * o_8.side);
-    LayeredSample _e177 = drawn;
-    return _e177;
+    float _e195 = drawn.direction.z;
+    drawn.direction.z = (_e195 * o_8.side);
+    LayeredSample _e198 = drawn;
+    return _e198;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -3554,9 +3655,9 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     return _e156;
 }
 
-float facetDensity(vec3 h_3, float alpha_9) {
-    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
-    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
+float facetDensity(vec3 h_3, float alpha_10) {
+    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_10 * alpha_10)) + (h_3.z * h_3.z)), 1.0);
+    return (0.31830987 / (((alpha_10 * alpha_10) * slope) * slope));
 }
 
 bool hidesApart(uint code_11) {
@@ -3643,14 +3744,14 @@ vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_4, vec2 alpha_10) {
-    vec2 scaled_1 = (h_4.xy / alpha_10);
+float ellipticDensity(vec3 h_4, vec2 alpha_11) {
+    vec2 scaled_1 = (h_4.xy / alpha_11);
     float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
-    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
+    return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
 }
 
-float shadowingExponent(float x_16, float alpha_11) {
-    float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+float shadowingExponent(float x_16, float alpha_12) {
+    float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
     float a_9 = mix(21.5473, 25.3245, m_2);
     float b_12 = mix(3.82987, 3.32435, m_2);
     float c_5 = mix(0.19823, 0.16801, m_2);
@@ -3659,23 +3760,23 @@ float shadowingExponent(float x_16, float alpha_11) {
     return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_27);
 }
 
-float sheenShadowing(float cosine_17, float alpha_12) {
+float sheenShadowing(float cosine_17, float alpha_13) {
     float x_27 = clamp(cosine_17, 1e-6, 1.0);
     bool isLow = (x_27 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_27, max((1.0 - x_27), 1e-6)), alpha_12);
-    float _e14 = shadowingExponent(0.5, alpha_12);
+    float _e12 = shadowingExponent(pick(isLow, x_27, max((1.0 - x_27), 1e-6)), alpha_13);
+    float _e14 = shadowingExponent(0.5, alpha_13);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
 
-float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
+float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_14) {
     vec3 m_3 = (wo_7 + wi_3);
     float m2_2 = max(dot(m_3, m_3), 1e-20);
     float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
-    float power_1 = (0.5 / alpha_13);
+    float power_1 = (0.5 / alpha_14);
     float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
     float zo_1 = max(wo_7.z, 1e-6);
-    float _e38 = sheenShadowing(wo_7.z, alpha_13);
-    float _e42 = sheenShadowing(wi_3.z, alpha_13);
+    float _e38 = sheenShadowing(wo_7.z, alpha_14);
+    float _e42 = sheenShadowing(wi_3.z, alpha_14);
     return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
@@ -3697,16 +3798,22 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
     Layers l_5 = o_13.layers;
     vec3 wo_12 = o_13.wo;
     vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_13.side));
-    bool crossing_4 = (wi_4.z < 0.0);
+    const bool _e11 = hasTransmission;
+    bool crossing_4 = pick(_e11, (wi_4.z < 0.0), false);
+    const bool _e17 = hasTransmission;
+    bool dark_1 = pick(!(_e17), (wi_4.z < 0.0), false);
     vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
     float zi_2 = facing.z;
-    float _e18 = throughCover(o_13, zi_2, crossing_4);
-    isCoat = pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0));
+    float _e28 = throughCover(o_13, zi_2, crossing_4);
+    const bool _e35 = hasCoats;
+    const bool _e37 = hasTransmission;
+    isCoat = pick(pick(_e35, true, _e37), pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0)), false);
     while(true) {
-        bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
-        bool _e42 = isCoat;
-        vec2 alpha_16 = pick(_e42, vec2(o_13.coatAlpha), o_13.alpha);
+        const bool _e49 = hasTransmission;
+        bool _e51 = isCoat;
+        bool bends = pick(pick(pick(_e49, crossing_4, false), !(_e51), false), (l_5.solid > 0.0), false);
+        bool _e61 = isCoat;
+        vec2 alpha_16 = pick(_e61, vec2(o_13.coatAlpha), o_13.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_2 = max(alpha_16, vec2(0.001));
         vec3 met_2 = pick(bends, wi_4, facing);
@@ -3716,96 +3823,123 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         float oh_3 = dot(wo_12, h_11);
         float ih_1 = dot(met_2, h_11);
         bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_2.z) >= 0.0), false);
-        float _e81 = ellipticDensity(h_11, wide_2);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e81), 0.0));
-        float _e89 = ellipticStretched(wo_12, wide_2);
-        float _e92 = ellipticStretched(facing, wide_2);
-        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
-        float _e98 = ellipticBound(wo_12, wide_2);
-        bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
-        bool _e115 = isCoat;
-        vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e120 = partingOf(s_23, o_13, _e119);
-        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_13.more)));
-        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
-        bool _e142 = isCoat;
-        if (_e142) {
-            intoBody = _e119.w;
+        float _e100 = ellipticDensity(h_11, wide_2);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e100), 0.0));
+        float _e108 = ellipticStretched(wo_12, wide_2);
+        float _e111 = ellipticStretched(facing, wide_2);
+        float masked_1 = (zi_2 / max(((zi_2 * _e108) + (wo_12.z * _e111)), 1e-20));
+        float _e117 = ellipticBound(wo_12, wide_2);
+        const bool _e119 = hasTransmission;
+        bool _e124 = isCoat;
+        float bound_3 = pick(pick(pick(_e119, (l_5.solid > 0.0), false), !(_e124), false), 1.0, _e117);
+        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e108));
+        const bool _e138 = hasTransmission;
+        bool _e139 = isCoat;
+        vec4 _e144 = baseReflectance(s_23, o_13, pick(pick(pick(_e138, _e139, false), o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e145 = partingOf(s_23, o_13, _e144);
+        lobe = (_e28 * pick(crossing_4, _e145.beyond, (_e145.toward * o_13.more)));
+        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e145.share), _e145.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
+        const bool _e168 = hasCoats;
+        if (!(_e168)) {
+            const bool _e171 = hasTransmission;
+            if (!(_e171)) {
+                intoBody = _e144.w;
+            }
+        }
+        bool _e174 = isCoat;
+        if (_e174) {
+            intoBody = _e144.w;
             lobe = vec3(pick(crossing_4, 0.0, o_13.coat));
             chosen_1 = pick(crossing_4, 0.0, o_13.ofCoat);
         }
-        vec4 _e151 = sum_1;
-        vec3 _e152 = lobe;
-        float _e155 = chosen_1;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_2)));
-        bool _e159 = isCoat;
-        if (!(_e159)) {
+        vec4 _e183 = sum_1;
+        vec3 _e184 = lobe;
+        float _e187 = chosen_1;
+        sum_1 = (_e183 + vec4((_e184 * (spread_1 * masked_1)), (_e187 * density_2)));
+        const bool _e192 = hasCoats;
+        if (!(_e192)) {
+            const bool _e195 = hasTransmission;
+            if (!(_e195)) {
+                break;
+            }
+        }
+        bool _e197 = isCoat;
+        if (!(_e197)) {
             break;
         }
         isCoat = false;
     }
-    if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-        float most_2 = max(max(o_13.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_5.sheenRoughness);
-        float _e181 = whiteSheen(wo_12, wi_4, _e180);
-        float fibres_1 = (((1.0 - o_13.coat) * _e181) / most_2);
-        vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
+    const bool _e201 = hasSheen;
+    if (_e201) {
+        if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
+            float _e212 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+            float most_2 = max(max(o_13.sheen, _e212), 1.0);
+            float _e220 = sheenAlpha(l_5.sheenRoughness);
+            float _e221 = whiteSheen(wo_12, wi_4, _e220);
+            float fibres_1 = (((1.0 - o_13.coat) * _e221) / most_2);
+            vec4 _e224 = sum_1;
+            sum_1 = (_e224 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
+        }
     }
     vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_23.baseColor));
-    float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e208 = sum_1;
-    float _e210 = ofBeyond(o_13);
-    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
+    float _e241 = intoBody;
+    vec3 matte = (((_e28 * _e241) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e248 = sum_1;
+    float _e250 = ofBeyond(o_13);
+    vec4 all_1 = (_e248 + (vec4(matte, pick(crossing_4, _e250, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
+    return pick(dark_1, vec4(0.0), all_1);
 }
 
 Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
     Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
     bool isLight = false;
-    vec4 _e4 = evaluateBsdf(s_24, o_14, toLight_2);
-    vec4 _e5 = evaluateBsdf(s_24, o_14, toSample);
-    pair_2 = Pair(_e4, _e5);
-    const bool _e9 = hasLayers;
-    if (_e9) {
-        bool _e14 = isLayered(uint(s_24.code), s_24.eta.x);
-        if (_e14) {
-            uint _e17 = frame.emitterCount;
-            isLight = (_e17 > 0u);
-            while(true) {
-                float _e22 = mirrorShare(s_24.reflectivity);
-                Stack _e26 = stackHere;
-                bool _e27 = isLight;
-                vec4 _e29 = evaluateLayered(s_24, _e26, pick(_e27, toLight_2, toSample));
-                vec4 value_2 = ((1.0 - _e22) * _e29);
-                bool _e31 = isLight;
-                if (_e31) {
-                    pair_2.toLight = value_2;
-                } else {
-                    pair_2.toSample = value_2;
-                }
-                bool _e34 = isLight;
-                if (!(_e34)) {
-                    break;
-                }
-                isLight = false;
+    vec4 value_1 = vec4(0.0);
+    const bool _e6 = hasLayers;
+    if (_e6) {
+        uint _e9 = frame.emitterCount;
+        isLight = (_e9 > 0u);
+        while(true) {
+            bool _e13 = isLight;
+            vec3 wi_5 = pick(_e13, toLight_2, toSample);
+            vec4 _e15 = evaluateBsdf(s_24, o_14, wi_5);
+            value_1 = _e15;
+            bool _e21 = isLayered(uint(s_24.code), s_24.eta.x);
+            if (_e21) {
+                float _e23 = mirrorShare(s_24.reflectivity);
+                Stack _e27 = stackHere;
+                vec4 _e28 = evaluateLayered(s_24, _e27, wi_5);
+                value_1 = ((1.0 - _e23) * _e28);
             }
+            bool _e30 = isLight;
+            if (_e30) {
+                vec4 _e32 = value_1;
+                pair_2.toLight = _e32;
+            } else {
+                vec4 _e34 = value_1;
+                pair_2.toSample = _e34;
+            }
+            bool _e35 = isLight;
+            if (!(_e35)) {
+                break;
+            }
+            isLight = false;
         }
+    } else {
+        vec4 _e38 = evaluateBsdf(s_24, o_14, toLight_2);
+        vec4 _e39 = evaluateBsdf(s_24, o_14, toSample);
+        pair_2 = Pair(_e38, _e39);
     }
-    Pair _e37 = pair_2;
-    return _e37;
+    Pair _e41 = pair_2;
+    return _e41;
 }
 
 bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
     return ((dot(geometric_1, a_2) > 0.0) != (dot(geometric_1, b_4) > 0.0));
 }
 
-BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_3 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+BsdfSample completed(BsdfSample drawn_2, vec4 value_2) {
+    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_2.w);
+    vec3 weight_3 = pick((pdf_5 > 0.0), (value_2.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
@@ -3839,7 +3973,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     vec3 normal_16 = pick(pick((dot(outward_1, rays_2.direction) > 0.0), !(_e19), false), -(outward_1), outward_1);
     Basis _e34 = basisAbout(normal_16);
     basis = _e34;
-    const bool _e37 = hasLayers;
+    const bool _e37 = hasGrain;
     if (_e37) {
         vec3 _e39 = grainHere;
         if (any(notEqual(_e39, vec3(0.0)))) {
@@ -3851,7 +3985,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     Basis _e47 = basis;
     vec3 _e50 = toLocal(_e47, -(rays_2.direction));
     const bool _e52 = hasGlass;
-    const bool _e54 = hasLayers;
+    const bool _e54 = hasTransmission;
     if (pick(_e52, true, _e54)) {
         float _e57 = surface_1.code;
         bool _e59 = isThin(uint(_e57));
@@ -3860,7 +3994,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
         vec3 _e71 = surface_1.absorption;
         p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
     }
-    const bool _e80 = hasLayers;
+    const bool _e80 = hasCoats;
     if (_e80) {
         vec3 _e82 = surface_1.emission;
         float _e85 = layersHere.coat;
@@ -3888,7 +4022,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     Emitter _e118 = emitterAt(_e116.index, _e93);
     LightSample _e120 = sampleEmitter(_e118, point_20, _e112.xy);
     float lightPdf = (_e120.pdf * _e116.probability);
-    const bool _e128 = hasLayers;
+    const bool _e128 = hasTransmission;
     if (_e128) {
         float _e131 = layersHere.dispersion;
         if (pick(_e19, (_e131 > 0.0), false)) {

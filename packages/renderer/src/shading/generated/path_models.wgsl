@@ -267,17 +267,17 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   // Along z the outward normal where light goes through; of all else the normal towards where the ray came from.
   let normal = select(outward, -outward, (dot(outward, rays.direction) > 0.0) & !isClear);
   var basis = basisAbout(normal);
-  if (hasLayers) {
+  if (hasGrain) {
     if (any(grainHere != vec3f(0.0))) {
       basis = basisAlong(normal, grainHere);
     }
   }
   let wo = toLocal(basis, -rays.direction);
-  if (hasGlass | hasLayers) {
+  if (hasGlass | hasTransmission) {
     let inside = isClear & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
-  if (hasLayers) {
+  if (hasCoats) {
     surface.emission *= 1.0 - coatReflectance(layersHere.coat, abs(wo.z));
   }
   let only = fetchEmitter(0u);
@@ -300,7 +300,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let light = sampleEmitter(emitter, point, uLight.xy);
   let lightPdf = light.pdf * choice.probability;
   var hero = vec3f(1.0);
-  if (hasLayers) {
+  if (hasTransmission) {
     if (isClear & (layersHere.dispersion > 0.0)) {
       hero = heroColor((*p).throughput, nextHash(&(*p).sampler));
     }
@@ -366,7 +366,7 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
     }
   }
-  if (hasLayers) {
+  if (hasGrain) {
     grainHere = vec3f(0.0);
     if (layersHere.anisotropy > 0.0) {
       grainHere = grainAt(normals.shading, tangent, bitangent, layersHere.grain);
@@ -377,7 +377,7 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
 
 // Whether light may go through the surface.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -387,14 +387,17 @@ fn basisAbout(n: vec3f) -> Basis {
   return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
 }
 
-// What glTF's extensions add to metallicRoughness, and the one of them that is long.
-override hasLayers = false;
+override hasGrain = false;
 
 fn toLocal(b: Basis, v: vec3f) -> vec3f {
   return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
 }
 
 override hasGlass = false;
+
+override hasTransmission = false;
+
+override hasCoats = false;
 
 fn fetchEmitter(i: u32) -> Emitter {
   let t0 = tableTexel(14u, i);
@@ -640,26 +643,30 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
-// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
+// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. With layers that is done in a loop, so that they stand
+// in the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+  var pair: Pair;
   if (hasLayers) {
-    if (isLayered(u32(s.code), s.eta.x)) {
-      var isLight = frame.emitterCount > 0u;
-      loop {
-        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
-        if (isLight) {
-          pair.toLight = value;
-        } else {
-          pair.toSample = value;
-        }
-        if (!isLight) {
-          break;
-        }
-        isLight = false;
+    var isLight = frame.emitterCount > 0u;
+    loop {
+      let wi = select(toSample, toLight, isLight);
+      var value = evaluateBsdf(s, o, wi);
+      if (isLayered(u32(s.code), s.eta.x)) {
+        value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, wi);
       }
+      if (isLight) {
+        pair.toLight = value;
+      } else {
+        pair.toSample = value;
+      }
+      if (!isLight) {
+        break;
+      }
+      isLight = false;
     }
+  } else {
+    pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
   }
   return pair;
 }
@@ -863,6 +870,10 @@ fn fetchSurface(i: u32) -> Surface {
   let t4 = tableTexel(13u, i);
   return Surface(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.xyz, t4.w);
 }
+
+// What glTF's extensions add to metallicRoughness: any of them, and those that take a program something of their own. Light that goes
+// through is one, be it by facets or diffusely.
+override hasLayers = false;
 
 struct Normals {
   geometric: vec3f,
@@ -1129,28 +1140,43 @@ const normalSlot = 3u;
 fn takeUpLayer(slot: u32, texel: vec4f) {
   layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
   layersHere.specularColor *= select(vec3f(1.0), texel.rgb, slot == specularColorSlot);
-  layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
-  layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
-  layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
-  layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
-  layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
-  layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
-  layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
-  layersHere.film *= select(1.0, texel.r, slot == filmSlot);
-  layersHere.filmThickness = select(layersHere.filmThickness, mix(layersHere.filmLeast, layersHere.filmThickness, texel.g), slot == filmThicknessSlot);
-  let isGrain = slot == anisotropySlot;
-  layersHere.anisotropy *= select(1.0, texel.b, isGrain);
-  // A direction in the frame of tangents, which the material's angle turns.
-  let given = 2.0 * texel.rg - 1.0;
-  let size = dot(given, given);
-  let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
-  let own = layersHere.grain;
-  layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+  if (hasTransmission) {
+    layersHere.transmission *= select(1.0, texel.r, slot == transmissionSlot);
+    layersHere.beyond *= select(1.0, texel.a, slot == beyondSlot);
+    layersHere.beyondColor *= select(vec3f(1.0), texel.rgb, slot == beyondColorSlot);
+  }
+  if (hasCoats) {
+    layersHere.coat *= select(1.0, texel.r, slot == coatSlot);
+    layersHere.coatRoughness *= select(1.0, texel.g, slot == coatRoughnessSlot);
+  }
+  if (hasSheen) {
+    layersHere.sheenColor *= select(vec3f(1.0), texel.rgb, slot == sheenColorSlot);
+    layersHere.sheenRoughness *= select(1.0, texel.a, slot == sheenRoughnessSlot);
+  }
+  if (hasIridescence) {
+    layersHere.film *= select(1.0, texel.r, slot == filmSlot);
+    let thickness = mix(layersHere.filmLeast, layersHere.filmThickness, texel.g);
+    layersHere.filmThickness = select(layersHere.filmThickness, thickness, slot == filmThicknessSlot);
+  }
+  if (hasGrain) {
+    let isGrain = slot == anisotropySlot;
+    layersHere.anisotropy *= select(1.0, texel.b, isGrain);
+    // A direction in the frame of tangents, which the material's angle turns.
+    let given = 2.0 * texel.rg - 1.0;
+    let size = dot(given, given);
+    let d = select(vec2f(1.0, 0.0), given * inverseSqrt(max(size, 1e-20)), size > 1e-6);
+    let own = layersHere.grain;
+    layersHere.grain = select(own, vec2f(own.x * d.x - own.y * d.y, own.y * d.x + own.x * d.y), isGrain);
+  }
 }
 
 const specularWeightSlot = 4u;
 
 const specularColorSlot = 5u;
+
+override hasSheen = false;
+
+override hasIridescence = false;
 
 const transmissionSlot = 6u;
 
@@ -2565,18 +2591,29 @@ var<private> stackHere: Stack;
 fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   let side = select(1.0, -1.0, given.z < 0.0);
   let wo = vec3f(given.xy, given.z * side);
-  let isSolid = l.solid > 0.0;
-  let inside = isSolid & (side < 0.0);
-  let index = dispersedIndex(l.ior, l.dispersion, hero);
-  let ratio = select(1.0, select(index, 1.0 / index, inside), isSolid);
-  let flat = isSolid & (l.transmission > 0.0) & (index - 1.0 < leastContrast);
-  let alpha = select(ellipticAlpha(s.alpha, l.anisotropy), vec2f(0.0), flat);
+  var inside = false;
+  var ratio = 1.0;
+  var alpha = ellipticAlpha(s.alpha, l.anisotropy);
+  if (hasTransmission) {
+    let isSolid = l.solid > 0.0;
+    inside = isSolid & (side < 0.0);
+    let index = dispersedIndex(l.ior, l.dispersion, hero);
+    ratio = select(1.0, select(index, 1.0 / index, inside), isSolid);
+    let flat = isSolid & (l.transmission > 0.0) & (index - 1.0 < leastContrast);
+    alpha = select(alpha, vec2f(0.0), flat);
+  }
+  var coat = 0.0;
+  if (hasCoats) {
+    coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
+  }
   let coatAlpha = l.coatRoughness * l.coatRoughness;
-  let coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
-  let sheenColor = greatest(l.sheenColor);
+  var sheenColor = 0.0;
   var sheen = 0.0;
-  if (sheenColor > 0.0) {
-    sheen = select(sheenAlbedo(wo.z, l.sheenRoughness), 0.0, inside);
+  if (hasSheen) {
+    sheenColor = greatest(l.sheenColor);
+    if (sheenColor > 0.0) {
+      sheen = select(sheenAlbedo(wo.z, l.sheenRoughness), 0.0, inside);
+    }
   }
   let f0 = l.specularWeight * dielectricF0(l);
   var more = vec3f(1.0);
@@ -2636,24 +2673,9 @@ struct Stack {
 }
 
 
-// KHR_materials_transmission and KHR_materials_volume: light that goes through facets.
-// KHR_materials_dispersion: the index that red, green or blue light meets; `hero` is the colour that the path goes on with, or white.
-// Below the index of air no dispersion goes.
-fn dispersedIndex(ior: f32, dispersion: f32, hero: vec3f) -> f32 {
-  let side = select(0.0, 1.0, hero.z > 0.0) - select(0.0, 1.0, hero.x > 0.0);
-  return max(ior + side * (ior - 1.0) * 0.025 * dispersion, 1.0);
-}
-
-// An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
-const leastContrast = 1e-3;
-
 // KHR_materials_anisotropy: strength makes facets rougher along x. Across, a highlight is no narrower than 32-bit floats can hold.
 fn ellipticAlpha(alpha: f32, strength: f32) -> vec2f {
   return select(vec2f(alpha), vec2f(mix(alpha, 1.0, strength * strength), max(alpha, leastAlpha)), strength > 0.0);
-}
-
-fn greatest(v: vec3f) -> f32 {
-  return max(max(v.x, v.y), v.z);
 }
 
 // KHR_materials_ior and KHR_materials_specular: what facets of the dielectric would reflect at normal incidence at full weight.
@@ -2667,7 +2689,10 @@ override hasCompensation = false;
 // rgb: what facets of the base reflect that are met at this cosine; a: what of the rest reaches the dielectric's body.
 fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
   let l = o.layers;
-  let outer = cosineInAir(cosine, o.ratio);
+  var outer = cosine;
+  if (hasTransmission) {
+    outer = cosineInAir(cosine, o.ratio);
+  }
   let f0 = dielectricF0(l);
   var dielectric = l.specularWeight * schlick(f0, outer);
   var metal = schlick(s.baseColor, outer);
@@ -2689,12 +2714,29 @@ fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
       }
     }
   }
-  dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));
+  if (hasTransmission) {
+    dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));
+  }
   return vec4f(mix(dielectric, metal, s.metallic), (1.0 - s.metallic) * (1.0 - greatest(dielectric)));
 }
 
 fn mean3(v: vec3f) -> f32 {
   return dot(v, vec3f(1.0 / 3.0));
+}
+
+// KHR_materials_transmission and KHR_materials_volume: light that goes through facets.
+// KHR_materials_dispersion: the index that red, green or blue light meets; `hero` is the colour that the path goes on with, or white.
+// Below the index of air no dispersion goes.
+fn dispersedIndex(ior: f32, dispersion: f32, hero: vec3f) -> f32 {
+  let side = select(0.0, 1.0, hero.z > 0.0) - select(0.0, 1.0, hero.x > 0.0);
+  return max(ior + side * (ior - 1.0) * 0.025 * dispersion, 1.0);
+}
+
+// An index closer to 1 bends light by less than a rough boundary can be told from a smooth one in 32-bit floats.
+const leastContrast = 1e-3;
+
+fn greatest(v: vec3f) -> f32 {
+  return max(max(v.x, v.y), v.z);
 }
 
 // E: share of light that white fibres send back to a direction of this cosine; of fine ones along the surface it is more than 1, a gap
@@ -2732,13 +2774,6 @@ fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
 fn cosineInAir(cosine: f32, ratio: f32) -> f32 {
   let sine2 = (1.0 - cosine * cosine) / (ratio * ratio);
   return select(cosine, sqrt(max(1.0 - sine2, 0.0)), ratio < 1.0);
-}
-
-override hasIridescence = false;
-
-// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
-fn reflectsAll(cosine: f32, ratio: f32) -> bool {
-  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
 }
 
 // The film's reflectance over a body that would reflect f0 without it. Kept within 0 … 1: the integral over three colours overshoots.
@@ -2792,6 +2827,11 @@ fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
   let x = lobes.x + lobes.w;
   // XYZ to linear sRGB
   return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
+}
+
+// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
+fn reflectsAll(cosine: f32, ratio: f32) -> bool {
+  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
 }
 
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
@@ -2953,8 +2993,8 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
 // A direction by one of the lobes. u in [0, 1)^3: two for the direction, the third chooses the lobe.
 fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   let wo = o.wo;
-  let isSolid = o.layers.solid > 0.0;
-  let isCoat = u.z < o.ofCoat;
+  let isSolid = hasTransmission & (o.layers.solid > 0.0);
+  let isCoat = hasCoats & (u.z < o.ofCoat);
   let isFacet = u.z < o.ofCoat + o.ofFacets;
   let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
   let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
@@ -2966,10 +3006,13 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   let p = partingOf(s, o, baseReflectance(s, o, oh));
   // What is left of u.z is uniform again.
   let left = (u.z - o.ofCoat) / max(o.ofFacets, 1e-20);
-  let crossing = !isCoat & (left >= p.share);
+  let crossing = hasTransmission & !isCoat & (left >= p.share);
   let reflected = 2.0 * oh * h - wo;
-  let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
-  let met = select(reflected, beyond, crossing);
+  var met = reflected;
+  if (hasTransmission) {
+    let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
+    met = select(reflected, beyond, crossing);
+  }
   let lost = !isSmooth & (crossing != (met.z < 0.0));
   let weight = throughCover(o, abs(met.z), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
   var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
@@ -2980,8 +3023,8 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
     let phi = 6.28318530718 * u.y - 3.14159265359;
     let even = vec3f(sine * cos(phi), sine * sin(phi), 1.0 - u.x);
     let matte = sampleCosine(u.xy);
-    let below = vec3f(matte.xy, select(matte.z, -matte.z, next >= o.ofSheen + o.ofDiffuse));
-    drawn = LayeredSample(select(below, even, next < o.ofSheen), 1.0, vec3f(1.0), false);
+    let below = vec3f(matte.xy, select(matte.z, -matte.z, hasTransmission & (next >= o.ofSheen + o.ofDiffuse)));
+    drawn = LayeredSample(select(below, even, hasSheen & (next < o.ofSheen)), 1.0, vec3f(1.0), false);
   }
   drawn.direction.z *= o.side;
   return drawn;
@@ -3007,26 +3050,35 @@ fn sampleEllipticNormal(wo: vec3f, alpha: vec2f, bound: f32, u: vec2f) -> vec3f 
 }
 
 fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
-  let toward = reflectance.rgb * select(vec3f(1.0), o.hero, o.inside);
-  let beyond = reflectance.a * o.layers.transmission * s.baseColor * o.hero;
-  let a = mean3(toward);
-  let b = mean3(beyond);
-  return Parting(toward, beyond, select(1.0, a / max(a + b, 1e-20), b > 0.0));
+  var parting = Parting(reflectance.rgb, vec3f(0.0), 1.0);
+  if (hasTransmission) {
+    let toward = reflectance.rgb * select(vec3f(1.0), o.hero, o.inside);
+    let beyond = reflectance.a * o.layers.transmission * s.baseColor * o.hero;
+    let a = mean3(toward);
+    let b = mean3(beyond);
+    parting = Parting(toward, beyond, select(1.0, a / max(a + b, 1e-20), b > 0.0));
+  }
+  return parting;
 }
 
 // What of the light between wo and a direction of cosine zi is left by coat and sheen. Light that crosses a solid's boundary meets them
 // once, outside.
 fn throughCover(o: Stack, zi: f32, crossing: bool) -> f32 {
   let l = o.layers;
-  let isSolid = l.solid > 0.0;
-  let entersHere = o.inside & crossing;
-  let coat = select(o.coat, coatReflectance(l.coat, zi), entersHere);
-  var sheen = o.sheen;
-  if (o.sheenColor > 0.0) {
-    let isOutside = !isSolid | (o.inside == crossing);
-    sheen = max(sheen, select(0.0, sheenAlbedo(zi, l.sheenRoughness), isOutside));
+  var left = 1.0;
+  if (hasCoats) {
+    let entersHere = o.inside & crossing;
+    left = 1.0 - select(o.coat, coatReflectance(l.coat, zi), entersHere);
   }
-  return (1.0 - coat) * (1.0 - o.sheenColor * min(sheen, 1.0));
+  if (hasSheen) {
+    var sheen = o.sheen;
+    if (o.sheenColor > 0.0) {
+      let isOutside = !(l.solid > 0.0) | (o.inside == crossing);
+      sheen = max(sheen, select(0.0, sheenAlbedo(zi, l.sheenRoughness), isOutside));
+    }
+    left *= 1.0 - o.sheenColor * min(sheen, 1.0);
+  }
+  return left;
 }
 
 struct LayeredSample {
@@ -3086,7 +3138,8 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
   let l = o.layers;
   let wo = o.wo;
   let wi = vec3f(given.xy, given.z * o.side);
-  let crossing = wi.z < 0.0;
+  let crossing = hasTransmission & (wi.z < 0.0);
+  let dark = !hasTransmission & (wi.z < 0.0);
   // Through a thin wall light goes as if it were reflected and then mirrored.
   let facing = vec3f(wi.xy, abs(wi.z));
   let zi = facing.z;
@@ -3095,9 +3148,10 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
   var intoBody = 0.0;
   // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
   // whose length is known is written out by Windows' compiler.
-  var isCoat = (o.coat > 0.0) | (s.metallic < 1.0);
+  // Without coats in the scene, and without anything that light goes through, the base's facets are met alike and show it themselves.
+  var isCoat = (hasCoats | hasTransmission) & ((o.coat > 0.0) | (s.metallic < 1.0));
   loop {
-    let bends = crossing & !isCoat & (l.solid > 0.0);
+    let bends = hasTransmission & crossing & !isCoat & (l.solid > 0.0);
     let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
     let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
     let wide = max(alpha, vec2f(leastAlpha));
@@ -3111,32 +3165,45 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
     let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(h, wide), faces & !isSmooth);
     let ownStretched = ellipticStretched(wo, wide);
     let masked = zi / max(zi * ownStretched + wo.z * ellipticStretched(facing, wide), 1e-20);
-    let bound = select(ellipticBound(wo, wide), 1.0, (l.solid > 0.0) & !isCoat);
+    let bound = select(ellipticBound(wo, wide), 1.0, hasTransmission & (l.solid > 0.0) & !isCoat);
     let density = spread / (bound * wo.z + ownStretched);
     // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
-    let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, isCoat & o.inside));
+    let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, hasTransmission & isCoat & o.inside));
     let p = partingOf(s, o, reflectance);
     var lobe = under * select(p.toward * o.more, p.beyond, crossing);
     var chosen = o.ofFacets * select(p.share, 1.0 - p.share, crossing) * select(1.0, o.ratio * o.ratio, bends);
+    if (!hasCoats) {
+      if (!hasTransmission) {
+        intoBody = reflectance.a;
+      }
+    }
     if (isCoat) {
       intoBody = reflectance.a;
       lobe = vec3f(select(o.coat, 0.0, crossing));
       chosen = select(o.ofCoat, 0.0, crossing);
     }
     sum += vec4f(lobe * (spread * masked), chosen * density);
+    if (!hasCoats) {
+      if (!hasTransmission) {
+        break;
+      }
+    }
     if (!isCoat) {
       break;
     }
     isCoat = false;
   }
-  if ((o.sheenColor > 0.0) & !crossing & !o.inside) {
-    let most = max(max(o.sheen, sheenAlbedo(zi, l.sheenRoughness)), 1.0);
-    let fibres = (1.0 - o.coat) * whiteSheen(wo, wi, sheenAlpha(l.sheenRoughness)) / most;
-    sum += vec4f(fibres * l.sheenColor, o.ofSheen * invTwoPi);
+  if (hasSheen) {
+    if ((o.sheenColor > 0.0) & !crossing & !o.inside) {
+      let most = max(max(o.sheen, sheenAlbedo(zi, l.sheenRoughness)), 1.0);
+      let fibres = (1.0 - o.coat) * whiteSheen(wo, wi, sheenAlpha(l.sheenRoughness)) / most;
+      sum += vec4f(fibres * l.sheenColor, o.ofSheen * invTwoPi);
+    }
   }
   let body = select((1.0 - l.beyond) * s.baseColor, l.beyond * l.beyondColor, crossing);
   let matte = under * intoBody * (1.0 - l.transmission) * body;
-  return sum + vec4f(matte, select(o.ofDiffuse, ofBeyond(o), crossing)) * (invPi * zi);
+  let all = sum + vec4f(matte, select(o.ofDiffuse, ofBeyond(o), crossing)) * (invPi * zi);
+  return select(all, vec4f(0.0), dark);
 }
 
 fn ofBeyond(o: Stack) -> f32 {
