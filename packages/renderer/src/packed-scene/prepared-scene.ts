@@ -2,7 +2,7 @@
 import type { Mesh } from '../scene/mesh.ts';
 import type { Scene } from '../scene/scene.ts';
 import { adoptedScene } from '../scene-file/trusted-scenes.ts';
-import { loadGeometryPacker, packHere } from './geometry-packer.ts';
+import { keepMeshes, packHere } from './geometry-packer.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
 /** Plain data that can be posted; a mesh here and in the scene is the same object, and stays so on the way. */
@@ -32,9 +32,6 @@ export function buffersOf(value: unknown): ArrayBuffer[] {
 
 /** On the page: the scene as good as it was in the worker. Only for what `prepareScene` has given there. */
 export async function adoptScene({ scene, meshes }: PreparedScene): Promise<Scene> {
-  if (meshes.length > 0) {
-    const { keepPacked } = await loadGeometryPacker();
-    for (const [mesh, packed] of meshes) keepPacked(mesh, packed);
-  }
+  if (meshes.length > 0) await keepMeshes(meshes);
   return adoptedScene(scene);
 }
