@@ -2,7 +2,7 @@
 import type { Mesh } from '../scene/mesh.ts';
 import type { Scene } from '../scene/scene.ts';
 import { trustScene } from '../scene-file/parse-scene.ts';
-import { loadGeometryPacker, packHere } from './geometry-packer.ts';
+import { keepMeshes, packHere } from './geometry-packer.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
 /** Plain data that can be posted; a mesh here and in the scene is the same object, and stays so on the way. */
@@ -32,10 +32,7 @@ export function buffersOf(value: unknown): ArrayBuffer[] {
 
 /** On the page: the scene as good as it was in the worker. Only for what `prepareScene` has given there. */
 export async function adoptScene({ scene, meshes }: PreparedScene): Promise<Scene> {
-  if (meshes.length > 0) {
-    const { keepPacked } = await loadGeometryPacker();
-    for (const [mesh, packed] of meshes) keepPacked(mesh, packed);
-  }
+  if (meshes.length > 0) await keepMeshes(meshes);
   // Maps from names inherit nothing, so that no name finds more than the file gave; on the way they have become ordinary objects.
   for (const name of BY_NAME) if (scene[name]) Object.setPrototypeOf(scene[name], null);
   freeze(scene);
