@@ -1,5 +1,5 @@
 /** The models of a scene: what their files have becomes part of it. */
-import type { GltfImport, GltfOptions } from '../gltf/types.ts';
+import type { GltfOptions } from '../gltf/types.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { LoadedMesh } from '../scene/mesh.ts';
 import { crowdFault } from '../scene/mesh-fault.ts';
@@ -8,10 +8,14 @@ import type { Scene } from '../scene/scene.ts';
 import { withVariant } from '../scene/variants.ts';
 import { listOfNames } from './check-references.ts';
 import { mergeModel } from './merge-model.ts';
-import { nearest, type ProblemList, quote, sentence } from './problem.ts';
+import { nearest, type Problem, type ProblemList, quote, sentence } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
 
-export type ImportModel = (bytes: Uint8Array, options: GltfOptions) => Promise<GltfImport>;
+/** `file`: its name, by whose ending it is known what it is. */
+export type ImportModel = (bytes: Uint8Array, file: string, options: GltfOptions) => Promise<ImportedModel>;
+export type ImportedModel =
+  | { readonly ok: true; readonly scene: Scene; readonly notes: readonly string[] }
+  | { readonly ok: false; readonly problems: readonly Problem[] };
 
 /** The scene with all that its models have; those that cannot be had are left out, with problems. Adds to `notes` what was changed. */
 export async function loadModels(
@@ -42,9 +46,9 @@ async function readModel(
   options: Pick<GltfOptions, 'decoder'>,
 ): Promise<Scene | null> {
   const refuse = (reason: string, message: string) =>
-    problems.add(['models', name, 'file'], `the file ${quote(file)}, which cannot be used (${reason.replace(/\.$/, '')})`, 'a glTF 2.0 file that can be read', message); // biome-ignore format: one sentence
+    problems.add(['models', name, 'file'], `the file ${quote(file)}, which cannot be used (${reason.replace(/\.$/, '')})`, 'a model that can be read', message); // biome-ignore format: one sentence
   try {
-    const result = await importModel(await readFile(file), {
+    const result = await importModel(await readFile(file), file, {
       ...options,
       name,
       camera: 'frame',
@@ -56,7 +60,7 @@ async function readModel(
         refuse(`${path === '' ? '' : `${path}: `}${found}`, `The model ${quote(name)} cannot be used. ${message}`);
       return null;
     }
-    notes.push(...result.report.entries.map(({ message }) => `The model ${quote(name)}: ${message}`));
+    notes.push(...result.notes.map((message) => `The model ${quote(name)}: ${message}`));
     return variant === undefined ? result.scene : chooseVariant(name, result.scene, variant, problems);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
