@@ -77,7 +77,7 @@ const PARTS = [
   },
   {
     name: 'mesh-models',
-    importer: join(source, 'scene-file/load-files.ts'),
+    importer: join(source, 'scene-file/load-models.ts'),
     asked: '../mesh-model/mesh-scene.ts',
     entry: join(source, 'mesh-model/mesh-scene.ts'),
   },

@@ -1,7 +1,7 @@
 /** A file of triangles alone → a scene in a studio, each of its materials as its .mtl file has it. */
 
 import { defaultDecoder, type ImageDecoder } from '../gltf/images/decoder.ts';
-import type { MeshContent } from '../mesh-file/mesh-file.ts';
+import type * as meshFile from '../mesh-file/mesh-file.ts';
 import { endingOf, nameOf } from '../open/file-set.ts';
 import { frameScene } from '../scene/framing.ts';
 import type { MeshSource } from '../scene/mesh.ts';
@@ -54,9 +54,9 @@ interface Materials {
  * are named can be had, one that is called like the model is taken: people rename files.
  */
 async function readMaterials(
-  { materialFiles, parts }: MeshContent,
+  { materialFiles, parts }: meshFile.MeshContent,
   file: string,
-  readMtl: typeof import('../mesh-file/mesh-file.ts').readMtl,
+  readMtl: typeof meshFile.readMtl,
   readFile?: ReadFile,
 ): Promise<Materials> {
   const notes: string[] = [];
@@ -104,7 +104,7 @@ async function materialsOf(names: readonly string[], readFile: ReadFile | undefi
   return files;
 }
 
-function sceneOf(content: MeshContent, file: string, textured: Textured, notes: string[]): MeshScene {
+function sceneOf(content: meshFile.MeshContent, file: string, textured: Textured, notes: string[]): MeshScene {
   const name = plainName(nameOf(file).replace(/\.[^.]*$/, '')) || 'model';
   const materials: Record<string, Partial<Material>> = Object.create(null);
   const shapes: Record<string, object> = Object.create(null);

@@ -1,8 +1,7 @@
 /** The second step of reading a scene: the files that it names. */
 import type { ImageDecoder } from '../gltf/images/decoder.ts';
-import { importGltf } from '../gltf/index.ts';
 import { lacksMap } from '../scene/environment.ts';
-import { lacksData, MESH_ENDINGS } from '../scene/mesh.ts';
+import { lacksData } from '../scene/mesh.ts';
 import { lacksModel } from '../scene/models.ts';
 import type { Scene } from '../scene/scene.ts';
 import { lacksPixels } from '../scene/textures.ts';
@@ -10,7 +9,6 @@ import { checkPlaying } from './check-clips.ts';
 import { FaultyPlaces } from './faulty-places.ts';
 import { loadImage } from './load-image.ts';
 import { loadMeshes } from './load-meshes.ts';
-import type { ImportModel } from './load-models.ts';
 import { isParsedScene, withMap, withMeshes, withThings } from './parse-scene.ts';
 import { type Problem, ProblemList } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
@@ -28,16 +26,6 @@ export interface LoadOptions {
   /** Makes pixels of images. Default: what a browser offers; elsewhere PNG alone. */
   readonly decoder?: ImageDecoder;
 }
-
-const importModel: ImportModel = async (bytes, file, options) => {
-  if (MESH_FILE.test(file)) {
-    const { meshScene } = await import('../mesh-model/mesh-scene.ts');
-    return meshScene(bytes, file, options.readFile, options.decoder);
-  }
-  const imported = await importGltf(bytes, options);
-  return imported.ok ? { ...imported, notes: imported.report.entries.map(({ message }) => message) } : imported;
-};
-const MESH_FILE = new RegExp(`\\.(${MESH_ENDINGS.join('|')})$`, 'i');
 
 /**
  * The scene with the content of the files that it names, or everything that is wrong with them; itself when it names none or has it
@@ -60,7 +48,7 @@ export async function loadFiles(scene: Scene, readFile: ReadFile, options: LoadO
   }
   if (Object.values(models).some(lacksModel)) {
     const { loadModels } = await import('./load-models.ts');
-    const whole = await loadModels(loaded, importModel, readFile, problems, notes, options);
+    const whole = await loadModels(loaded, readFile, problems, notes, options);
     checkPlaying(whole, new FaultyPlaces(), problems, true);
     loaded = withThings(whole, {}, isParsedScene(loaded));
   }

@@ -1,7 +1,8 @@
 /** The models of a scene: what their files have becomes part of it. */
+import { importGltf } from '../gltf/index.ts';
 import type { GltfOptions } from '../gltf/types.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { LoadedMesh } from '../scene/mesh.ts';
+import { type LoadedMesh, MESH_ENDINGS } from '../scene/mesh.ts';
 import { crowdFault } from '../scene/mesh-fault.ts';
 import { lacksModel, type ModelSource } from '../scene/models.ts';
 import type { Scene } from '../scene/scene.ts';
@@ -11,16 +12,24 @@ import { mergeModel } from './merge-model.ts';
 import { nearest, type Problem, type ProblemList, quote, sentence } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
 
-/** `file`: its name, by whose ending it is known what it is. */
-export type ImportModel = (bytes: Uint8Array, file: string, options: GltfOptions) => Promise<ImportedModel>;
-export type ImportedModel =
+type ImportedModel =
   | { readonly ok: true; readonly scene: Scene; readonly notes: readonly string[] }
   | { readonly ok: false; readonly problems: readonly Problem[] };
+
+/** By the ending of the file's name. */
+async function importModel(bytes: Uint8Array, file: string, options: GltfOptions): Promise<ImportedModel> {
+  if (MESH_FILE.test(file)) {
+    const { meshScene } = await import('../mesh-model/mesh-scene.ts');
+    return meshScene(bytes, file, options.readFile, options.decoder);
+  }
+  const imported = await importGltf(bytes, options);
+  return imported.ok ? { ...imported, notes: imported.report.entries.map(({ message }) => message) } : imported;
+}
+const MESH_FILE = new RegExp(`\\.(${MESH_ENDINGS.join('|')})$`, 'i');
 
 /** The scene with all that its models have; those that cannot be had are left out, with problems. Adds to `notes` what was changed. */
 export async function loadModels(
   scene: Scene,
-  importModel: ImportModel,
   readFile: ReadFile,
   problems: ProblemList,
   notes: string[],
@@ -29,7 +38,7 @@ export async function loadModels(
   let whole = scene;
   for (const [name, source] of Object.entries(scene.models ?? {})) {
     if (!lacksModel(source)) continue;
-    const model = await readModel(name, source, importModel, readFile, problems, notes, options);
+    const model = await readModel(name, source, readFile, problems, notes, options);
     if (model) whole = mergeModel(whole, name, source, model);
   }
   checkCrowd(whole, problems);
@@ -39,7 +48,6 @@ export async function loadModels(
 async function readModel(
   name: string,
   { file, variant }: ModelSource,
-  importModel: ImportModel,
   readFile: ReadFile,
   problems: ProblemList,
   notes: string[],
