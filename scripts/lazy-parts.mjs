@@ -13,6 +13,7 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
+ * @property {'page'} [only] a library has it in its start anyway, as it exports it
  */
 
 /**
@@ -26,6 +27,19 @@ const PARTS = [
     importer: join(studio, 'said-in-chinese.ts'),
     asked: './chinese-tables.ts',
     entry: join(studio, 'chinese-tables.ts'),
+  },
+  {
+    name: 'scene-tools',
+    importer: join(studio, 'load-scene-tools.ts'),
+    asked: './scene-tools.ts',
+    entry: join(studio, 'scene-tools.ts'),
+  },
+  {
+    name: 'scene-reader',
+    importer: join(source, 'scene-file/usable-scene.ts'),
+    asked: './require-scene.ts',
+    entry: join(source, 'scene-file/require-scene.ts'),
+    only: 'page',
   },
   {
     name: 'opening',
@@ -133,7 +147,7 @@ export function lazyParts(as) {
   /** @type {Map<string, string>} name → code of what is written */
   const written = new Map();
   return {
-    ...partImports(as, written),
+    ...partImports(as, written, LOADER_OF_PAGE),
     generateBundle: {
       order: 'post',
       handler() {
@@ -146,16 +160,17 @@ export function lazyParts(as) {
 
 const fileOf = (/** @type {string} */ name) => `mirrorball-${name}.js`;
 
-/** Leaves the code as text: the loader makes modules of it, in the page and in its workers. @param {string} name @param {string} code */
+/** Leaves the code as text: the loader runs it, in the page and in its workers. @param {string} name @param {string} code */
 const scriptOf = (name, code) => `(self.mirrorballParts ??= {})[${JSON.stringify(name)}] = ${JSON.stringify(code)};\n`;
 
 /**
  * What the page and its parts have in common: imports of parts are replaced, and those that are asked for are built.
  * @param {'page' | 'library'} as
  * @param {Map<string, string>} written
+ * @param {string} loader how parts are loaded there, in a page
  * @returns {import('vite').Plugin}
  */
-function partImports(as, written) {
+function partImports(as, written, loader) {
   return {
     name: 'lazy-parts',
     apply: 'build',
@@ -171,7 +186,7 @@ function partImports(as, written) {
     load: {
       order: 'pre',
       handler(id) {
-        if (id === `\0${LOADER}`) return LOADER_CODE;
+        if (id === `\0${LOADER}`) return loader;
         if (as === 'page' && id === ANSWERING) return `export { answerParts } from '${LOADER}';`;
         return id.endsWith('.wasm?url&inline') ? byteText(id) : null;
       },
@@ -179,7 +194,7 @@ function partImports(as, written) {
     transform: {
       order: 'pre',
       handler(code, id) {
-        const parts = partsAskedBy(id);
+        const parts = partsAskedBy(id, as);
         if (parts.length === 0) return null;
         const text = parts.reduce((before, part) => replaced(before, part, as), code);
         return { code: as === 'page' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
@@ -188,7 +203,7 @@ function partImports(as, written) {
     async renderChunk(_, chunk) {
       // Not what tree shaking has left out.
       const used = Object.entries(chunk.modules).filter(([, { renderedLength }]) => renderedLength > 0);
-      for (const part of used.flatMap(([id]) => partsAskedBy(id))) {
+      for (const part of used.flatMap(([id]) => partsAskedBy(id, as))) {
         if (written.has(part.name)) continue;
         written.set(part.name, '');
         written.set(part.name, await buildPart(part, as, written));
@@ -198,10 +213,10 @@ function partImports(as, written) {
   };
 }
 
-/** @param {string} id */
-function partsAskedBy(id) {
+/** @param {string} id @param {'page' | 'library'} as */
+function partsAskedBy(id, as) {
   const file = id.split('?')[0]?.replaceAll('\\', '/');
-  return PARTS.filter(({ importer }) => file === importer.replaceAll('\\', '/'));
+  return PARTS.filter(({ importer, only = as }) => only === as && file === importer.replaceAll('\\', '/'));
 }
 
 /** What asks for it. @param {Part} part */
@@ -214,6 +229,12 @@ function replaced(code, part, as) {
     throw new Error(`${part.importer} has no import('${part.asked}') any more: see scripts/lazy-parts.mjs.`);
   return code.replace(call, as === 'page' ? `loadPart('${part.name}')` : `import('./${fileOf(part.name)}')`);
 }
+
+/**
+ * How a part gives what it exports: see the loader below.
+ * @type {Record<'page' | 'library', import('vite').Rolldown.OutputOptions>}
+ */
+const FORMAT = { page: { format: 'iife', name: 'mirrorballPart', exports: 'named' }, library: { format: 'es' } };
 
 /** A letter for each byte: compression finds what repeats in it, which base64 hides. A third smaller. */
 function byteText(/** @type {string} */ id) {
@@ -229,11 +250,11 @@ async function buildPart(part, as, written) {
     configFile: false,
     root: dirname(part.entry),
     logLevel: 'error',
-    plugins: [shaderText(), partImports(as, written)],
+    plugins: [shaderText(), partImports(as, written, LOADER_OF_PARTS)],
     // A worker in a part is text in it, and a classic one: from a file a browser starts no other.
     worker: {
       format: 'iife',
-      plugins: () => [partImports(as, written)],
+      plugins: () => [partImports(as, written, LOADER_OF_PARTS)],
       rolldownOptions: { output: { codeSplitting: false } },
     },
     build: {
@@ -244,7 +265,7 @@ async function buildPart(part, as, written) {
       rolldownOptions: {
         input: part.entry,
         preserveEntrySignatures: 'strict',
-        output: { format: 'es', codeSplitting: false, entryFileNames: `${part.name}.js` },
+        output: { ...FORMAT[as], codeSplitting: false, entryFileNames: `${part.name}.js` },
       },
     },
   });
@@ -254,35 +275,45 @@ async function buildPart(part, as, written) {
   return chunk.code;
 }
 
-/** Runs in the page, in parts, as they may need parts, and in workers, which see no page and ask it by a message. */
-const LOADER_CODE = `
-const beside = (name) => new Promise((resolve, reject) => {
-  const code = () => self.mirrorballParts?.[name];
-  const missing = 'mirrorball-' + name + '.js is missing: it belongs into the folder of this page.';
-  const end = () => {
-    if (code() === undefined) return reject(new Error(missing));
-    // As a blob it is no burden on the page's heap any more.
-    if (typeof code() === 'string') self.mirrorballParts[name] = new Blob([code()]);
-    resolve(code());
-  };
-  if (code() !== undefined) return end();
+/**
+ * In the page. A part is a classic script and no module: a browser keeps modules with all of their text as long as the page, and a script only
+ * while something of it is in use. So nothing here holds for good what a part has given.
+ */
+const PAGE_LOADER = `
+const run = (url) => new Promise((resolve) => {
   const script = document.createElement('script');
-  script.src = 'mirrorball-' + name + '.js';
+  script.src = url;
+  // Also where the page does not say what it is written in.
+  script.charset = 'utf-8';
   script.onload = script.onerror = () => {
     script.remove();
-    end();
+    resolve();
   };
   document.head.append(script);
 });
-const asked = (name) => new Promise((resolve, reject) => {
-  const { port1, port2 } = new MessageChannel();
-  port1.onmessage = ({ data }) => {
-    port1.close();
-    if (data.code) resolve(data.code);
-    else reject(new Error(data.problem));
-  };
-  postMessage({ part: name }, [port2]);
-});
+async function ran(blob, run) {
+  const url = URL.createObjectURL(blob);
+  try {
+    await run(url);
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+  const part = self.mirrorballPart;
+  self.mirrorballPart = null;
+  return part;
+}
+async function beside(name) {
+  const codes = (self.mirrorballParts ??= {});
+  if (!codes[name]) {
+    const file = 'mirrorball-' + name + '.js';
+    // A script element's text from a server stays on the heap, for hints about what to compile the next time.
+    if (location.protocol === 'file:') await run(file);
+    else await fetch(file).then(async (answer) => answer.ok && ran(await answer.blob(), run), () => {});
+    if (!codes[name]) throw new Error(file + ' is missing: it belongs into the folder of this page.');
+  }
+  // As a blob it is no burden on the page's heap.
+  return (codes[name] = new Blob([codes[name]], { type: 'text/javascript' }));
+}
 export function answerParts(worker) {
   worker.addEventListener('message', async ({ data, ports }) => {
     if (!data || typeof data.part !== 'string') return;
@@ -293,22 +324,42 @@ export function answerParts(worker) {
     }
   });
 }
-async function load(name) {
-  const code = await (typeof document === 'undefined' ? asked(name) : beside(name));
-  const url = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-  try {
-    return await import(/* @vite-ignore */ url);
-  } finally {
-    URL.revokeObjectURL(url);
-  }
-}
-const loads = new Map();
-export function loadPart(name) {
-  if (!loads.has(name)) {
-    loads.set(name, load(name));
+const parts = new Map();
+async function inPage(name) {
+  const known = parts.get(name);
+  let part = known instanceof WeakRef ? known.deref() : known;
+  if (!part) {
+    part = beside(name).then((code) => ran(code, run));
+    parts.set(name, part);
     // What was missing may be there the next time.
-    loads.get(name).catch(() => loads.delete(name));
+    part.then((part) => parts.set(name, new WeakRef(part)), () => parts.delete(name));
   }
-  return loads.get(name);
+  return part;
 }
+`;
+
+/** In the page's own code. */
+const LOADER_OF_PAGE = `${PAGE_LOADER}
+export { inPage as loadPart };
+`;
+
+/** In parts, as they may need parts, and in workers, which see no page and ask it by a message; they end when they have nothing to do. */
+const LOADER_OF_PARTS = `${PAGE_LOADER}
+const asked = (name) => new Promise((resolve, reject) => {
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = ({ data }) => {
+    port1.close();
+    if (data.code) resolve(data.code);
+    else reject(new Error(data.problem));
+  };
+  postMessage({ part: name }, [port2]);
+});
+async function inWorker(name) {
+  if (!parts.has(name)) {
+    parts.set(name, asked(name).then((code) => ran(code, importScripts)));
+    parts.get(name).catch(() => parts.delete(name));
+  }
+  return parts.get(name);
+}
+export const loadPart = typeof document === 'undefined' ? inWorker : inPage;
 `;

@@ -38,6 +38,15 @@ export class Heap {
     this.#page.on('Target.detachedFromTarget', ({ sessionId }) => this.#workers.delete(sessionId));
   }
 
+  /** As if a person had chosen it. Playwright's own way leaves 0.9 MB of itself on the page's heap. */
+  async chooseFile(selector: string, file: string): Promise<void> {
+    const expression = `document.querySelector(${JSON.stringify(selector)})`;
+    const { result } = await this.#page.send('Runtime.evaluate', { expression });
+    const { objectId } = result as { objectId: string };
+    await this.#page.send('DOM.setFileInputFiles', { files: [file], objectId });
+    await this.#page.send('Runtime.releaseObject', { objectId });
+  }
+
   /** Bytes of objects and of what typed arrays stand on, in the page and all of its workers. */
   async bytes(): Promise<number> {
     const page: Send = (method, parameters = {}) =>

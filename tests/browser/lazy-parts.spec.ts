@@ -48,6 +48,30 @@ test('a page from file:// unpacks the reading of models when it is asked for', a
   }
 });
 
+test('a part is run once for all who ask at a time, and collected when nobody uses it', async ({ page }, {
+  outputDir,
+}) => {
+  await openPage(page, outputDir);
+  const session = await page.context().newCDPSession(page);
+  const runsForTwo = () =>
+    page.evaluate(async (model) => {
+      const { createObjectURL } = URL;
+      let runs = 0;
+      URL.createObjectURL = (code) => {
+        runs++;
+        return createObjectURL(code);
+      };
+      const bytes = Uint8Array.from(atob(model), (letter) => letter.charCodeAt(0));
+      const { importGltf } = window as unknown as Importer;
+      const results = await Promise.all([importGltf(bytes), importGltf(bytes)]);
+      URL.createObjectURL = createObjectURL;
+      return results.every(({ ok }) => ok) ? runs : Number.NaN;
+    }, Buffer.from(triangleFile().glb()).toString('base64'));
+  expect(await runsForTwo()).toBe(1);
+  await session.send('HeapProfiler.collectGarbage');
+  expect(await runsForTwo()).toBe(1);
+});
+
 /** A textured triangle whose image has these bytes. */
 const textured = (image: Uint8Array): string =>
   Buffer.from(

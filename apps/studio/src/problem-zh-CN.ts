@@ -267,14 +267,6 @@ const drawingForms: readonly Form[] = [
       `场景的${what === 'meshes' ? '网格' : '贴图'}需要 ${need}，而此设备最多容纳 ${room}（${limit}）。`,
   ],
   [
-    /^The material (".*") has (.*), which this version reads and does not draw yet\.$/,
-    (name, what) => `材质 ${name} 含有 ${what}，当前版本能够读取，但还不能绘制。`,
-  ],
-  [
-    /^The mesh (".*") has colours at its vertices, .*$/,
-    (name) => `网格 ${name} 带有顶点颜色，当前版本能够读取，但还不能绘制。`,
-  ],
-  [
     /^The shape (".*") is a mesh; on a GPU only the path integrator .*$/,
     (name) => `形体 ${name} 是三角形网格，GPU 上只有路径追踪能够绘制（"render": { "integrator": "path" }）。`,
   ],

@@ -26,6 +26,10 @@ const forms: readonly Form[] = [
     /^A material has a normal map or anisotropy/,
     () => '有材质使用法线贴图或各向异性，但网格没有纹理坐标，因此不起作用。',
   ],
+  [
+    /^A clear coat's normal map goes by other coordinates/,
+    () => '清漆法线贴图与底层法线贴图使用的纹理坐标不同；两者都以底层的切线为准。',
+  ],
   [/^The extension (\S+) is not read\.$/, (name) => `不支持扩展 ${name}。`],
   [/^Images of the kind (\S+) cannot be decoded here; the texture is left out\.$/, (type) => `此处无法解码 ${type} 图片，略去了该贴图。`], // biome-ignore format: one line each
   [/^Images of the kind (\S+) cannot be decoded here; another image/, (type) => `此处无法解码 ${type} 图片，改用该贴图的备用图片。`], // biome-ignore format: one line each

@@ -82,6 +82,8 @@ export class Stages {
   #pending = false;
   /** The submit before the last one, done or not. */
   #before: Promise<void> | null = null;
+  /** Held as long as scenes that need it may be on show. */
+  #packer: object | null = null;
   /** The integrators that have drawn something. */
   readonly #warm = new Set<Pass>();
 
@@ -145,15 +147,25 @@ export class Stages {
 
   /** Whether the film of this subject gets what it asks for and not the preview's samples. */
   has(subject: Subject): boolean {
-    return this.#programs.get(subject) !== undefined && (geometryPacker() !== null || !needsPacker(subject.scene));
+    return this.#programs.get(subject) !== undefined && this.#hasPacker(subject);
+  }
+
+  #hasPacker({ scene }: Subject): boolean {
+    if (this.#packer !== null || !needsPacker(scene)) return true;
+    this.#packer = geometryPacker();
+    return this.#packer !== null;
   }
 
   /** Compiles the subject's program, and what shows it, once. Call it when the first picture is on its way. */
   async ready(subject: Subject): Promise<void> {
     const content = contentOfSubject(subject);
     const display = isAov(content) ? this.#aovReady() : this.#display.ready();
-    const packer = needsPacker(subject.scene) && loadGeometryPacker();
+    const packer = needsPacker(subject.scene) && this.#packerReady();
     await Promise.all([this.#programs.ready(subject), packer, display, content === 'path' && this.#filmErrorReady()]);
+  }
+
+  async #packerReady(): Promise<void> {
+    this.#packer = await loadGeometryPacker();
   }
 
   #filmErrorReady(): Promise<void> {
@@ -194,6 +206,7 @@ export class Stages {
    * still to be submitted needs it for these; then it goes when the next film begins.
    */
   leaveModel(): void {
+    this.#packer = null;
     if (this.#pending) return;
     this.#environment.release();
     this.#geometry.release();

@@ -8,9 +8,10 @@ import type { MeshSource } from '../scene/mesh.ts';
 import { MODEL_RENDER, studioSky } from '../scene/model-view.ts';
 import type { Material, Scene } from '../scene/scene.ts';
 import { IMAGE_ENDINGS } from '../scene/textures.ts';
-import { parseScene, withThings } from '../scene-file/parse-scene.ts';
+import { parseScene } from '../scene-file/parse-scene.ts';
 import { type Problem, ProblemList, quote, sentence } from '../scene-file/problem.ts';
 import type { ReadFile } from '../scene-file/read-file.ts';
+import { withThings } from '../scene-file/trusted-scenes.ts';
 import { withParts } from '../scene-file/with-parts.ts';
 import { type GivenMaterials, type Textured, withTextures } from './material-images.ts';
 

@@ -4,7 +4,7 @@ import { expect, test } from 'vitest';
 import { triangleFile } from '../../../../tests/fixtures/gltf.ts';
 import { cubeMesh } from '../../../../tests/fixtures/meshes/solids.ts';
 import { writePly } from '../mesh-file/ply/write-ply.ts';
-import { isParsedScene } from '../scene-file/parse-scene.ts';
+import { isParsedScene } from '../scene-file/trusted-scenes.ts';
 import type { GivenFile } from './file-set.ts';
 import { type OpenedFiles, openFiles } from './open-files.ts';
 

@@ -13,19 +13,29 @@ import type * as PackGeometry from './pack-geometry.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
 import type { TextureRows } from './pack-textures.ts';
+import type { PackedMesh } from './packed-mesh.ts';
 import { hasMeshes } from './refuse-meshes.ts';
 import { createBlock, type StructValues } from './write-struct.ts';
 
 type Packer = typeof PackGeometry;
 
-let packer: Packer | null = null;
+/** Not held here: a page whose models have all been left gives its code back. */
+let packer: WeakRef<Packer> | null = null;
+/** It stays as long as a mesh that it has packed: with its code would go what it knows of the mesh. */
+const packerOf = new WeakMap<Mesh, Packer>();
 
+/** Whoever wants to call what needs it holds it until then. */
 export async function loadGeometryPacker(): Promise<Packer> {
-  packer ??= await import('./pack-geometry.ts');
-  return packer;
+  const loaded = geometryPacker() ?? (await import('./pack-geometry.ts'));
+  packer = new WeakRef(loaded);
+  return loaded;
 }
-/** Null until it has been loaded. */
-export const geometryPacker = (): Packer | null => packer;
+/** Null until it has been loaded, and when nobody needed it any more. */
+export const geometryPacker = (): Packer | null => packer?.deref() ?? null;
+
+function hold(meshes: readonly Mesh[], packer: Packer): void {
+  for (const mesh of meshes) packerOf.set(mesh, packer);
+}
 
 /** Each once. Those that bend get their trees for the form that they have in the scene: posed-mesh.ts. */
 function meshesOf(scene: Scene): Mesh[] {
@@ -36,14 +46,24 @@ function meshesOf(scene: Scene): Mesh[] {
 /** Whether nothing of the scene's meshes has to be waited for. */
 export function areMeshesReady(scene: Scene): boolean {
   const meshes = meshesOf(scene);
+  const packer = geometryPacker();
   return packer === null ? meshShapes(scene).length === 0 : meshes.every(packer.isPacked);
 }
 
 /** Resolves when nothing has to be waited for: trees are built, in a worker. */
 export async function prepareMeshes(scene: Scene, preparation?: Preparation): Promise<void> {
   if (areMeshesReady(scene)) return;
-  const { packMeshes } = await loadGeometryPacker();
-  await packMeshes(meshesOf(scene), preparation);
+  const packer = await loadGeometryPacker();
+  const meshes = meshesOf(scene);
+  await packer.packMeshes(meshes, preparation);
+  hold(meshes, packer);
+}
+
+/** For who has got them packed by another thread. */
+export async function keepMeshes(meshes: readonly (readonly [Mesh, PackedMesh])[]): Promise<void> {
+  const packer = await loadGeometryPacker();
+  for (const [mesh, packed] of meshes) packer.keepPacked(mesh, packed);
+  hold(meshes.map(([mesh]) => mesh), packer); // biome-ignore format: short
 }
 
 /** Packs them on this thread, as a worker may, and gives them. `onProgress` gets the share that is done, 0 … 1. */
@@ -78,6 +98,7 @@ export const lightTreeOf = (emitters: readonly EmitterValues[], far: number): Li
   loaded().treeOfEmitters(emitters, far);
 
 function loaded(): Packer {
+  const packer = geometryPacker();
   if (packer === null)
     throw new Error('Meshes or many lights are to be packed, and loadGeometryPacker() has not been awaited.');
   return packer;

@@ -358,6 +358,7 @@ export const TEXTURE_SLOTS = {
   anisotropySlot: 13,
   filmSlot: 14,
   filmThicknessSlot: 15,
+  coatNormalSlot: 16,
 } as const;
 /** Bits of `TextureUse.flags`. Without one of the wrap bits the image repeats. */
 export const LOOKUP_FLAGS = {

@@ -9,7 +9,7 @@ import type { LoadedMesh, MeshSource } from '../scene/mesh.ts';
 import { crowdFault, meshFault } from '../scene/mesh-fault.ts';
 import type { Scene, Sky } from '../scene/scene.ts';
 import type { ImageSource } from '../scene/textures.ts';
-import { withMap, withMeshes, withThings } from './parse-scene.ts';
+import { withMap, withMeshes, withThings } from './trusted-scenes.ts';
 
 /** Any names will do while the form of the scene is checked. */
 const NO_IMAGE = 'memory.hdr';

@@ -9,9 +9,9 @@ import { checkPlaying } from './check-clips.ts';
 import { FaultyPlaces } from './faulty-places.ts';
 import { loadImage } from './load-image.ts';
 import { loadMeshes } from './load-meshes.ts';
-import { isParsedScene, withMap, withMeshes, withThings } from './parse-scene.ts';
 import { type Problem, ProblemList } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
+import { isParsedScene, withMap, withMeshes, withThings } from './trusted-scenes.ts';
 
 export type LoadedScene =
   | {

@@ -36,3 +36,7 @@ const isTextured = ({ weightTexture, colorTexture }: SpecularLobe): boolean =>
 
 /** Whether what it sends out goes through a coat first. */
 export const hasCoat = (m: Layered): boolean => isLayered(m) && (m.clearcoat?.weight ?? 0) > 0;
+
+/** Whether its coat is bent by another normal map than the base, or only one of both is. */
+export const bendsCoatApart = (m: Layered): boolean =>
+  hasCoat(m) && JSON.stringify(m.clearcoat?.normalTexture) !== JSON.stringify(m.normalTexture);

@@ -26,6 +26,7 @@ export const FEATURES = [
   'hasCompensation',
   'hasLayers',
   'hasIridescence',
+  'hasCoatNormals',
   'hasLens',
   'hasOtherProjections',
   'hasFilter',
@@ -43,6 +44,7 @@ export const MODEL_FEATURES: readonly Feature[] = [
   'hasCutouts',
   'hasLayers',
   'hasIridescence',
+  'hasCoatNormals',
   'hasMeshLamps',
   'hasLightTree',
 ];

@@ -84,6 +84,11 @@ struct LayeredSample {
     vec3 weight;
     bool delta;
 };
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+};
 struct Parting {
     vec3 toward;
     vec3 beyond;
@@ -154,11 +159,15 @@ const bool hasLayers = false;
 
 const bool hasMetallicRoughness = false;
 
+vec3 coatNormalHere = vec3(0.0);
+
 const bool hasConductors = false;
 
 const bool hasGlass = false;
 
 Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+
+const bool hasCoatNormals = false;
 
 const bool hasCompensation = false;
 
@@ -238,8 +247,8 @@ bool isDielectric(uint code_5) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_2 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_2 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 vec2 ellipticAlpha(float alpha, float strength) {
@@ -257,17 +266,35 @@ float coatReflectance(float coat, float cosine_1) {
     return (coat * _e4.x);
 }
 
+vec3 coatNormal(float side) {
+    vec3 _e2 = coatNormalHere;
+    float _e7 = coatNormalHere.z;
+    return vec3((side * _e2.xy), _e7);
+}
+
+float coatCosine(float side_1, vec3 w) {
+    float z = 0.0;
+    z = w.z;
+    const bool _e5 = hasCoatNormals;
+    if (_e5) {
+        vec3 _e6 = coatNormal(side_1);
+        z = dot(_e6, w);
+    }
+    float _e8 = z;
+    return abs(_e8);
+}
+
 float greatest(vec3 v) {
     return max(max(v.x, v.y), v.z);
 }
 
 float sheenAlbedo(float cosine_2, float roughness) {
     float u_6 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_2 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    float v_4 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
     vec3 low = (vec3(0.746962, 0.0397496, 0.224802) + (u_6 * (vec3(-0.448339, 0.3406, -0.509736) + (u_6 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_6 * (vec3(0.0587112, 0.187983, 0.191769) + (u_6 * (vec3(-0.182064, 0.425384, 0.971703) + (u_6 * (vec3(0.0763965, -0.331055, 0.616069) + (u_6 * (vec3(0.0893496, -0.409073, -0.445006) + (u_6 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
     vec3 high = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_6 * (vec3(0.492365, -0.201291, -0.00570256) + (u_6 * (vec3(0.833264, 0.765625, -1.06831) + (u_6 * (vec3(-1.29238, 0.71056, 0.237437) + (u_6 * (vec3(-2.81818, -0.673857, 2.17806) + (u_6 * (vec3(0.500911, -0.777981, 0.0143213) + (u_6 * (vec3(1.97956, 0.108218, -1.28939) + (u_6 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_2 * v_2);
-    float root = dot((low + ((v2_ * v_2) * high)), vec3(1.0, v_2, v2_));
+    float v2_ = (v_4 * v_4);
+    float root = dot((low + ((v2_ * v_4) * high)), vec3(1.0, v_4, v2_));
     float albedo = (root * root);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -401,17 +428,18 @@ Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_1 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_1 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_1));
+    float side_3 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_3));
     bool isSolid = (l_2.solid > 0.0);
-    bool inside = pick(isSolid, (side_1 < 0.0), false);
+    bool inside = pick(isSolid, (side_3 < 0.0), false);
     float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
     float ratio_6 = pick(isSolid, pick(inside, (1.0 / _e22), _e22), 1.0);
     bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
     vec2 _e39 = ellipticAlpha(s_1.alpha, l_2.anisotropy);
     vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
     float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
-    float _e48 = coatReflectance(l_2.coat, wo_8.z);
+    float _e47 = coatCosine(side_3, wo_8);
+    float _e48 = coatReflectance(l_2.coat, _e47);
     float coat_1 = pick(inside, 0.0, _e48);
     float _e52 = greatest(l_2.sheenColor);
     if ((_e52 > 0.0)) {
@@ -429,7 +457,7 @@ Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
     }
     vec3 _e98 = more;
     float _e99 = sheen;
-    o_1 = Stack(l_2, wo_8, side_1, hero_1, ratio_6, inside, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    o_1 = Stack(l_2, wo_8, side_3, hero_1, ratio_6, inside, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
     Stack _e106 = o_1;
     vec4 _e108 = baseReflectance(s_1, _e106, wo_8.z);
     float _e111 = sheen;
@@ -474,8 +502,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float indexRatio(float eta_2, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
+float indexRatio(float eta_2, float z_1, bool thin) {
+    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
 }
 
 bool isThin(uint code_6) {
@@ -490,8 +518,8 @@ float reflectionBound(vec3 wo, float alpha_2) {
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w, float alpha_3) {
-    return sqrt(((w.z * w.z) + ((alpha_3 * alpha_3) * dot(w.xy, w.xy))));
+float stretched(vec3 w_1, float alpha_3) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
 }
 
 Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
@@ -554,18 +582,18 @@ bool isSmooth(uint code_7) {
 
 vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_1) {
     float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_2 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    vec3 w_3 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_1 = ((6.2831855 * u_1.x) - 3.1415927);
-    float drop = (u_1.y * (1.0 + (bound * w_2.z)));
+    float drop = (u_1.y * (1.0 + (bound * w_3.z)));
     float sine = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_3 = (w_2 + vec3((sine * cos(phi_1)), (sine * sin(phi_1)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_3.xy), max(h_3.z, 1e-7)));
+    vec3 h_4 = (w_3 + vec3((sine * cos(phi_1)), (sine * sin(phi_1)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_4.xy), max(h_4.z, 1e-7)));
 }
 
 vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_2) {
-    float side_2 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_2), max(alpha_5, 0.001), o_3.bound, u_2);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_2);
+    float side_4 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_4), max(alpha_5, 0.001), o_3.bound, u_2);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_4);
 }
 
 vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
@@ -576,8 +604,8 @@ vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
     vec3 smaller = ((eta_3 * k) / larger);
     vec3 a = mix(smaller, larger, greaterThan(difference_2, vec3(0.0)));
-    vec3 b = mix(larger, smaller, greaterThan(difference_2, vec3(0.0)));
-    vec3 b2_ = ((b * b) + vec3(1e-20));
+    vec3 b_2 = mix(larger, smaller, greaterThan(difference_2, vec3(0.0)));
+    vec3 b2_ = ((b_2 * b_2) + vec3(1e-20));
     vec3 acrossFar = (a + vec3(cosine_10));
     vec3 acrossNear = (a - vec3(cosine_10));
     vec3 across = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
@@ -640,6 +668,17 @@ vec3 refracted(vec3 wo_3, vec3 h, float ratio_5) {
     return ((((cosine_17 - inside_2) * h) - wo_3) / vec3(ratio_5));
 }
 
+Basis basisAbout(vec3 n) {
+    float side_5 = pick((n.z >= 0.0), 1.0, -1.0);
+    float a_1 = (-1.0 / (side_5 + n.z));
+    float b_3 = ((n.x * n.y) * a_1);
+    return Basis(vec3((1.0 + (((side_5 * n.x) * n.x) * a_1)), (side_5 * b_3), (-(side_5) * n.x)), vec3(b_3, (side_5 + ((n.y * n.y) * a_1)), -(n.y)), n);
+}
+
+vec3 toLocal(Basis b, vec3 v_2) {
+    return vec3(dot(v_2, b.tangent), dot(v_2, b.bitangent), dot(v_2, b.normal));
+}
+
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
     float s_13 = (1.0 + length(wo_4.xy));
     float s2_1 = (s_13 * s_13);
@@ -648,19 +687,23 @@ float ellipticBound(vec3 wo_4, vec2 alpha_6) {
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_1, vec2 alpha_7) {
-    vec2 scaled = (alpha_7 * w_1.xy);
-    return sqrt(((w_1.z * w_1.z) + dot(scaled, scaled)));
+float ellipticStretched(vec3 w_2, vec2 alpha_7) {
+    vec2 scaled = (alpha_7 * w_2.xy);
+    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
 }
 
 vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_3) {
     float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_3 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+    vec3 w_4 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_2 = ((6.2831855 * u_3.x) - 3.1415927);
-    float drop_1 = (u_3.y * (1.0 + (bound_1 * w_3.z)));
+    float drop_1 = (u_3.y * (1.0 + (bound_1 * w_4.z)));
     float sine_1 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_4 = (w_3 + vec3((sine_1 * cos(phi_2)), (sine_1 * sin(phi_2)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_4.xy), max(h_4.z, 1e-7)));
+    vec3 h_5 = (w_4 + vec3((sine_1 * cos(phi_2)), (sine_1 * sin(phi_2)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_8 * h_5.xy), max(h_5.z, 1e-7)));
+}
+
+vec3 toWorld(Basis b_1, vec3 v_3) {
+    return (((v_3.x * b_1.tangent) + (v_3.y * b_1.bitangent)) + (v_3.z * b_1.normal));
 }
 
 Parting partingOf(Surface s_4, Stack o_4, vec4 reflectance_1) {
@@ -671,25 +714,29 @@ Parting partingOf(Surface s_4, Stack o_4, vec4 reflectance_1) {
     return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
 }
 
-float throughCover(Stack o_5, float zi, bool crossing) {
+float throughCover(Stack o_5, float zi, float coatZi, bool crossing) {
     float sheen_1 = 0.0;
     Layers l_4 = o_5.layers;
     bool isSolid_1 = (l_4.solid > 0.0);
     bool entersHere = pick(o_5.inside, crossing, false);
-    float _e11 = coatReflectance(l_4.coat, zi);
-    float coat_2 = pick(entersHere, _e11, o_5.coat);
+    float _e12 = coatReflectance(l_4.coat, coatZi);
+    float coat_2 = pick(entersHere, _e12, o_5.coat);
     sheen_1 = o_5.sheen;
     if ((o_5.sheenColor > 0.0)) {
         bool isOutside = pick(!(isSolid_1), true, (o_5.inside == crossing));
-        float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
-        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
+        float _e23 = sheen_1;
+        float _e25 = sheenAlbedo(zi, l_4.sheenRoughness);
+        sheen_1 = max(_e23, pick(isOutside, _e25, 0.0));
     }
-    float _e31 = sheen_1;
-    return ((1.0 - coat_2) * (1.0 - (o_5.sheenColor * min(_e31, 1.0))));
+    float _e32 = sheen_1;
+    return ((1.0 - coat_2) * (1.0 - (o_5.sheenColor * min(_e32, 1.0))));
 }
 
 LayeredSample sampleLayered(Surface s_5, Stack o_6, vec3 u_4) {
+    Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    vec3 ownWo = vec3(0.0);
+    vec3 h_1 = vec3(0.0);
+    bool lost = false;
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_6.wo;
     bool isSolid_2 = (o_6.layers.solid > 0.0);
@@ -698,38 +745,74 @@ LayeredSample sampleLayered(Surface s_5, Stack o_6, vec3 u_4) {
     vec2 alpha_15 = pick(isCoat_1, vec2(o_6.coatAlpha), o_6.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide = max(alpha_15, vec2(0.001));
-    float _e28 = ellipticBound(wo_9, wide);
-    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide, bound_2, u_4.xy);
-    vec3 h_5 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
-    float oh = max(dot(wo_9, h_5), 0.0);
-    vec4 _e43 = baseReflectance(s_5, o_6, oh);
-    Parting _e44 = partingOf(s_5, o_6, _e43);
+    const bool _e43 = hasCoatNormals;
+    if (_e43) {
+        if (isCoat_1) {
+            vec3 _e45 = coatNormal(o_6.side);
+            Basis _e46 = basisAbout(_e45);
+            frame = _e46;
+        }
+    }
+    ownWo = wo_9;
+    const bool _e49 = hasCoatNormals;
+    if (_e49) {
+        Basis _e50 = frame;
+        vec3 _e51 = toLocal(_e50, wo_9);
+        ownWo = _e51;
+    }
+    vec3 _e52 = ownWo;
+    float _e53 = ellipticBound(_e52, wide);
+    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e53);
+    vec3 _e58 = ownWo;
+    vec3 _e60 = sampleEllipticNormal(_e58, wide, bound_2, u_4.xy);
+    h_1 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e60);
+    const bool _e68 = hasCoatNormals;
+    if (_e68) {
+        Basis _e69 = frame;
+        vec3 _e70 = h_1;
+        vec3 _e71 = toWorld(_e69, _e70);
+        h_1 = _e71;
+    }
+    vec3 _e72 = h_1;
+    float oh = max(dot(wo_9, _e72), 0.0);
+    vec4 _e76 = baseReflectance(s_5, o_6, oh);
+    Parting _e77 = partingOf(s_5, o_6, _e76);
     float left = ((u_4.z - o_6.ofCoat) / max(o_6.ofFacets, 1e-20));
-    bool crossing_1 = pick(!(isCoat_1), (left >= _e44.share), false);
-    vec3 reflected = (((2.0 * oh) * h_5) - wo_9);
-    vec3 _e65 = refracted(wo_9, h_5, o_6.ratio);
-    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected.xy, -(reflected.z)));
+    bool crossing_1 = pick(!(isCoat_1), (left >= _e77.share), false);
+    vec3 _e91 = h_1;
+    vec3 reflected = (((2.0 * oh) * _e91) - wo_9);
+    vec3 _e98 = h_1;
+    vec3 _e100 = refracted(wo_9, _e98, o_6.ratio);
+    vec3 beyond_2 = pick(isSolid_2, _e100, vec3(reflected.xy, -(reflected.z)));
     vec3 met = pick(crossing_1, beyond_2, reflected);
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
-    float _e76 = throughCover(o_6, abs(met.z), crossing_1);
-    vec3 weight_1 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_6.ratio) * o_6.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met, pick(isCoat_1, o_6.ofCoat, (o_6.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_6.coat / max(o_6.ofCoat, 1e-20))), (weight_1 / vec3(max(o_6.ofFacets, 1e-20)))), isSmooth_1);
-    float _e122 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e122);
+    lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
+    const bool _e111 = hasCoatNormals;
+    if (_e111) {
+        if (isCoat_1) {
+            vec3 _e113 = frame.normal;
+            lost = pick((dot(_e113, met) <= 0.0), true, pick((met.z < 0.0), (s_5.eta.x < 0.0), false));
+        }
+    }
+    float _e129 = coatCosine(o_6.side, met);
+    float _e130 = throughCover(o_6, abs(met.z), _e129, crossing_1);
+    vec3 weight_1 = (_e130 * pick(crossing_1, (_e77.beyond / vec3(max((((1.0 - _e77.share) * o_6.ratio) * o_6.ratio), 1e-20))), (_e77.toward / vec3(max(_e77.share, 1e-20)))));
+    drawn = LayeredSample(met, pick(isCoat_1, o_6.ofCoat, (o_6.ofFacets * pick(crossing_1, (1.0 - _e77.share), _e77.share))), pick(isCoat_1, vec3((o_6.coat / max(o_6.ofCoat, 1e-20))), (weight_1 / vec3(max(o_6.ofFacets, 1e-20)))), isSmooth_1);
+    float _e176 = drawn.pdf;
+    bool _e177 = lost;
+    drawn.pdf = pick(_e177, 0.0, _e176);
     if (!(isFacet)) {
         float next = ((u_4.z - o_6.ofCoat) - o_6.ofFacets);
         float sine_2 = sqrt(max((u_4.x * (2.0 - u_4.x)), 0.0));
         float phi_3 = ((6.2831855 * u_4.y) - 3.1415927);
         vec3 even = vec3((sine_2 * cos(phi_3)), (sine_2 * sin(phi_3)), (1.0 - u_4.x));
-        vec3 _e153 = sampleCosine(u_4.xy);
-        vec3 below_1 = vec3(_e153.xy, pick((next >= (o_6.ofSheen + o_6.ofDiffuse)), -(_e153.z), _e153.z));
+        vec3 _e208 = sampleCosine(u_4.xy);
+        vec3 below_1 = vec3(_e208.xy, pick((next >= (o_6.ofSheen + o_6.ofDiffuse)), -(_e208.z), _e208.z));
         drawn = LayeredSample(pick((next < o_6.ofSheen), even, below_1), 1.0, vec3(1.0), false);
     }
-    float _e174 = drawn.direction.z;
-    drawn.direction.z = (_e174 * o_6.side);
-    LayeredSample _e177 = drawn;
-    return _e177;
+    float _e229 = drawn.direction.z;
+    drawn.direction.z = (_e229 * o_6.side);
+    LayeredSample _e232 = drawn;
+    return _e232;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -812,8 +895,8 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     return _e156;
 }
 
-float facetDensity(vec3 h_1, float alpha_9) {
-    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_9 * alpha_9)) + (h_1.z * h_1.z)), 1.0);
+float facetDensity(vec3 h_2, float alpha_9) {
+    float slope = max(((dot(h_2.xy, h_2.xy) / (alpha_9 * alpha_9)) + (h_2.z * h_2.z)), 1.0);
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
@@ -901,20 +984,20 @@ vec4 evaluateBsdf(Surface s_9, Outgoing o_9, vec3 wi_2) {
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_2, vec2 alpha_10) {
-    vec2 scaled_1 = (h_2.xy / alpha_10);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_2.z * h_2.z)), 1.0);
+float ellipticDensity(vec3 h_3, vec2 alpha_10) {
+    vec2 scaled_1 = (h_3.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_3.z * h_3.z)), 1.0);
     return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
 }
 
 float shadowingExponent(float x, float alpha_11) {
     float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
-    float a_1 = mix(21.5473, 25.3245, m_2);
-    float b_1 = mix(3.82987, 3.32435, m_2);
+    float a_2 = mix(21.5473, 25.3245, m_2);
+    float b_4 = mix(3.82987, 3.32435, m_2);
     float c = mix(0.19823, 0.16801, m_2);
     float d = mix(-1.9776, -1.27393, m_2);
     float e = mix(-4.32054, -4.85967, m_2);
-    return (((a_1 / (1.0 + (b_1 * pow(x, c)))) + (d * x)) + e);
+    return (((a_2 / (1.0 + (b_4 * pow(x, c)))) + (d * x)) + e);
 }
 
 float sheenShadowing(float cosine_16, float alpha_12) {
@@ -950,6 +1033,9 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     bool isCoat = false;
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
     vec3 lobe = vec3(0.0);
     float chosen = 0.0;
     Layers l_5 = o_11.layers;
@@ -958,67 +1044,100 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
     bool crossing_4 = (wi_4.z < 0.0);
     vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
     float zi_2 = facing.z;
-    float _e18 = throughCover(o_11, zi_2, crossing_4);
+    float _e19 = coatCosine(o_11.side, wi_4);
+    float _e20 = throughCover(o_11, zi_2, _e19, crossing_4);
     isCoat = pick((o_11.coat > 0.0), true, (s_10.metallic < 1.0));
+    const bool _e35 = hasCoatNormals;
+    bool coatEnds = pick(crossing_4, !(pick(_e35, (s_10.eta.x >= 0.0), false)), false);
     while(true) {
-        bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
-        bool _e42 = isCoat;
-        vec2 alpha_16 = pick(_e42, vec2(o_11.coatAlpha), o_11.alpha);
+        bool _e43 = isCoat;
+        bool bends = pick(pick(crossing_4, !(_e43), false), (l_5.solid > 0.0), false);
+        bool _e53 = isCoat;
+        vec2 alpha_16 = pick(_e53, vec2(o_11.coatAlpha), o_11.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_1 = max(alpha_16, vec2(0.001));
-        vec3 met_1 = pick(bends, wi_4, facing);
+        bool _e63 = isCoat;
+        vec3 met_1 = pick(pick(bends, true, pick(_e63, !(coatEnds), false)), wi_4, facing);
         vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_11.ratio, 1.0)));
         float m2_3 = max(dot(m_4, m_4), 1e-20);
         vec3 h_7 = (m_4 * inversesqrt(m2_3));
         float oh_3 = dot(wo_12, h_7);
         float ih_1 = dot(met_1, h_7);
-        bool faces_1 = pick(((oh_3 * h_7.z) >= 0.0), (((ih_1 * h_7.z) * met_1.z) >= 0.0), false);
-        float _e81 = ellipticDensity(h_7, wide_1);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_1, !(isSmooth_2), false), (2.0 * _e81), 0.0));
-        float _e89 = ellipticStretched(wo_12, wide_1);
-        float _e92 = ellipticStretched(facing, wide_1);
-        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
-        float _e98 = ellipticBound(wo_12, wide_1);
-        bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_1 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
-        bool _e115 = isCoat;
-        vec4 _e119 = baseReflectance(s_10, o_11, pick(pick(_e115, o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e120 = partingOf(s_10, o_11, _e119);
-        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_11.more)));
-        chosen = ((o_11.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_11.ratio * o_11.ratio), 1.0));
-        bool _e142 = isCoat;
-        if (_e142) {
-            intoBody = _e119.w;
-            lobe = vec3(pick(crossing_4, 0.0, o_11.coat));
-            chosen = pick(crossing_4, 0.0, o_11.ofCoat);
+        ownWo_1 = wo_12;
+        ownWi = met_1;
+        ownH = h_7;
+        const bool _e84 = hasCoatNormals;
+        if (_e84) {
+            bool _e85 = isCoat;
+            if (_e85) {
+                vec3 _e87 = coatNormal(o_11.side);
+                Basis _e88 = basisAbout(_e87);
+                vec3 _e89 = toLocal(_e88, wo_12);
+                ownWo_1 = _e89;
+                vec3 _e90 = toLocal(_e88, met_1);
+                ownWi = _e90;
+                vec3 _e91 = toLocal(_e88, h_7);
+                ownH = _e91;
+            }
         }
-        vec4 _e151 = sum_1;
-        vec3 _e152 = lobe;
-        float _e155 = chosen;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_1)));
-        bool _e159 = isCoat;
-        if (!(_e159)) {
+        float _e93 = ownH.z;
+        float _e98 = ownH.z;
+        float _e101 = ownWi.z;
+        float _e107 = ownWi.z;
+        bool faces_1 = pick(pick(((oh_3 * _e93) >= 0.0), (((ih_1 * _e98) * _e101) >= 0.0), false), pick(bends, true, (_e107 >= 0.0)), false);
+        vec3 _e117 = ownH;
+        float _e118 = ellipticDensity(_e117, wide_1);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_1, !(isSmooth_2), false), (2.0 * _e118), 0.0));
+        vec3 _e126 = ownWo_1;
+        float _e127 = ellipticStretched(_e126, wide_1);
+        float _e129 = ownWi.z;
+        float ownZi = abs(_e129);
+        float _e133 = ownWo_1.z;
+        vec3 _e134 = ownWi;
+        float _e135 = ellipticStretched(_e134, wide_1);
+        float masked_1 = (ownZi / max(((ownZi * _e127) + (_e133 * _e135)), 1e-20));
+        vec3 _e141 = ownWo_1;
+        float _e142 = ellipticBound(_e141, wide_1);
+        bool _e146 = isCoat;
+        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e146), false), 1.0, _e142);
+        float _e152 = ownWo_1.z;
+        float density_1 = (spread_1 / ((bound_3 * _e152) + _e127));
+        bool _e160 = isCoat;
+        vec4 _e164 = baseReflectance(s_10, o_11, pick(pick(_e160, o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e165 = partingOf(s_10, o_11, _e164);
+        lobe = (_e20 * pick(crossing_4, _e165.beyond, (_e165.toward * o_11.more)));
+        chosen = ((o_11.ofFacets * pick(crossing_4, (1.0 - _e165.share), _e165.share)) * pick(bends, (o_11.ratio * o_11.ratio), 1.0));
+        bool _e187 = isCoat;
+        if (_e187) {
+            intoBody = _e164.w;
+            lobe = vec3(pick(coatEnds, 0.0, o_11.coat));
+            chosen = pick(coatEnds, 0.0, o_11.ofCoat);
+        }
+        vec4 _e196 = sum_1;
+        vec3 _e197 = lobe;
+        float _e200 = chosen;
+        sum_1 = (_e196 + vec4((_e197 * (spread_1 * masked_1)), (_e200 * density_1)));
+        bool _e204 = isCoat;
+        if (!(_e204)) {
             break;
         }
         isCoat = false;
     }
     if (pick(pick((o_11.sheenColor > 0.0), !(crossing_4), false), !(o_11.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-        float most = max(max(o_11.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_5.sheenRoughness);
-        float _e181 = whiteSheen(wo_12, wi_4, _e180);
-        float fibres_1 = (((1.0 - o_11.coat) * _e181) / most);
-        vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
+        float _e217 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+        float most = max(max(o_11.sheen, _e217), 1.0);
+        float _e225 = sheenAlpha(l_5.sheenRoughness);
+        float _e226 = whiteSheen(wo_12, wi_4, _e225);
+        float fibres_1 = (((1.0 - o_11.coat) * _e226) / most);
+        vec4 _e229 = sum_1;
+        sum_1 = (_e229 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
     }
     vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_10.baseColor));
-    float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e208 = sum_1;
-    float _e210 = ofBeyond(o_11);
-    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
+    float _e246 = intoBody;
+    vec3 matte = (((_e20 * _e246) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e253 = sum_1;
+    float _e255 = ofBeyond(o_11);
+    return (_e253 + (vec4(matte, pick(crossing_4, _e255, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
 }
 
 Pair evaluatePair(Surface s_11, Outgoing o_12, vec3 toLight, vec3 toSample) {
@@ -1066,27 +1185,30 @@ BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
 void main() {
     vec4 fragment = gl_FragCoord;
     uvec2 pixel = uvec2(fragment.xy);
-    vec4 a_2 = texelFetch(questions, ivec2(uvec2((2u * pixel.x), pixel.y)), 0);
-    vec4 b_2 = texelFetch(questions, ivec2(uvec2(((2u * pixel.x) + 1u), pixel.y)), 0);
-    Surface _e23 = fetchSurface(uint(a_2.w));
-    uint asked_2 = (uint(b_2.w) % 3u);
-    uint color = (uint(b_2.w) / 3u);
+    vec4 a_3 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
+    vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 _e30 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    vec3 n_1 = _e30.xyz;
+    Surface _e34 = fetchSurface(uint(a_3.w));
+    uint asked_2 = (uint(b_5.w) % 3u);
+    uint color = (uint(b_5.w) / 3u);
     vec3 hero_3 = pick((color == 0u), vec3(1.0), (3.0 * vec3(equal(uvec3(color), uvec3(1u, 2u, 3u)))));
-    Layers _e51 = layersOf(uint(_e23.code), _e23.eta.x);
-    layersHere = _e51;
-    Outgoing _e53 = outgoing(_e23, a_2.xyz, hero_3);
-    BsdfSample _e55 = sampleLobe(_e23, _e53, b_2.xyz);
-    Pair _e58 = evaluatePair(_e23, _e53, b_2.xyz, _e55.direction);
+    Layers _e62 = layersOf(uint(_e34.code), _e34.eta.x);
+    layersHere = _e62;
+    coatNormalHere = pick(((dot(n_1, a_3.xyz) < 0.0) != (a_3.z < 0.0)), -(n_1), n_1);
+    Outgoing _e75 = outgoing(_e34, a_3.xyz, hero_3);
+    BsdfSample _e77 = sampleLobe(_e34, _e75, b_5.xyz);
+    Pair _e80 = evaluatePair(_e34, _e75, b_5.xyz, _e77.direction);
     if ((asked_2 == evaluation)) {
-        _fs2p_location0 = _e58.toLight;
+        _fs2p_location0 = _e80.toLight;
         return;
     }
-    BsdfSample _e63 = completed(_e55, _e58.toSample);
+    BsdfSample _e85 = completed(_e77, _e80.toSample);
     if ((asked_2 == sampledDirection)) {
-        _fs2p_location0 = vec4(_e63.direction, _e63.pdf);
+        _fs2p_location0 = vec4(_e85.direction, _e85.pdf);
         return;
     }
-    _fs2p_location0 = vec4(_e63.weight, pick(_e63.delta, 1.0, 0.0));
+    _fs2p_location0 = vec4(_e85.weight, pick(_e85.delta, 1.0, 0.0));
     return;
 }
 

@@ -24,7 +24,6 @@ const DATA_COLUMNS = 2048;
 
 interface GlPass extends Pass {
   readonly program: WebGLProgram;
-  readonly source: PassSource;
 }
 interface GlTexture {
   readonly texture: WebGLTexture;
@@ -145,7 +144,7 @@ class WebGl2Device implements Device {
         if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, binding);
       } else gl.uniform1i(gl.getUniformLocation(program, 'data' in b ? b.data : b.texture), binding);
     });
-    return { label: source.label, addsMany: false, program, source } as GlPass;
+    return { label: source.label, addsMany: false, program } as GlPass;
   }
 
   /** The context was the canvas's from the start. */

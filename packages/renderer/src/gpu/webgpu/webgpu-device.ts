@@ -8,6 +8,7 @@ import {
   type FloatTexture,
   noRoom,
   type Pass,
+  type PassBinding,
   type PassSource,
   type Region,
   type Resource,
@@ -17,8 +18,9 @@ import {
 
 const FILM_FORMAT = 'rgba32float';
 
+/** Without the program's text, which may be long and is of no use any more. */
 interface WebGpuPass extends Pass {
-  readonly source: PassSource;
+  readonly bindings: readonly PassBinding[];
   readonly pipeline: GPURenderPipeline | GPUComputePipeline;
   readonly layout: GPUBindGroupLayout;
 }
@@ -83,7 +85,7 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
   return { label, entries };
 }
 
-const samplersOf = (bindings: PassSource['bindings']): number[] =>
+const samplersOf = (bindings: readonly PassBinding[]): number[] =>
   bindings.flatMap((b) => ('texture' in b && b.nearest !== undefined ? [b.nearest] : []));
 
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
@@ -137,7 +139,7 @@ class WebGpuDevice implements Device {
       const pass: WebGpuPass = {
         label: source.label,
         addsMany: source.compute !== undefined,
-        source,
+        bindings: source.bindings,
         pipeline,
         layout,
       };
@@ -253,8 +255,8 @@ class WebGpuDevice implements Device {
   }
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
-    const { source, pipeline } = pass as WebGpuPass;
-    if (source.compute) {
+    const { addsMany, pipeline } = pass as WebGpuPass;
+    if (addsMany) {
       this.#dispatch(pass as WebGpuPass, target as FilmTexture, resources, region!);
       return;
     }
@@ -292,13 +294,13 @@ class WebGpuDevice implements Device {
     this.#device.queue.submit([encoder.finish()]);
   }
 
-  #group({ source, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
+  #group({ label, bindings, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
     const entries = inputs.map((resource, binding) => ({ binding, resource }));
-    for (const binding of samplersOf(source.bindings)) {
+    for (const binding of samplersOf(bindings)) {
       this.#nearest ??= this.#device.createSampler({ label: 'nearest' });
       entries.push({ binding, resource: this.#nearest });
     }
-    return this.#device.createBindGroup({ label: source.label, layout, entries });
+    return this.#device.createBindGroup({ label, layout, entries });
   }
 
   #canvasView(): GPUTextureView {

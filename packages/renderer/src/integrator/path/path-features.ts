@@ -7,7 +7,7 @@ import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-sc
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
-import { isLayered } from '../../scene/layered.ts';
+import { bendsCoatApart, isLayered } from '../../scene/layered.ts';
 import { meshShapes } from '../../scene/placed.ts';
 import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
@@ -97,6 +97,7 @@ function materialFeatures(materials: readonly Material[]) {
     hasGlass: has('dielectric'),
     hasCompensation: materials.some(({ energyCompensation }) => energyCompensation),
     hasLayers: materials.some(isLayered),
+    hasCoatNormals: materials.some(bendsCoatApart),
     hasIridescence: materials.some((material) => isLayered(material) && (material.iridescence?.weight ?? 0) > 0),
   };
 }

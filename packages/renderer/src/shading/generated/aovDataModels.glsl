@@ -253,6 +253,10 @@ struct MeshPoint {
     vec4 uv;
     vec4 color;
 };
+struct Bumps {
+    vec3 base;
+    vec3 coat;
+};
 struct Material {
     vec3 baseColor;
     float reflectivity;
@@ -298,6 +302,7 @@ const uint baseColorSlot = 0u;
 const uint emissionSlot = 1u;
 const uint metallicRoughnessSlot = 2u;
 const uint normalSlot = 3u;
+const uint coatNormalSlot = 16u;
 const uint specularWeightSlot = 4u;
 const uint specularColorSlot = 5u;
 const uint transmissionSlot = 6u;
@@ -354,6 +359,10 @@ const bool hasLayers = false;
 Layers0_ layersHere = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasMetallicRoughness = false;
+
+const bool hasCoatNormals = false;
+
+vec3 coatNormalHere = vec3(0.0);
 
 const bool hasTextures = false;
 
@@ -1438,8 +1447,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
     mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
-    vec3 geometric_1 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
-    p_8 = MeshPoint(geometric_1, geometric_1, vec3(0.0), vec3(0.0), geometric_1, vec4(0.0), vec4(1.0));
+    vec3 geometric_2 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_8 = MeshPoint(geometric_2, geometric_2, vec3(0.0), vec3(0.0), geometric_2, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
         uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
         Vertex _e54 = fetchVertex(rows_1.x);
@@ -1452,9 +1461,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 normal_5 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
         vec3 smoothed = (turn * normal_5);
         float size_2 = dot(smoothed, smoothed);
-        float side_2 = pick((dot(smoothed, geometric_1) < 0.0), -1.0, 1.0);
+        float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_1);
+        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_8.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
@@ -1530,8 +1539,8 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     return;
 }
 
-vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
-    vec3 bump = vec3(0.0, 0.0, 1.0);
+Bumps takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
+    Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     float _e4 = s_4.textures;
     uint row_9 = uint(_e4);
@@ -1543,38 +1552,44 @@ vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     s_4.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
-            uint _e33 = i_17;
-            TextureUse _e37 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e33 * textureUseRows)));
-            vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
-            vec3 _e48 = s_4.baseColor;
-            s_4.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
-            vec3 _e58 = s_4.emission;
-            s_4.emission = (_e58 * pick((_e37.slot == emissionSlot), _e46.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e37.slot == metallicRoughnessSlot), _e46.yz, vec2(1.0));
-            float _e75 = s_4.alpha;
-            float rough = max(((_e75 * share_2.x) * share_2.x), 0.001);
-            float _e84 = s_4.alpha;
-            float _e86 = s_4.code;
-            bool _e88 = isSmooth(uint(_e86));
-            s_4.alpha = pick(_e88, _e84, rough);
-            float _e91 = s_4.metallic;
-            s_4.metallic = (_e91 * share_2.y);
-            vec3 _e94 = bump;
-            bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
-            const bool _e111 = hasLayers;
-            if (_e111) {
-                takeUpLayer(_e37.slot, _e46);
+            uint _e38 = i_17;
+            TextureUse _e42 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e38 * textureUseRows)));
+            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec3 _e53 = s_4.baseColor;
+            s_4.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
+            vec3 _e63 = s_4.emission;
+            s_4.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
+            float _e80 = s_4.alpha;
+            float rough = max(((_e80 * share_2.x) * share_2.x), 0.001);
+            float _e89 = s_4.alpha;
+            float _e91 = s_4.code;
+            bool _e93 = isSmooth(uint(_e91));
+            s_4.alpha = pick(_e93, _e89, rough);
+            float _e96 = s_4.metallic;
+            s_4.metallic = (_e96 * share_2.y);
+            vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
+            vec3 _e112 = bumps.base;
+            bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
+            const bool _e118 = hasCoatNormals;
+            if (_e118) {
+                vec3 _e121 = bumps.coat;
+                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e121);
             }
-            uint _e114 = i_17;
-            i_17 = (_e114 + 1u);
-            uint _e116 = i_17;
-            if ((_e116 >= _e6.count)) {
+            const bool _e127 = hasLayers;
+            if (_e127) {
+                takeUpLayer(_e42.slot, _e51);
+            }
+            uint _e130 = i_17;
+            i_17 = (_e130 + 1u);
+            uint _e132 = i_17;
+            if ((_e132 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e119 = bump;
-    return _e119;
+    Bumps _e135 = bumps;
+    return _e135;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1613,6 +1628,11 @@ bool letsThrough(uint code_7, float eta_2) {
     return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
 }
 
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_10) > 0.0) == (dot(shading, direction_10) > 0.0));
+    return pick(pick(isClear, !(agree), false), geometric_1, shading);
+}
+
 vec3 tangentAbout(vec3 normal_2) {
     vec3 east = vec3(normal_2.z, 0.0, -(normal_2.x));
     float length2_ = dot(east, east);
@@ -1645,50 +1665,67 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
         Layers0_ _e16 = layersOf(uint(_e11), _e15);
         layersHere = _e16;
     }
+    const bool _e18 = hasCoatNormals;
+    if (_e18) {
+        coatNormalHere = _e4;
+    }
     normals = Normals(_e4, _e4);
-    const bool _e26 = hasMeshes;
-    if (_e26) {
+    const bool _e29 = hasMeshes;
+    if (_e29) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            normals = Normals(_e36.geometric, _e36.shading);
-            const bool _e41 = hasTextures;
-            if (_e41) {
-                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
-                tangent_1 = _e36.tangent;
-                bitangent_1 = _e36.bitangent;
-                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
-                    normals.shading = _e69;
+            MeshPoint _e39 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e39.geometric, _e39.shading);
+            const bool _e44 = hasTextures;
+            if (_e44) {
+                Bumps _e48 = takeUpTextures(surface, _e39.uv, _e39.color.xyz);
+                tangent_1 = _e39.tangent;
+                bitangent_1 = _e39.bitangent;
+                if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e76 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
+                    normals.shading = _e76;
+                }
+                const bool _e78 = hasCoatNormals;
+                if (_e78) {
+                    coatNormalHere = _e39.shading;
+                    if (any(notEqual(_e48.coat, vec3(0.0, 0.0, 1.0)))) {
+                        vec3 _e106 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
+                        coatNormalHere = _e106;
+                    }
                 }
             }
-            vec3 _e71 = normals.geometric;
-            vec3 _e77 = normals.shading;
-            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
-            vec3 _e85 = normals.shading;
-            vec3 _e87 = normals.geometric;
-            float _e89 = surface.code;
-            float _e93 = surface.eta.x;
-            bool _e94 = letsThrough(uint(_e89), _e93);
-            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
+            float _e108 = surface.code;
+            float _e112 = surface.eta.x;
+            bool _e113 = letsThrough(uint(_e108), _e112);
+            vec3 _e116 = normals.geometric;
+            vec3 _e118 = normals.shading;
+            vec3 _e120 = agreed(_e116, _e118, rays_1.direction, _e113);
+            normals.shading = _e120;
+            const bool _e122 = hasCoatNormals;
+            if (_e122) {
+                vec3 _e125 = normals.geometric;
+                vec3 _e127 = coatNormalHere;
+                vec3 _e129 = agreed(_e125, _e127, rays_1.direction, _e113);
+                coatNormalHere = _e129;
+            }
         }
     }
-    const bool _e99 = hasLayers;
-    if (_e99) {
+    const bool _e131 = hasLayers;
+    if (_e131) {
         grainHere = vec3(0.0);
-        float _e105 = layersHere.anisotropy;
-        if ((_e105 > 0.0)) {
-            vec3 _e110 = normals.shading;
-            vec3 _e111 = tangent_1;
-            vec3 _e112 = bitangent_1;
-            vec2 _e115 = layersHere.grain;
-            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
-            grainHere = _e116;
+        float _e137 = layersHere.anisotropy;
+        if ((_e137 > 0.0)) {
+            vec3 _e142 = normals.shading;
+            vec3 _e143 = tangent_1;
+            vec3 _e144 = bitangent_1;
+            vec2 _e147 = layersHere.grain;
+            vec3 _e148 = grainAt(_e142, _e143, _e144, _e147);
+            grainHere = _e148;
         }
     }
-    Surface _e117 = surface;
-    vec3 _e119 = normals.geometric;
-    vec3 _e121 = normals.shading;
-    return SurfacePoint(_e117, _e119, _e121);
+    Surface _e149 = surface;
+    vec3 _e151 = normals.geometric;
+    vec3 _e153 = normals.shading;
+    return SurfacePoint(_e149, _e151, _e153);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {

@@ -1254,12 +1254,16 @@ struct MaterialTextures {
 }
 
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
   if (hasLayers) {
     layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
+  if (hasCoatNormals) {
+    coatNormalHere = outward;
   }
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -1269,16 +1273,24 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
       normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
+        let bumps = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
-        if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
+          normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+        }
+        if (hasCoatNormals) {
+          coatNormalHere = m.shading;
+          if (any(bumps.coat != vec3f(0.0, 0.0, 1.0))) {
+            coatNormalHere = validNormal(m.geometric, rays.direction, bumps.coat.x * m.tangent + bumps.coat.y * m.bitangent + bumps.coat.z * m.normal, m.shading);
+          }
         }
       }
-      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
-      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
+      let isClear = letsThrough(u32(surface.code), surface.eta.x);
+      normals.shading = agreed(normals.geometric, normals.shading, rays.direction, isClear);
+      if (hasCoatNormals) {
+        coatNormalHere = agreed(normals.geometric, coatNormalHere, rays.direction, isClear);
+      }
     }
   }
   if (hasLayers) {
@@ -1339,6 +1351,9 @@ fn fetchSurface(i: u32) -> Surface {
 
 // What glTF's extensions add to metallicRoughness, and the one of them that is long.
 override hasLayers = false;
+
+// Clear coats that are bent by another normal map than their base, or by none where the base is.
+override hasCoatNormals = false;
 
 struct Normals {
   geometric: vec3f,
@@ -1442,6 +1457,10 @@ fn kindOf(code: u32) -> u32 {
 
 const metallicRoughness = 1u;
 
+// Its unit normal, a variable of the whole program as those of here.wesl: in the world until path.wesl has a frame for the base
+// (bsdf.wesl), in that frame from then on. The same as the base's where one normal map bends both, or none.
+var<private> coatNormalHere: vec3f;
+
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
   let i = fetchInstance(frame.instances + instance * instanceRows);
@@ -1496,14 +1515,20 @@ fn letsThrough(code: u32, eta: f32) -> bool {
   return isDielectric(code) | (isLayered(code, eta) & (eta < 0.0));
 }
 
-// `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
+// Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+fn agreed(geometric: vec3f, shading: vec3f, direction: vec3f, isClear: bool) -> vec3f {
+  let agree = (dot(geometric, direction) > 0.0) == (dot(shading, direction) > 0.0);
+  return select(shading, geometric, isClear & !agree);
+}
+
+// `uv`: both sets of coordinates.
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   let row = u32((*s).textures);
   let material = fetchMaterialTextures(row);
   let unlit = (material.flags & isUnlit) != 0u;
   (*s).baseColor *= color;
   (*s).emission *= select(vec3f(1.0), color, unlit);
-  var bump = vec3f(0.0, 0.0, 1.0);
+  var bumps = Bumps(vec3f(0.0, 0.0, 1.0), vec3f(0.0, 0.0, 1.0));
   var i = 0u;
   // One call for all textures: compilers write out each.
   if (material.count > 0u) {
@@ -1516,7 +1541,11 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       let rough = max((*s).alpha * share.x * share.x, leastAlpha);
       (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
       (*s).metallic *= share.y;
-      bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      let bump = (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0);
+      bumps.base = select(bumps.base, bump, t.slot == normalSlot);
+      if (hasCoatNormals) {
+        bumps.coat = select(bumps.coat, bump, t.slot == coatNormalSlot);
+      }
       if (hasLayers) {
         takeUpLayer(t.slot, texel);
       }
@@ -1526,7 +1555,7 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       }
     }
   }
-  return bump;
+  return bumps;
 }
 
 // A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
@@ -1564,6 +1593,13 @@ fn bent(g: vec3f, o: vec3f, n: vec3f) -> vec3f {
 }
 
 const isUnlit = 1u;
+
+// What the normal maps of base and coat say, in the frame of tangent, bitangent and normal; of any length.
+struct Bumps {
+  base: vec3f,
+  coat: vec3f,
+}
+
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -1609,6 +1645,8 @@ fn isSmooth(code: u32) -> bool {
 }
 
 const normalSlot = 3u;
+
+const coatNormalSlot = 16u;
 
 fn takeUpLayer(slot: u32, texel: vec4f) {
   layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);

@@ -272,6 +272,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
   
+  
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
@@ -322,10 +323,12 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
+  
   
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -741,6 +744,7 @@ fn kindOf(code: u32) -> u32 {
 const metallicRoughness = 1u;
 
 const noInstance = 0xffffffffu;
+
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k

@@ -264,6 +264,10 @@ struct MeshPoint {
     vec4 uv;
     vec4 color;
 };
+struct Bumps {
+    vec3 base;
+    vec3 coat;
+};
 struct Basis {
     vec3 tangent;
     vec3 bitangent;
@@ -480,6 +484,7 @@ const uint baseColorSlot = 0u;
 const uint emissionSlot = 1u;
 const uint metallicRoughnessSlot = 2u;
 const uint normalSlot = 3u;
+const uint coatNormalSlot = 16u;
 const uint specularWeightSlot = 4u;
 const uint specularColorSlot = 5u;
 const uint transmissionSlot = 6u;
@@ -536,6 +541,10 @@ Layers layersHere = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(
 
 const bool hasMetallicRoughness = false;
 
+const bool hasCoatNormals = false;
+
+vec3 coatNormalHere = vec3(0.0);
+
 const bool hasTextures = false;
 
 const bool hasGlass = false;
@@ -583,8 +592,8 @@ layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_25 = ((x * 747796405u) + 2891336453u);
-    uint w_3 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
-    return ((w_3 >> 22u) ^ w_3);
+    uint w_4 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    return ((w_4 >> 22u) ^ w_4);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -1030,10 +1039,10 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
     float sum_2 = ((_e35 + _e36) + _e37);
-    float side = pick((sum_2 < 0.0), -1.0, 1.0);
+    float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side), depth, (vec2(_e36, _e37) * side), ((sum_2 * ray_1.shear.z) > 0.0));
+    float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -1552,10 +1561,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_13 = pick(entering, _e5.near, _e5.far);
-    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
     bool onX = (crossed.x == t_13);
     bool onY = pick(!(onX), (crossed.y == t_13), false);
-    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+    return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 turnedBack(vec4 q_2, vec3 v_3) {
@@ -1660,9 +1669,9 @@ Layers layersOf(uint code_3, float eta_1) {
 
 vec3 fromOctahedral(uint code_4) {
     vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
+    float z_2 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
     vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_19), z_1));
+    return normalize(vec3(pick((z_2 < 0.0), folded, p_19), z_2));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
@@ -1671,8 +1680,8 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
     mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
-    vec3 geometric_2 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
-    p_9 = MeshPoint(geometric_2, geometric_2, vec3(0.0), vec3(0.0), geometric_2, vec4(0.0), vec4(1.0));
+    vec3 geometric_3 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_9 = MeshPoint(geometric_3, geometric_3, vec3(0.0), vec3(0.0), geometric_3, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
         uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
         Vertex _e54 = fetchVertex(rows_1.x);
@@ -1685,9 +1694,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         vec3 normal_13 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
         vec3 smoothed = (turn * normal_13);
         float size_2 = dot(smoothed, smoothed);
-        float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
+        float side_4 = pick((dot(smoothed, geometric_3) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_9.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
+        p_9.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_9.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
@@ -1713,9 +1722,9 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
                 vec3 _e202 = fromOctahedral(_e58.tangent);
                 vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_9.normal = (smoothed * side_2);
-                p_9.tangent = ((turn * tangent_2) * side_2);
-                p_9.bitangent = ((turn * cross(normal_13, tangent_2)) * (hand * side_2));
+                p_9.normal = (smoothed * side_4);
+                p_9.tangent = ((turn * tangent_2) * side_4);
+                p_9.bitangent = ((turn * cross(normal_13, tangent_2)) * (hand * side_4));
             }
         }
     }
@@ -1763,8 +1772,8 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     return;
 }
 
-vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
-    vec3 bump = vec3(0.0, 0.0, 1.0);
+Bumps takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
+    Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     float _e4 = s_6.textures;
     uint row_10 = uint(_e4);
@@ -1776,38 +1785,44 @@ vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     s_6.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
-            uint _e33 = i_17;
-            TextureUse _e37 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e33 * textureUseRows)));
-            vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
-            vec3 _e48 = s_6.baseColor;
-            s_6.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
-            vec3 _e58 = s_6.emission;
-            s_6.emission = (_e58 * pick((_e37.slot == emissionSlot), _e46.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e37.slot == metallicRoughnessSlot), _e46.yz, vec2(1.0));
-            float _e75 = s_6.alpha;
-            float rough = max(((_e75 * share_2.x) * share_2.x), 0.001);
-            float _e84 = s_6.alpha;
-            float _e86 = s_6.code;
-            bool _e88 = isSmooth(uint(_e86));
-            s_6.alpha = pick(_e88, _e84, rough);
-            float _e91 = s_6.metallic;
-            s_6.metallic = (_e91 * share_2.y);
-            vec3 _e94 = bump;
-            bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
-            const bool _e111 = hasLayers;
-            if (_e111) {
-                takeUpLayer(_e37.slot, _e46);
+            uint _e38 = i_17;
+            TextureUse _e42 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e38 * textureUseRows)));
+            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec3 _e53 = s_6.baseColor;
+            s_6.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
+            vec3 _e63 = s_6.emission;
+            s_6.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
+            float _e80 = s_6.alpha;
+            float rough = max(((_e80 * share_2.x) * share_2.x), 0.001);
+            float _e89 = s_6.alpha;
+            float _e91 = s_6.code;
+            bool _e93 = isSmooth(uint(_e91));
+            s_6.alpha = pick(_e93, _e89, rough);
+            float _e96 = s_6.metallic;
+            s_6.metallic = (_e96 * share_2.y);
+            vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
+            vec3 _e112 = bumps.base;
+            bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
+            const bool _e118 = hasCoatNormals;
+            if (_e118) {
+                vec3 _e121 = bumps.coat;
+                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e121);
             }
-            uint _e114 = i_17;
-            i_17 = (_e114 + 1u);
-            uint _e116 = i_17;
-            if ((_e116 >= _e6.count)) {
+            const bool _e127 = hasLayers;
+            if (_e127) {
+                takeUpLayer(_e42.slot, _e51);
+            }
+            uint _e130 = i_17;
+            i_17 = (_e130 + 1u);
+            uint _e132 = i_17;
+            if ((_e132 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e119 = bump;
-    return _e119;
+    Bumps _e135 = bumps;
+    return _e135;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1829,9 +1844,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
     vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
-    float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_4));
-    return (side_3 * _e21);
+    float side_5 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_5 * geometric), -(direction_9), (side_5 * n_4));
+    return (side_5 * _e21);
 }
 
 bool isDielectric(uint code_6) {
@@ -1844,6 +1859,11 @@ bool letsThrough(uint code_7, float eta_2) {
     bool _e2 = isDielectric(code_7);
     bool _e3 = isLayered(code_7, eta_2);
     return pick(_e2, true, pick(_e3, (eta_2 < 0.0), false));
+}
+
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_10) > 0.0) == (dot(shading, direction_10) > 0.0));
+    return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
 vec3 tangentAbout(vec3 normal_2) {
@@ -1878,57 +1898,74 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
         Layers _e16 = layersOf(uint(_e11), _e15);
         layersHere = _e16;
     }
+    const bool _e18 = hasCoatNormals;
+    if (_e18) {
+        coatNormalHere = _e4;
+    }
     normals = Normals(_e4, _e4);
-    const bool _e26 = hasMeshes;
-    if (_e26) {
+    const bool _e29 = hasMeshes;
+    if (_e29) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            normals = Normals(_e36.geometric, _e36.shading);
-            const bool _e41 = hasTextures;
-            if (_e41) {
-                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
-                tangent_1 = _e36.tangent;
-                bitangent_1 = _e36.bitangent;
-                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
-                    normals.shading = _e69;
+            MeshPoint _e39 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e39.geometric, _e39.shading);
+            const bool _e44 = hasTextures;
+            if (_e44) {
+                Bumps _e48 = takeUpTextures(surface, _e39.uv, _e39.color.xyz);
+                tangent_1 = _e39.tangent;
+                bitangent_1 = _e39.bitangent;
+                if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e76 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
+                    normals.shading = _e76;
+                }
+                const bool _e78 = hasCoatNormals;
+                if (_e78) {
+                    coatNormalHere = _e39.shading;
+                    if (any(notEqual(_e48.coat, vec3(0.0, 0.0, 1.0)))) {
+                        vec3 _e106 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
+                        coatNormalHere = _e106;
+                    }
                 }
             }
-            vec3 _e71 = normals.geometric;
-            vec3 _e77 = normals.shading;
-            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
-            vec3 _e85 = normals.shading;
-            vec3 _e87 = normals.geometric;
-            float _e89 = surface.code;
-            float _e93 = surface.eta.x;
-            bool _e94 = letsThrough(uint(_e89), _e93);
-            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
+            float _e108 = surface.code;
+            float _e112 = surface.eta.x;
+            bool _e113 = letsThrough(uint(_e108), _e112);
+            vec3 _e116 = normals.geometric;
+            vec3 _e118 = normals.shading;
+            vec3 _e120 = agreed(_e116, _e118, rays_1.direction, _e113);
+            normals.shading = _e120;
+            const bool _e122 = hasCoatNormals;
+            if (_e122) {
+                vec3 _e125 = normals.geometric;
+                vec3 _e127 = coatNormalHere;
+                vec3 _e129 = agreed(_e125, _e127, rays_1.direction, _e113);
+                coatNormalHere = _e129;
+            }
         }
     }
-    const bool _e99 = hasLayers;
-    if (_e99) {
+    const bool _e131 = hasLayers;
+    if (_e131) {
         grainHere = vec3(0.0);
-        float _e105 = layersHere.anisotropy;
-        if ((_e105 > 0.0)) {
-            vec3 _e110 = normals.shading;
-            vec3 _e111 = tangent_1;
-            vec3 _e112 = bitangent_1;
-            vec2 _e115 = layersHere.grain;
-            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
-            grainHere = _e116;
+        float _e137 = layersHere.anisotropy;
+        if ((_e137 > 0.0)) {
+            vec3 _e142 = normals.shading;
+            vec3 _e143 = tangent_1;
+            vec3 _e144 = bitangent_1;
+            vec2 _e147 = layersHere.grain;
+            vec3 _e148 = grainAt(_e142, _e143, _e144, _e147);
+            grainHere = _e148;
         }
     }
-    Surface _e117 = surface;
-    vec3 _e119 = normals.geometric;
-    vec3 _e121 = normals.shading;
-    return SurfacePoint(_e117, _e119, _e121);
+    Surface _e149 = surface;
+    vec3 _e151 = normals.geometric;
+    vec3 _e153 = normals.shading;
+    return SurfacePoint(_e149, _e151, _e153);
 }
 
 Basis basisAbout(vec3 n_1) {
-    float side_4 = pick((n_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (side_4 + n_1.z));
+    float side_6 = pick((n_1.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (side_6 + n_1.z));
     float b_9 = ((n_1.x * n_1.y) * a_5);
-    return Basis(vec3((1.0 + (((side_4 * n_1.x) * n_1.x) * a_5)), (side_4 * b_9), (-(side_4) * n_1.x)), vec3(b_9, (side_4 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+    return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_5)), (side_6 * b_9), (-(side_6) * n_1.x)), vec3(b_9, (side_6 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
 }
 
 Basis basisAlong(vec3 n_2, vec3 x_10) {
@@ -1954,6 +1991,24 @@ vec3 schlick(vec3 f0_, float cosine) {
 float coatReflectance(float coat, float cosine_1) {
     vec3 _e4 = schlick(vec3(0.04), cosine_1);
     return (coat * _e4.x);
+}
+
+vec3 coatNormal(float side) {
+    vec3 _e2 = coatNormalHere;
+    float _e7 = coatNormalHere.z;
+    return vec3((side * _e2.xy), _e7);
+}
+
+float coatCosine(float side_1, vec3 w_1) {
+    float z = 0.0;
+    z = w_1.z;
+    const bool _e5 = hasCoatNormals;
+    if (_e5) {
+        vec3 _e6 = coatNormal(side_1);
+        z = dot(_e6, w_1);
+    }
+    float _e8 = z;
+    return abs(_e8);
 }
 
 Emitter fetchEmitter(uint i_18) {
@@ -1986,13 +2041,13 @@ Emitter emitterAt(uint i_19, Emitter only) {
     return _e6;
 }
 
-bool isOnDisc(Emitter e_1, vec3 direction_10) {
-    vec3 chord = (direction_10 + e_1.u);
+bool isOnDisc(Emitter e_1, vec3 direction_11) {
+    vec3 chord = (direction_11 + e_1.u);
     return ((3.1415927 * dot(chord, chord)) < e_1.area);
 }
 
-float directionalPdf(Emitter e_2, vec3 direction_11) {
-    bool _e7 = isOnDisc(e_2, direction_11);
+float directionalPdf(Emitter e_2, vec3 direction_12) {
+    bool _e7 = isOnDisc(e_2, direction_12);
     return pick(_e7, (1.0 / max(e_2.area, 1e-31)), 0.0);
 }
 
@@ -2001,9 +2056,9 @@ vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
     vec2 high_1 = max(x_11, y_5);
     bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
     vec2 r_1 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
-    vec2 z_2 = (r_1 * r_1);
-    vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
+    vec2 z_3 = (r_1 * r_1);
+    vec2 series = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_1) + r_1));
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_11));
 }
 
@@ -2028,16 +2083,16 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_12) {
+EnvironmentLight lookUpEnvironment(vec3 direction_13) {
     vec2 size_7 = frame.environmentSize;
-    float sine_1 = max(length(direction_12.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_12.z, direction_12.y)), vec2(abs(direction_12.x), sine_1));
-    float turn_1 = (pick((direction_12.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_12.x < 0.0), -1.0, 1.0));
+    float sine_1 = max(length(direction_13.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_13.z, direction_13.y)), vec2(abs(direction_13.x), sine_1));
+    float turn_1 = (pick((direction_13.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_13.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
     float row_11 = floor(fromPole);
-    bool isLower = (direction_12.y < 0.0);
+    bool isLower = (direction_13.y < 0.0);
     vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_11), row_11));
     float within_2 = (fromPole - row_11);
     vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
@@ -2046,38 +2101,38 @@ EnvironmentLight lookUpEnvironment(vec3 direction_12) {
     return _e67;
 }
 
-vec3 sky(vec3 direction_13) {
+vec3 sky(vec3 direction_14) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_13.y, 0.0));
+    return mix(_e3, _e6, max(direction_14.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_14) {
+EnvironmentLight skyLight(vec3 direction_15) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_14);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_15);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky(direction_14);
+    vec3 _e8 = sky(direction_15);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight farLight(Emitter e_3, vec3 direction_15) {
+FarLight farLight(Emitter e_3, vec3 direction_16) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e8 = hasSuns;
     if (_e8) {
-        bool _e12 = isOnDisc(e_3, direction_15);
+        bool _e12 = isOnDisc(e_3, direction_16);
         bool seen = pick((e_3.kind == 5.0), _e12, false);
-        float _e18 = directionalPdf(e_3, direction_15);
+        float _e18 = directionalPdf(e_3, direction_16);
         far = FarLight(pick(seen, e_3.radiance, vec3(0.0)), pick(seen, _e18, 0.0));
     }
     const bool _e23 = hasSky;
     if (_e23) {
         if ((e_3.kind == 6.0)) {
-            EnvironmentLight _e27 = skyLight(direction_15);
+            EnvironmentLight _e27 = skyLight(direction_16);
             far = FarLight(_e27.radiance, _e27.pdf);
         }
     }
@@ -2099,9 +2154,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_5, vec3 point_1, vec3 direction_16) {
+float spherePdf(Emitter e_5, vec3 point_1, vec3 direction_17) {
     SphereView _e3 = viewSphere(e_5, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_16, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_17, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -2123,9 +2178,9 @@ float arctangent(float x_12) {
     bool middle_2 = pick((a_6 > 0.41421357), !(steep), false);
     float r_2 = pick(steep, (-1.0 / max(a_6, 1.0)), pick(middle_2, ((a_6 - 1.0) / (a_6 + 1.0)), a_6));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_3 = (r_2 * r_2);
-    float series_1 = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
-    return (sign(x_12) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
+    float z_4 = (r_2 * r_2);
+    float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
+    return (sign(x_12) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
 }
 
 float stretch(float x_13, vec2 y_6, float h_1) {
@@ -2171,9 +2226,9 @@ BoxView viewBox(Emitter e_8, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen_1)));
 }
 
-float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_17, float distance_3, vec3 normal_4) {
+float boxPdf(Emitter e_9, vec3 point_5, vec3 direction_18, float distance_3, vec3 normal_4) {
     BoxView _e5 = viewBox(e_9, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_17, normal_4))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_18, normal_4))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
@@ -2183,20 +2238,20 @@ LampTriangle fetchLampTriangle(uint row_8) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_10, vec3 direction_18, float distance_4, vec3 normal_5, uint place_2) {
+float meshPdf(Emitter e_10, vec3 direction_19, float distance_4, vec3 normal_5, uint place_2) {
     uint _e7 = frame.lampTables;
     uint row_12 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
     LampTriangle _e20 = fetchLampTriangle(row_12);
-    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_18, normal_5))), distance_4);
+    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_19, normal_5))), distance_4);
     return _e26;
 }
 
-float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, vec3 normal_6, uint place_3) {
+float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_20, float distance_5, vec3 normal_6, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
         if ((e_11.kind == 0.0)) {
-            float _e13 = spherePdf(e_11, point_6, direction_19);
+            float _e13 = spherePdf(e_11, point_6, direction_20);
             pdf = _e13;
         }
     }
@@ -2210,14 +2265,14 @@ float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_19, float distance_5, 
     const bool _e21 = hasBoxLights;
     if (_e21) {
         if ((e_11.kind == 2.0)) {
-            float _e25 = boxPdf(e_11, point_6, direction_19, distance_5, normal_6);
+            float _e25 = boxPdf(e_11, point_6, direction_20, distance_5, normal_6);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
         if ((e_11.kind == 7.0)) {
-            float _e31 = meshPdf(e_11, direction_19, distance_5, normal_6, place_3);
+            float _e31 = meshPdf(e_11, direction_20, distance_5, normal_6, place_3);
             pdf = _e31;
         }
     }
@@ -2248,8 +2303,8 @@ float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
     const bool _e65 = hasQuadLights;
     if (_e65) {
         float height_2 = (-(dot(cross(e_13.u, e_13.v), toLight_3)) / max(e_13.area, 1e-30));
-        float side_5 = pick((e_13.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_13.reach) / grown), 0.0);
+        float side_7 = pick((e_13.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_7 > 0.0), ((side_7 + e_13.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
@@ -2257,8 +2312,8 @@ float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
     if (_e94) {
         float alike = length(e_13.v);
         float across_5 = -(dot(e_13.v, toLight_3));
-        float side_6 = pick((e_13.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_6 + (alike * e_13.reach)) / grown));
+        float side_8 = pick((e_13.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_13.reach)) / grown));
         float sizeOfMesh = (distance2_ + ((e_13.area * (1.0 + (3.0 * alike))) / 12.566371));
         float _e125 = estimate;
         estimate = pick((e_13.kind == 7.0), (((e_13.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
@@ -2305,14 +2360,14 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
     vec4 x_20 = (n_3.x - vec4(point_8.x));
     vec4 y_11 = (n_3.y - vec4(point_8.y));
-    vec4 z_4 = (n_3.z - vec4(point_8.z));
-    vec4 distance2_1 = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 z_5 = (n_3.z - vec4(point_8.z));
+    vec4 distance2_1 = (((x_20 * x_20) + (y_11 * y_11)) + (z_5 * z_5));
     vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
     bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
-    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
+    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n_3.cosWidth);
@@ -2320,7 +2375,7 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
-    vec4 cosN = clamp(((((normal_8.x * x_20) + (normal_8.y * y_11)) + (normal_8.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_8.x * x_20) + (normal_8.y * y_11)) + (normal_8.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_3 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
@@ -2421,8 +2476,8 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     vec3 found_8 = vec3(0.0);
     uint i_21 = 0u;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_20 = p_10.rays.direction;
-    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_20) > 0.0), false);
+    vec3 direction_21 = p_10.rays.direction;
+    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_21) > 0.0), false);
     int _e21 = emitterOf(s_7.code);
     found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
@@ -2444,8 +2499,8 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
         while(true) {
             uint _e58 = i_21;
             Emitter _e59 = emitterAt(_e58, only_1);
-            FarLight _e60 = farLight(_e59, direction_20);
-            float _e66 = shapePdf(_e59, p_10.rays.point, direction_20, hit_1.t, outward, hit_1.triangle.triangle);
+            FarLight _e60 = farLight(_e59, direction_21);
+            float _e66 = shapePdf(_e59, p_10.rays.point, direction_21, hit_1.t, outward, hit_1.triangle.triangle);
             float density = pick(escaped, _e60.pdf, _e66);
             float _e73 = probabilityOf(_e59, p_10.rays.point, p_10.litSide, p_10.odds);
             float pdf_3 = (density * _e73);
@@ -2612,25 +2667,25 @@ LightSample sampleSphere(Emitter e_15, vec3 point_12, vec2 u_7) {
 }
 
 vec2 cosineAndSine(float x_15) {
-    float h_5 = (0.5 * x_15);
-    float z_5 = (h_5 * h_5);
-    float sine_4 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_5) + h_5);
+    float h_6 = (0.5 * x_15);
+    float z_6 = (h_6 * h_6);
+    float sine_4 = (((((((-0.00019515296 * z_6) + 0.008332161) * z_6) - 0.16666655) * z_6) * h_6) + h_6);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
-    float h_6 = q_4.height;
+    float h_7 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_6 * h_6)))));
+    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_8.x * q_4.solidAngle))));
     vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
-    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_22 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_22 * x_22) + (h_6 * h_6));
+    float w_5 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
+    float x_22 = clamp(((h_7 * w_5) * inversesqrt(max((1.0 - (w_5 * w_5)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_22 * x_22) + (h_7 * h_7));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
     float v_11 = mix(ends_2.x, ends_2.y, u_8.y);
     float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
-    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
+    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_16, vec3 point_13, vec2 u_9) {
@@ -2668,11 +2723,11 @@ LightSample sampleBox(Emitter e_18, vec3 point_14, vec2 u_11) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_18.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_21 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_22 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_21);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
     return LightSample(_e37, distance_9, e_18.radiance, pdf_4, false);
 }
 
@@ -2703,8 +2758,8 @@ vec3 outOfMesh(Instance i_23, vec3 p_11) {
     vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
     vec3 x_24 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
     vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
-    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
+    vec3 z_7 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
+    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
 }
 
 LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
@@ -2851,9 +2906,9 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_22 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    vec3 direction_23 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_15), sine_5);
-    return EnvironmentSample(direction_22, _e119);
+    return EnvironmentSample(direction_23, _e119);
 }
 
 LightSample sampleSky(vec2 u_19) {
@@ -2966,8 +3021,8 @@ bool isConductor(uint code_10) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_9 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_9 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 vec2 ellipticAlpha(float alpha, float strength) {
@@ -3118,17 +3173,18 @@ Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_8 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_8));
+    float side_10 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_10));
     bool isSolid = (l_2.solid > 0.0);
-    bool inside_4 = pick(isSolid, (side_8 < 0.0), false);
+    bool inside_4 = pick(isSolid, (side_10 < 0.0), false);
     float _e22 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
     float ratio_8 = pick(isSolid, pick(inside_4, (1.0 / _e22), _e22), 1.0);
     bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e22 - 1.0) < 0.001), false);
     vec2 _e39 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
     vec2 alpha_14 = pick(flat_, vec2(0.0), _e39);
     float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
-    float _e48 = coatReflectance(l_2.coat, wo_8.z);
+    float _e47 = coatCosine(side_10, wo_8);
+    float _e48 = coatReflectance(l_2.coat, _e47);
     float coat_1 = pick(inside_4, 0.0, _e48);
     float _e52 = greatest(l_2.sheenColor);
     if ((_e52 > 0.0)) {
@@ -3146,7 +3202,7 @@ Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
     }
     vec3 _e98 = more;
     float _e99 = sheen;
-    o_3 = Stack(l_2, wo_8, side_8, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
+    o_3 = Stack(l_2, wo_8, side_10, hero_1, ratio_8, inside_4, _e98, alpha_14, coatAlpha, coat_1, _e99, _e52, 0.0, 0.0, 0.0, 0.0);
     Stack _e106 = o_3;
     vec4 _e108 = baseReflectance(s_14, _e106, wo_8.z);
     float _e111 = sheen;
@@ -3191,8 +3247,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float indexRatio(float eta_3, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
+float indexRatio(float eta_3, float z_1, bool thin) {
+    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
@@ -3202,8 +3258,8 @@ float reflectionBound(vec3 wo, float alpha_2) {
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w_1, float alpha_3) {
-    return sqrt(((w_1.z * w_1.z) + ((alpha_3 * alpha_3) * dot(w_1.xy, w_1.xy))));
+float stretched(vec3 w_2, float alpha_3) {
+    return sqrt(((w_2.z * w_2.z) + ((alpha_3 * alpha_3) * dot(w_2.xy, w_2.xy))));
 }
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
@@ -3262,18 +3318,18 @@ vec3 sampleCosine(vec2 u_22) {
 
 vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_23) {
     float _e8 = stretched(wo_2, alpha_4);
-    vec3 w_5 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
+    vec3 w_6 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
-    float drop = (u_23.y * (1.0 + (bound * w_5.z)));
+    float drop = (u_23.y * (1.0 + (bound * w_6.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_4 * h_7.xy), max(h_7.z, 1e-7)));
+    vec3 h_8 = (w_6 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_4 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
 vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_5, vec2 u_24) {
-    float side_9 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_5, 0.001), o_5.bound, u_24);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
+    float side_11 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_5, 0.001), o_5.bound, u_24);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
 }
 
 vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
@@ -3356,19 +3412,23 @@ float ellipticBound(vec3 wo_4, vec2 alpha_6) {
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_2, vec2 alpha_7) {
-    vec2 scaled = (alpha_7 * w_2.xy);
-    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
+float ellipticStretched(vec3 w_3, vec2 alpha_7) {
+    vec2 scaled = (alpha_7 * w_3.xy);
+    return sqrt(((w_3.z * w_3.z) + dot(scaled, scaled)));
 }
 
 vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_25) {
     float _e8 = ellipticStretched(wo_5, alpha_8);
-    vec3 w_6 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
+    vec3 w_7 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_4 = ((6.2831855 * u_25.x) - 3.1415927);
-    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_6.z)));
+    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_7.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_8 * h_8.xy), max(h_8.z, 1e-7)));
+    vec3 h_9 = (w_7 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_8 * h_9.xy), max(h_9.z, 1e-7)));
+}
+
+vec3 toWorld(Basis b_4, vec3 v_9) {
+    return (((v_9.x * b_4.tangent) + (v_9.y * b_4.bitangent)) + (v_9.z * b_4.normal));
 }
 
 Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
@@ -3379,25 +3439,29 @@ Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
     return Parting(toward, beyond_1, pick((_e19 > 0.0), (_e18 / max((_e18 + _e19), 1e-20)), 1.0));
 }
 
-float throughCover(Stack o_7, float zi, bool crossing) {
+float throughCover(Stack o_7, float zi, float coatZi, bool crossing) {
     float sheen_1 = 0.0;
     Layers l_4 = o_7.layers;
     bool isSolid_1 = (l_4.solid > 0.0);
     bool entersHere = pick(o_7.inside, crossing, false);
-    float _e11 = coatReflectance(l_4.coat, zi);
-    float coat_2 = pick(entersHere, _e11, o_7.coat);
+    float _e12 = coatReflectance(l_4.coat, coatZi);
+    float coat_2 = pick(entersHere, _e12, o_7.coat);
     sheen_1 = o_7.sheen;
     if ((o_7.sheenColor > 0.0)) {
         bool isOutside = pick(!(isSolid_1), true, (o_7.inside == crossing));
-        float _e22 = sheen_1;
-        float _e24 = sheenAlbedo(zi, l_4.sheenRoughness);
-        sheen_1 = max(_e22, pick(isOutside, _e24, 0.0));
+        float _e23 = sheen_1;
+        float _e25 = sheenAlbedo(zi, l_4.sheenRoughness);
+        sheen_1 = max(_e23, pick(isOutside, _e25, 0.0));
     }
-    float _e31 = sheen_1;
-    return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e31, 1.0))));
+    float _e32 = sheen_1;
+    return ((1.0 - coat_2) * (1.0 - (o_7.sheenColor * min(_e32, 1.0))));
 }
 
 LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
+    Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    vec3 ownWo = vec3(0.0);
+    vec3 h_3 = vec3(0.0);
+    bool lost = false;
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_8.wo;
     bool isSolid_2 = (o_8.layers.solid > 0.0);
@@ -3406,38 +3470,74 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
-    float _e28 = ellipticBound(wo_9, wide_1);
-    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e28);
-    vec3 _e34 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_26.xy);
-    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e34);
-    float oh = max(dot(wo_9, h_9), 0.0);
-    vec4 _e43 = baseReflectance(s_18, o_8, oh);
-    Parting _e44 = partingOf(s_18, o_8, _e43);
+    const bool _e43 = hasCoatNormals;
+    if (_e43) {
+        if (isCoat_1) {
+            vec3 _e45 = coatNormal(o_8.side);
+            Basis _e46 = basisAbout(_e45);
+            frame = _e46;
+        }
+    }
+    ownWo = wo_9;
+    const bool _e49 = hasCoatNormals;
+    if (_e49) {
+        Basis _e50 = frame;
+        vec3 _e51 = toLocal(_e50, wo_9);
+        ownWo = _e51;
+    }
+    vec3 _e52 = ownWo;
+    float _e53 = ellipticBound(_e52, wide_1);
+    float bound_2 = pick(pick(isSolid_2, !(isCoat_1), false), 1.0, _e53);
+    vec3 _e58 = ownWo;
+    vec3 _e60 = sampleEllipticNormal(_e58, wide_1, bound_2, u_26.xy);
+    h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e60);
+    const bool _e68 = hasCoatNormals;
+    if (_e68) {
+        Basis _e69 = frame;
+        vec3 _e70 = h_3;
+        vec3 _e71 = toWorld(_e69, _e70);
+        h_3 = _e71;
+    }
+    vec3 _e72 = h_3;
+    float oh = max(dot(wo_9, _e72), 0.0);
+    vec4 _e76 = baseReflectance(s_18, o_8, oh);
+    Parting _e77 = partingOf(s_18, o_8, _e76);
     float left_2 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
-    bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e44.share), false);
-    vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
-    vec3 _e65 = refracted(wo_9, h_9, o_8.ratio);
-    vec3 beyond_2 = pick(isSolid_2, _e65, vec3(reflected_1.xy, -(reflected_1.z)));
+    bool crossing_1 = pick(!(isCoat_1), (left_2 >= _e77.share), false);
+    vec3 _e91 = h_3;
+    vec3 reflected_1 = (((2.0 * oh) * _e91) - wo_9);
+    vec3 _e98 = h_3;
+    vec3 _e100 = refracted(wo_9, _e98, o_8.ratio);
+    vec3 beyond_2 = pick(isSolid_2, _e100, vec3(reflected_1.xy, -(reflected_1.z)));
     vec3 met_1 = pick(crossing_1, beyond_2, reflected_1);
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
-    float _e76 = throughCover(o_8, abs(met_1.z), crossing_1);
-    vec3 weight_2 = (_e76 * pick(crossing_1, (_e44.beyond / vec3(max((((1.0 - _e44.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e44.toward / vec3(max(_e44.share, 1e-20)))));
-    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e44.share), _e44.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
-    float _e122 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e122);
+    lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
+    const bool _e111 = hasCoatNormals;
+    if (_e111) {
+        if (isCoat_1) {
+            vec3 _e113 = frame.normal;
+            lost = pick((dot(_e113, met_1) <= 0.0), true, pick((met_1.z < 0.0), (s_18.eta.x < 0.0), false));
+        }
+    }
+    float _e129 = coatCosine(o_8.side, met_1);
+    float _e130 = throughCover(o_8, abs(met_1.z), _e129, crossing_1);
+    vec3 weight_2 = (_e130 * pick(crossing_1, (_e77.beyond / vec3(max((((1.0 - _e77.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e77.toward / vec3(max(_e77.share, 1e-20)))));
+    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e77.share), _e77.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    float _e176 = drawn.pdf;
+    bool _e177 = lost;
+    drawn.pdf = pick(_e177, 0.0, _e176);
     if (!(isFacet)) {
         float next_1 = ((u_26.z - o_8.ofCoat) - o_8.ofFacets);
         float sine_8 = sqrt(max((u_26.x * (2.0 - u_26.x)), 0.0));
         float phi_5 = ((6.2831855 * u_26.y) - 3.1415927);
         vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_26.x));
-        vec3 _e153 = sampleCosine(u_26.xy);
-        vec3 below_3 = vec3(_e153.xy, pick((next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e153.z), _e153.z));
+        vec3 _e208 = sampleCosine(u_26.xy);
+        vec3 below_3 = vec3(_e208.xy, pick((next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), -(_e208.z), _e208.z));
         drawn = LayeredSample(pick((next_1 < o_8.ofSheen), even, below_3), 1.0, vec3(1.0), false);
     }
-    float _e174 = drawn.direction.z;
-    drawn.direction.z = (_e174 * o_8.side);
-    LayeredSample _e177 = drawn;
-    return _e177;
+    float _e229 = drawn.direction.z;
+    drawn.direction.z = (_e229 * o_8.side);
+    LayeredSample _e232 = drawn;
+    return _e232;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -3520,8 +3620,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     return _e156;
 }
 
-float facetDensity(vec3 h_3, float alpha_9) {
-    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_9 * alpha_9)) + (h_3.z * h_3.z)), 1.0);
+float facetDensity(vec3 h_4, float alpha_9) {
+    float slope = max(((dot(h_4.xy, h_4.xy) / (alpha_9 * alpha_9)) + (h_4.z * h_4.z)), 1.0);
     return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
@@ -3609,9 +3709,9 @@ vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_4, vec2 alpha_10) {
-    vec2 scaled_1 = (h_4.xy / alpha_10);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
+float ellipticDensity(vec3 h_5, vec2 alpha_10) {
+    vec2 scaled_1 = (h_5.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_5.z * h_5.z)), 1.0);
     return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
 }
 
@@ -3658,6 +3758,9 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     bool isCoat = false;
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
     vec3 lobe = vec3(0.0);
     float chosen_1 = 0.0;
     Layers l_5 = o_13.layers;
@@ -3666,67 +3769,100 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
     bool crossing_4 = (wi_4.z < 0.0);
     vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
     float zi_2 = facing.z;
-    float _e18 = throughCover(o_13, zi_2, crossing_4);
+    float _e19 = coatCosine(o_13.side, wi_4);
+    float _e20 = throughCover(o_13, zi_2, _e19, crossing_4);
     isCoat = pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0));
+    const bool _e35 = hasCoatNormals;
+    bool coatEnds = pick(crossing_4, !(pick(_e35, (s_23.eta.x >= 0.0), false)), false);
     while(true) {
-        bool _e32 = isCoat;
-        bool bends = pick(pick(crossing_4, !(_e32), false), (l_5.solid > 0.0), false);
-        bool _e42 = isCoat;
-        vec2 alpha_16 = pick(_e42, vec2(o_13.coatAlpha), o_13.alpha);
+        bool _e43 = isCoat;
+        bool bends = pick(pick(crossing_4, !(_e43), false), (l_5.solid > 0.0), false);
+        bool _e53 = isCoat;
+        vec2 alpha_16 = pick(_e53, vec2(o_13.coatAlpha), o_13.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_2 = max(alpha_16, vec2(0.001));
-        vec3 met_2 = pick(bends, wi_4, facing);
+        bool _e63 = isCoat;
+        vec3 met_2 = pick(pick(bends, true, pick(_e63, !(coatEnds), false)), wi_4, facing);
         vec3 m_4 = (wo_12 + (met_2 * pick(bends, o_13.ratio, 1.0)));
         float m2_3 = max(dot(m_4, m_4), 1e-20);
         vec3 h_11 = (m_4 * inversesqrt(m2_3));
         float oh_3 = dot(wo_12, h_11);
         float ih_1 = dot(met_2, h_11);
-        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_2.z) >= 0.0), false);
-        float _e81 = ellipticDensity(h_11, wide_2);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e81), 0.0));
-        float _e89 = ellipticStretched(wo_12, wide_2);
-        float _e92 = ellipticStretched(facing, wide_2);
-        float masked_1 = (zi_2 / max(((zi_2 * _e89) + (wo_12.z * _e92)), 1e-20));
-        float _e98 = ellipticBound(wo_12, wide_2);
-        bool _e102 = isCoat;
-        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e102), false), 1.0, _e98);
-        float density_3 = (spread_1 / ((bound_3 * wo_12.z) + _e89));
-        bool _e115 = isCoat;
-        vec4 _e119 = baseReflectance(s_23, o_13, pick(pick(_e115, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e120 = partingOf(s_23, o_13, _e119);
-        lobe = (_e18 * pick(crossing_4, _e120.beyond, (_e120.toward * o_13.more)));
-        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e120.share), _e120.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
-        bool _e142 = isCoat;
-        if (_e142) {
-            intoBody = _e119.w;
-            lobe = vec3(pick(crossing_4, 0.0, o_13.coat));
-            chosen_1 = pick(crossing_4, 0.0, o_13.ofCoat);
+        ownWo_1 = wo_12;
+        ownWi = met_2;
+        ownH = h_11;
+        const bool _e84 = hasCoatNormals;
+        if (_e84) {
+            bool _e85 = isCoat;
+            if (_e85) {
+                vec3 _e87 = coatNormal(o_13.side);
+                Basis _e88 = basisAbout(_e87);
+                vec3 _e89 = toLocal(_e88, wo_12);
+                ownWo_1 = _e89;
+                vec3 _e90 = toLocal(_e88, met_2);
+                ownWi = _e90;
+                vec3 _e91 = toLocal(_e88, h_11);
+                ownH = _e91;
+            }
         }
-        vec4 _e151 = sum_1;
-        vec3 _e152 = lobe;
-        float _e155 = chosen_1;
-        sum_1 = (_e151 + vec4((_e152 * (spread_1 * masked_1)), (_e155 * density_3)));
-        bool _e159 = isCoat;
-        if (!(_e159)) {
+        float _e93 = ownH.z;
+        float _e98 = ownH.z;
+        float _e101 = ownWi.z;
+        float _e107 = ownWi.z;
+        bool faces_2 = pick(pick(((oh_3 * _e93) >= 0.0), (((ih_1 * _e98) * _e101) >= 0.0), false), pick(bends, true, (_e107 >= 0.0)), false);
+        vec3 _e117 = ownH;
+        float _e118 = ellipticDensity(_e117, wide_2);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e118), 0.0));
+        vec3 _e126 = ownWo_1;
+        float _e127 = ellipticStretched(_e126, wide_2);
+        float _e129 = ownWi.z;
+        float ownZi = abs(_e129);
+        float _e133 = ownWo_1.z;
+        vec3 _e134 = ownWi;
+        float _e135 = ellipticStretched(_e134, wide_2);
+        float masked_1 = (ownZi / max(((ownZi * _e127) + (_e133 * _e135)), 1e-20));
+        vec3 _e141 = ownWo_1;
+        float _e142 = ellipticBound(_e141, wide_2);
+        bool _e146 = isCoat;
+        float bound_3 = pick(pick((l_5.solid > 0.0), !(_e146), false), 1.0, _e142);
+        float _e152 = ownWo_1.z;
+        float density_3 = (spread_1 / ((bound_3 * _e152) + _e127));
+        bool _e160 = isCoat;
+        vec4 _e164 = baseReflectance(s_23, o_13, pick(pick(_e160, o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e165 = partingOf(s_23, o_13, _e164);
+        lobe = (_e20 * pick(crossing_4, _e165.beyond, (_e165.toward * o_13.more)));
+        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e165.share), _e165.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
+        bool _e187 = isCoat;
+        if (_e187) {
+            intoBody = _e164.w;
+            lobe = vec3(pick(coatEnds, 0.0, o_13.coat));
+            chosen_1 = pick(coatEnds, 0.0, o_13.ofCoat);
+        }
+        vec4 _e196 = sum_1;
+        vec3 _e197 = lobe;
+        float _e200 = chosen_1;
+        sum_1 = (_e196 + vec4((_e197 * (spread_1 * masked_1)), (_e200 * density_3)));
+        bool _e204 = isCoat;
+        if (!(_e204)) {
             break;
         }
         isCoat = false;
     }
     if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
-        float _e172 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-        float most_2 = max(max(o_13.sheen, _e172), 1.0);
-        float _e180 = sheenAlpha(l_5.sheenRoughness);
-        float _e181 = whiteSheen(wo_12, wi_4, _e180);
-        float fibres_1 = (((1.0 - o_13.coat) * _e181) / most_2);
-        vec4 _e184 = sum_1;
-        sum_1 = (_e184 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
+        float _e217 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+        float most_2 = max(max(o_13.sheen, _e217), 1.0);
+        float _e225 = sheenAlpha(l_5.sheenRoughness);
+        float _e226 = whiteSheen(wo_12, wi_4, _e225);
+        float fibres_1 = (((1.0 - o_13.coat) * _e226) / most_2);
+        vec4 _e229 = sum_1;
+        sum_1 = (_e229 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
     }
     vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_23.baseColor));
-    float _e201 = intoBody;
-    vec3 matte = (((_e18 * _e201) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e208 = sum_1;
-    float _e210 = ofBeyond(o_13);
-    return (_e208 + (vec4(matte, pick(crossing_4, _e210, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
+    float _e246 = intoBody;
+    vec3 matte = (((_e20 * _e246) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e253 = sum_1;
+    float _e255 = ofBeyond(o_13);
+    return (_e253 + (vec4(matte, pick(crossing_4, _e255, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
 }
 
 Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
@@ -3765,18 +3901,14 @@ Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
     return _e37;
 }
 
-bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
-    return ((dot(geometric_1, a_2) > 0.0) != (dot(geometric_1, b_4) > 0.0));
+bool crosses(vec3 geometric_2, vec3 a_2, vec3 b_5) {
+    return ((dot(geometric_2, a_2) > 0.0) != (dot(geometric_2, b_5) > 0.0));
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
     vec3 weight_3 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
-}
-
-vec3 toWorld(Basis b_5, vec3 v_9) {
-    return (((v_9.x * b_5.tangent) + (v_9.y * b_5.bitangent)) + (v_9.z * b_5.normal));
 }
 
 float max3_(vec3 v_10) {
@@ -3826,94 +3958,105 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
         vec3 _e71 = surface_1.absorption;
         p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
     }
-    const bool _e80 = hasLayers;
+    const bool _e80 = hasCoatNormals;
     if (_e80) {
-        vec3 _e82 = surface_1.emission;
-        float _e85 = layersHere.coat;
-        float _e88 = coatReflectance(_e85, abs(_e50.z));
-        surface_1.emission = (_e82 * (1.0 - _e88));
+        vec3 _e82 = coatNormalHere;
+        bool away = pick((dot(_e82, rays_2.direction) > 0.0), !(_e19), false);
+        Basis _e90 = basis;
+        vec3 _e92 = coatNormalHere;
+        vec3 _e94 = coatNormalHere;
+        vec3 _e97 = toLocal(_e90, pick(away, -(_e94), _e92));
+        coatNormalHere = _e97;
     }
-    Emitter _e93 = fetchEmitter(0u);
-    vec3 _e95 = p_12.radiance;
-    vec3 _e97 = p_12.throughput;
-    Path _e98 = p_12;
-    Surface _e99 = surface_1;
-    vec3 _e101 = foundLight(_e98, hit_2, _e99, _e10.geometric, _e93);
-    p_12.radiance = (_e95 + (_e97 * _e101));
-    const bool _e105 = hasMeshes;
-    if (_e105) {
+    const bool _e99 = hasLayers;
+    if (_e99) {
+        vec3 _e101 = surface_1.emission;
+        float _e104 = layersHere.coat;
+        float _e106 = coatCosine(1.0, _e50);
+        float _e107 = coatReflectance(_e104, _e106);
+        surface_1.emission = (_e101 * (1.0 - _e107));
+    }
+    Emitter _e112 = fetchEmitter(0u);
+    vec3 _e114 = p_12.radiance;
+    vec3 _e116 = p_12.throughput;
+    Path _e117 = p_12;
+    Surface _e118 = surface_1;
+    vec3 _e120 = foundLight(_e117, hit_2, _e118, _e10.geometric, _e112);
+    p_12.radiance = (_e114 + (_e116 * _e120));
+    const bool _e124 = hasMeshes;
+    if (_e124) {
         if (escaped_1) {
             p_12.alive = false;
             return;
         }
     }
     vec3 litSide = pick(_e19, vec3(0.0), normal_15);
-    vec3 _e112 = next3d(p_12.sampler_);
-    vec3 _e114 = next3d(p_12.sampler_);
-    EmitterChoice _e116 = chooseEmitter(point_19, litSide, _e112.z);
-    Emitter _e118 = emitterAt(_e116.index, _e93);
-    LightSample _e120 = sampleEmitter(_e118, point_19, _e112.xy);
-    float lightPdf = (_e120.pdf * _e116.probability);
-    const bool _e128 = hasLayers;
-    if (_e128) {
-        float _e131 = layersHere.dispersion;
-        if (pick(_e19, (_e131 > 0.0), false)) {
-            vec3 _e136 = p_12.throughput;
-            float _e138 = nextHash(p_12.sampler_);
-            vec3 _e139 = heroColor(_e136, _e138);
-            hero_3 = _e139;
+    vec3 _e131 = next3d(p_12.sampler_);
+    vec3 _e133 = next3d(p_12.sampler_);
+    EmitterChoice _e135 = chooseEmitter(point_19, litSide, _e131.z);
+    Emitter _e137 = emitterAt(_e135.index, _e112);
+    LightSample _e139 = sampleEmitter(_e137, point_19, _e131.xy);
+    float lightPdf = (_e139.pdf * _e135.probability);
+    const bool _e147 = hasLayers;
+    if (_e147) {
+        float _e150 = layersHere.dispersion;
+        if (pick(_e19, (_e150 > 0.0), false)) {
+            vec3 _e155 = p_12.throughput;
+            float _e157 = nextHash(p_12.sampler_);
+            vec3 _e158 = heroColor(_e155, _e157);
+            hero_3 = _e158;
         }
     }
-    Surface _e140 = surface_1;
-    vec3 _e141 = hero_3;
-    Outgoing _e142 = outgoing(_e140, _e50, _e141);
-    Surface _e143 = surface_1;
-    BsdfSample _e144 = sampleLobe(_e143, _e142, _e114);
-    Surface _e145 = surface_1;
-    Basis _e146 = basis;
-    vec3 _e148 = toLocal(_e146, _e120.direction);
-    Pair _e150 = evaluatePair(_e145, _e142, _e148, _e144.direction);
-    const bool _e152 = hasMeshes;
-    bool opaque = pick(_e152, !(_e19), false);
-    bool _e159 = crosses(_e10.geometric, _e120.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e159, false);
-    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e150.toLight);
-    bool alone_1 = pick(_e120.delta, true, pick((_e118.shape < 0.0), (_e120.distance_ < 1e30), false));
-    float _e175 = misWeight(lightPdf, toLight_8.w);
-    float lightWeight = (pick(alone_1, 1.0, _e175) / lightPdf);
-    BsdfSample _e180 = completed(_e144, _e150.toSample);
-    Basis _e181 = basis;
-    vec3 _e183 = toWorld(_e181, _e180.direction);
-    bool _e187 = crosses(_e10.geometric, _e183, -(rays_2.direction));
-    bool leaks = pick(opaque, _e187, false);
-    uint _e191 = p_12.depth;
-    uint _e194 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e191 != _e194), false);
-    vec3 _e198 = p_12.throughput;
-    vec3 contribution = (((_e198 * toLight_8.xyz) * _e120.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e120.radiance), vec3(0.0))), false);
+    Surface _e159 = surface_1;
+    vec3 _e160 = hero_3;
+    Outgoing _e161 = outgoing(_e159, _e50, _e160);
+    Surface _e162 = surface_1;
+    BsdfSample _e163 = sampleLobe(_e162, _e161, _e133);
+    Surface _e164 = surface_1;
+    Basis _e165 = basis;
+    vec3 _e167 = toLocal(_e165, _e139.direction);
+    Pair _e169 = evaluatePair(_e164, _e161, _e167, _e163.direction);
+    const bool _e171 = hasMeshes;
+    bool opaque = pick(_e171, !(_e19), false);
+    bool _e178 = crosses(_e10.geometric, _e139.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e178, false);
+    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e169.toLight);
+    bool alone_1 = pick(_e139.delta, true, pick((_e137.shape < 0.0), (_e139.distance_ < 1e30), false));
+    float _e194 = misWeight(lightPdf, toLight_8.w);
+    float lightWeight = (pick(alone_1, 1.0, _e194) / lightPdf);
+    BsdfSample _e199 = completed(_e163, _e169.toSample);
+    Basis _e200 = basis;
+    vec3 _e202 = toWorld(_e200, _e199.direction);
+    bool _e206 = crosses(_e10.geometric, _e202, -(rays_2.direction));
+    bool leaks = pick(opaque, _e206, false);
+    uint _e210 = p_12.depth;
+    uint _e213 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e210 != _e213), false);
+    vec3 _e217 = p_12.throughput;
+    vec3 contribution = (((_e217 * toLight_8.xyz) * _e139.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e139.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e220 = p_12.throughput;
-    vec3 throughput_1 = (_e220 * _e180.weight);
-    float _e223 = max3_(throughput_1);
-    uint _e229 = p_12.depth;
-    float survival = pick((_e229 < rouletteDepth), 1.0, min((_e223 / 0.33333334), 0.95));
-    float _e241 = max3_(throughput_1);
-    float _e246 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e180.pdf > 0.0), false), !(leaks), false), (_e241 > 0.0), false), (_e246 < survival), false);
+    vec3 _e239 = p_12.throughput;
+    vec3 throughput_1 = (_e239 * _e199.weight);
+    float _e242 = max3_(throughput_1);
+    uint _e248 = p_12.depth;
+    float survival = pick((_e248 < rouletteDepth), 1.0, min((_e242 / 0.33333334), 0.95));
+    float _e260 = max3_(throughput_1);
+    float _e265 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e199.pdf > 0.0), false), !(leaks), false), (_e260 > 0.0), false), (_e265 < survival), false);
     p_12.throughput = (throughput_1 / vec3(survival));
-    uint _e254 = p_12.depth;
-    p_12.depth = (_e254 + 1u);
-    p_12.pdf = pick(_e180.delta, 0.0, _e180.pdf);
+    uint _e273 = p_12.depth;
+    p_12.depth = (_e273 + 1u);
+    p_12.pdf = pick(_e199.delta, 0.0, _e199.pdf);
     p_12.litSide = litSide;
-    p_12.odds = _e116.odds;
-    bool _e264 = isFlat(shape_1);
-    bool solid = !(_e264);
-    uint lightShape = pick((_e118.shape >= 0.0), uint(max(_e118.shape, 0.0)), noShape);
-    bool _e281 = p_12.alive;
-    Sampler _e296 = p_12.sampler_;
-    uint _e297 = numberOfNext(_e296);
-    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e281, _e183, pick(solid, (dot(_e183, outward_1) < 0.0), false), _e120.direction, pick(solid, (dot(_e120.direction, outward_1) < 0.0), false), pick(lit_2, _e120.distance_, -1.0), lightShape, _e297);
+    p_12.odds = _e135.odds;
+    bool _e283 = isFlat(shape_1);
+    bool solid = !(_e283);
+    uint lightShape = pick((_e137.shape >= 0.0), uint(max(_e137.shape, 0.0)), noShape);
+    bool _e300 = p_12.alive;
+    Sampler _e315 = p_12.sampler_;
+    uint _e316 = numberOfNext(_e315);
+    p_12.rays = RayPair(point_19, shape_1, hit_2.triangle, (1e-5 * length(point_19)), _e300, _e202, pick(solid, (dot(_e202, outward_1) < 0.0), false), _e139.direction, pick(solid, (dot(_e139.direction, outward_1) < 0.0), false), pick(lit_2, _e139.distance_, -1.0), lightShape, _e316);
     return;
 }
 

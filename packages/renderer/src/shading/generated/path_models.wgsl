@@ -277,8 +277,12 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     let inside = isClear & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
+  if (hasCoatNormals) {
+    let away = (dot(coatNormalHere, rays.direction) > 0.0) & !isClear;
+    coatNormalHere = toLocal(basis, select(coatNormalHere, -coatNormalHere, away));
+  }
   if (hasLayers) {
-    surface.emission *= 1.0 - coatReflectance(layersHere.coat, abs(wo.z));
+    surface.emission *= 1.0 - coatReflectance(layersHere.coat, coatCosine(1.0, wo));
   }
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
@@ -339,12 +343,16 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
   if (hasLayers) {
     layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
+  if (hasCoatNormals) {
+    coatNormalHere = outward;
   }
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -354,16 +362,24 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
       normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
+        let bumps = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
-        if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
+          normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+        }
+        if (hasCoatNormals) {
+          coatNormalHere = m.shading;
+          if (any(bumps.coat != vec3f(0.0, 0.0, 1.0))) {
+            coatNormalHere = validNormal(m.geometric, rays.direction, bumps.coat.x * m.tangent + bumps.coat.y * m.bitangent + bumps.coat.z * m.normal, m.shading);
+          }
         }
       }
-      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
-      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
+      let isClear = letsThrough(u32(surface.code), surface.eta.x);
+      normals.shading = agreed(normals.geometric, normals.shading, rays.direction, isClear);
+      if (hasCoatNormals) {
+        coatNormalHere = agreed(normals.geometric, coatNormalHere, rays.direction, isClear);
+      }
     }
   }
   if (hasLayers) {
@@ -395,6 +411,9 @@ fn toLocal(b: Basis, v: vec3f) -> vec3f {
 }
 
 override hasGlass = false;
+
+// Clear coats that are bent by another normal map than their base, or by none where the base is.
+override hasCoatNormals = false;
 
 fn fetchEmitter(i: u32) -> Emitter {
   let t0 = tableTexel(14u, i);
@@ -732,12 +751,25 @@ fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
 }
 
+// Its unit normal, a variable of the whole program as those of here.wesl: in the world until path.wesl has a frame for the base
+// (bsdf.wesl), in that frame from then on. The same as the base's where one normal map bends both, or none.
+var<private> coatNormalHere: vec3f;
+
 // Share of the light that a coat of this weight sends back.
 fn coatReflectance(coat: f32, cosine: f32) -> f32 {
   return coat * schlick(vec3f(coatF0), cosine).x;
 }
 
 var<private> layersHere: Layers;
+
+// Between the coat's normal and a direction in that frame.
+fn coatCosine(side: f32, w: vec3f) -> f32 {
+  var z = w.z;
+  if (hasCoatNormals) {
+    z = dot(coatNormal(side), w);
+  }
+  return abs(z);
+}
 
 // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
 fn schlick(f0: vec3f, cosine: f32) -> vec3f {
@@ -793,6 +825,11 @@ struct Layers {
   spare2: f32,
 }
 
+
+// `side` -1: as it is in the frame that is mirrored, where the coat of the other side of a thin wall is above.
+fn coatNormal(side: f32) -> vec3f {
+  return vec3f(side * coatNormalHere.xy, coatNormalHere.z);
+}
 
 // One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
 // so the mean is right, and a path of one colour keeps it.
@@ -971,14 +1008,20 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
 // Textures, and colours at the vertices of meshes.
 override hasTextures = false;
 
-// `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
+// Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+fn agreed(geometric: vec3f, shading: vec3f, direction: vec3f, isClear: bool) -> vec3f {
+  let agree = (dot(geometric, direction) > 0.0) == (dot(shading, direction) > 0.0);
+  return select(shading, geometric, isClear & !agree);
+}
+
+// `uv`: both sets of coordinates.
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   let row = u32((*s).textures);
   let material = fetchMaterialTextures(row);
   let unlit = (material.flags & isUnlit) != 0u;
   (*s).baseColor *= color;
   (*s).emission *= select(vec3f(1.0), color, unlit);
-  var bump = vec3f(0.0, 0.0, 1.0);
+  var bumps = Bumps(vec3f(0.0, 0.0, 1.0), vec3f(0.0, 0.0, 1.0));
   var i = 0u;
   // One call for all textures: compilers write out each.
   if (material.count > 0u) {
@@ -991,7 +1034,11 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       let rough = max((*s).alpha * share.x * share.x, leastAlpha);
       (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
       (*s).metallic *= share.y;
-      bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      let bump = (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0);
+      bumps.base = select(bumps.base, bump, t.slot == normalSlot);
+      if (hasCoatNormals) {
+        bumps.coat = select(bumps.coat, bump, t.slot == coatNormalSlot);
+      }
       if (hasLayers) {
         takeUpLayer(t.slot, texel);
       }
@@ -1001,7 +1048,7 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       }
     }
   }
-  return bump;
+  return bumps;
 }
 
 // A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
@@ -1044,6 +1091,13 @@ fn fetchMaterialTextures(row: u32) -> MaterialTextures {
 }
 
 const isUnlit = 1u;
+
+// What the normal maps of base and coat say, in the frame of tangent, bitangent and normal; of any length.
+struct Bumps {
+  base: vec3f,
+  coat: vec3f,
+}
+
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -1114,6 +1168,8 @@ fn isSmooth(code: u32) -> bool {
 }
 
 const normalSlot = 3u;
+
+const coatNormalSlot = 16u;
 
 fn takeUpLayer(slot: u32, texel: vec4f) {
   layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
@@ -2544,7 +2600,7 @@ fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   let flat = isSolid & (l.transmission > 0.0) & (index - 1.0 < leastContrast);
   let alpha = select(ellipticAlpha(s.alpha, l.anisotropy), vec2f(0.0), flat);
   let coatAlpha = l.coatRoughness * l.coatRoughness;
-  let coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
+  let coat = select(coatReflectance(l.coat, coatCosine(side, wo)), 0.0, inside);
   let sheenColor = greatest(l.sheenColor);
   var sheen = 0.0;
   if (sheenColor > 0.0) {
@@ -2931,9 +2987,22 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
   let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
   let wide = max(alpha, vec2f(leastAlpha));
-  let bound = select(ellipticBound(wo, wide), 1.0, isSolid & !isCoat);
-  let rough = sampleEllipticNormal(wo, wide, bound, u.xy);
-  let h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  var frame = Basis(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
+  if (hasCoatNormals) {
+    if (isCoat) {
+      frame = basisAbout(coatNormal(o.side));
+    }
+  }
+  var ownWo = wo;
+  if (hasCoatNormals) {
+    ownWo = toLocal(frame, wo);
+  }
+  let bound = select(ellipticBound(ownWo, wide), 1.0, isSolid & !isCoat);
+  let rough = sampleEllipticNormal(ownWo, wide, bound, u.xy);
+  var h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  if (hasCoatNormals) {
+    h = toWorld(frame, h);
+  }
   let oh = max(dot(wo, h), 0.0);
   let p = partingOf(s, o, baseReflectance(s, o, oh));
   // What is left of u.z is uniform again.
@@ -2942,8 +3011,13 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   let reflected = 2.0 * oh * h - wo;
   let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
   let met = select(reflected, beyond, crossing);
-  let lost = !isSmooth & (crossing != (met.z < 0.0));
-  let weight = throughCover(o, abs(met.z), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
+  var lost = !isSmooth & (crossing != (met.z < 0.0));
+  if (hasCoatNormals) {
+    if (isCoat) {
+      lost = (dot(frame.normal, met) <= 0.0) | ((met.z < 0.0) & (s.eta.x < 0.0));
+    }
+  }
+  let weight = throughCover(o, abs(met.z), coatCosine(o.side, met), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
   var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
   drawn.pdf = select(drawn.pdf, 0.0, lost);
   if (!isFacet) {
@@ -2986,13 +3060,13 @@ fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
   return Parting(toward, beyond, select(1.0, a / max(a + b, 1e-20), b > 0.0));
 }
 
-// What of the light between wo and a direction of cosine zi is left by coat and sheen. Light that crosses a solid's boundary meets them
-// once, outside.
-fn throughCover(o: Stack, zi: f32, crossing: bool) -> f32 {
+// What of the light between wo and another direction is left by coat and sheen; zi and coatZi: cosines of that one to the normals of base and
+// coat. Light that crosses a solid's boundary meets them once, outside.
+fn throughCover(o: Stack, zi: f32, coatZi: f32, crossing: bool) -> f32 {
   let l = o.layers;
   let isSolid = l.solid > 0.0;
   let entersHere = o.inside & crossing;
-  let coat = select(o.coat, coatReflectance(l.coat, zi), entersHere);
+  let coat = select(o.coat, coatReflectance(l.coat, coatZi), entersHere);
   var sheen = o.sheen;
   if (o.sheenColor > 0.0) {
     let isOutside = !isSolid | (o.inside == crossing);
@@ -3062,29 +3136,44 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
   // Through a thin wall light goes as if it were reflected and then mirrored.
   let facing = vec3f(wi.xy, abs(wi.z));
   let zi = facing.z;
-  let under = throughCover(o, zi, crossing);
+  let under = throughCover(o, zi, coatCosine(o.side, wi), crossing);
   var sum = vec4f(0.0);
   var intoBody = 0.0;
   // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
   // whose length is known is written out by Windows' compiler.
   var isCoat = (o.coat > 0.0) | (s.metallic < 1.0);
+  // A coat may be bent towards what lies below the base's horizon; where light goes through that is the other side.
+  let coatEnds = crossing & !(hasCoatNormals & (s.eta.x >= 0.0));
   loop {
     let bends = crossing & !isCoat & (l.solid > 0.0);
     let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
     let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
     let wide = max(alpha, vec2f(leastAlpha));
-    let met = select(facing, wi, bends);
+    let met = select(facing, wi, bends | (isCoat & !coatEnds));
     let m = wo + met * select(1.0, o.ratio, bends);
     let m2 = max(dot(m, m), 1e-20);
     let h = m * inverseSqrt(m2);
     let oh = dot(wo, h);
     let ih = dot(met, h);
-    let faces = (oh * h.z >= 0.0) & (ih * h.z * met.z >= 0.0);
-    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(h, wide), faces & !isSmooth);
-    let ownStretched = ellipticStretched(wo, wide);
-    let masked = zi / max(zi * ownStretched + wo.z * ellipticStretched(facing, wide), 1e-20);
-    let bound = select(ellipticBound(wo, wide), 1.0, (l.solid > 0.0) & !isCoat);
-    let density = spread / (bound * wo.z + ownStretched);
+    // The same three in the frame of the layer whose facets are meant.
+    var ownWo = wo;
+    var ownWi = met;
+    var ownH = h;
+    if (hasCoatNormals) {
+      if (isCoat) {
+        let frame = basisAbout(coatNormal(o.side));
+        ownWo = toLocal(frame, wo);
+        ownWi = toLocal(frame, met);
+        ownH = toLocal(frame, h);
+      }
+    }
+    let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
+    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & !isSmooth);
+    let ownStretched = ellipticStretched(ownWo, wide);
+    let ownZi = abs(ownWi.z);
+    let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
+    let bound = select(ellipticBound(ownWo, wide), 1.0, (l.solid > 0.0) & !isCoat);
+    let density = spread / (bound * ownWo.z + ownStretched);
     // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
     let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, isCoat & o.inside));
     let p = partingOf(s, o, reflectance);
@@ -3092,8 +3181,8 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
     var chosen = o.ofFacets * select(p.share, 1.0 - p.share, crossing) * select(1.0, o.ratio * o.ratio, bends);
     if (isCoat) {
       intoBody = reflectance.a;
-      lobe = vec3f(select(o.coat, 0.0, crossing));
-      chosen = select(o.ofCoat, 0.0, crossing);
+      lobe = vec3f(select(o.coat, 0.0, coatEnds));
+      chosen = select(o.ofCoat, 0.0, coatEnds);
     }
     sum += vec4f(lobe * (spread * masked), chosen * density);
     if (!isCoat) {
