@@ -1,8 +1,8 @@
 /** What of a file was not taken as it stands: nothing is left out in silence. */
 import type { SceneCounts } from '../scene/counts.ts';
 import { formatPointer } from '../scene/pointer.ts';
-import type { Path } from '../scene-file/problem.ts';
-import { clip, visible } from '../scene-file/problem.ts';
+
+import { clip, type Path, visible } from '../scene-file/problem.ts';
 
 export interface ReportEntry {
   /** `unsupported`: left out. `changed`: taken in another form. `unused`: in the file, but nothing of the scene shown uses it. */
