@@ -13,6 +13,7 @@ const modules = fileURLToPath(new URL('../node_modules/', import.meta.url));
  * @property {string} importer the file that asks for it
  * @property {string} asked what stands in its `import()`
  * @property {string} entry
+ * @property {'page'} [only] a library has it in its start anyway, as it exports it
  */
 
 /**
@@ -26,6 +27,19 @@ const PARTS = [
     importer: join(studio, 'said-in-chinese.ts'),
     asked: './chinese-tables.ts',
     entry: join(studio, 'chinese-tables.ts'),
+  },
+  {
+    name: 'scene-tools',
+    importer: join(studio, 'load-scene-tools.ts'),
+    asked: './scene-tools.ts',
+    entry: join(studio, 'scene-tools.ts'),
+  },
+  {
+    name: 'scene-reader',
+    importer: join(source, 'scene-file/usable-scene.ts'),
+    asked: './require-scene.ts',
+    entry: join(source, 'scene-file/require-scene.ts'),
+    only: 'page',
   },
   {
     name: 'opening',
@@ -71,9 +85,15 @@ const PARTS = [
   },
   {
     name: 'mesh-files',
-    importer: join(source, 'open/mesh-scene.ts'),
+    importer: join(source, 'mesh-model/mesh-scene.ts'),
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
+  {
+    name: 'mesh-models',
+    importer: join(source, 'scene-file/load-models.ts'),
+    asked: '../mesh-model/mesh-scene.ts',
+    entry: join(source, 'mesh-model/mesh-scene.ts'),
   },
   {
     name: 'gltf',
@@ -174,7 +194,7 @@ function partImports(as, written, loader) {
     transform: {
       order: 'pre',
       handler(code, id) {
-        const parts = partsAskedBy(id);
+        const parts = partsAskedBy(id, as);
         if (parts.length === 0) return null;
         const text = parts.reduce((before, part) => replaced(before, part, as), code);
         return { code: as === 'page' ? `import { loadPart } from '${LOADER}';\n${text}` : text, map: null };
@@ -183,7 +203,7 @@ function partImports(as, written, loader) {
     async renderChunk(_, chunk) {
       // Not what tree shaking has left out.
       const used = Object.entries(chunk.modules).filter(([, { renderedLength }]) => renderedLength > 0);
-      for (const part of used.flatMap(([id]) => partsAskedBy(id))) {
+      for (const part of used.flatMap(([id]) => partsAskedBy(id, as))) {
         if (written.has(part.name)) continue;
         written.set(part.name, '');
         written.set(part.name, await buildPart(part, as, written));
@@ -193,10 +213,10 @@ function partImports(as, written, loader) {
   };
 }
 
-/** @param {string} id */
-function partsAskedBy(id) {
+/** @param {string} id @param {'page' | 'library'} as */
+function partsAskedBy(id, as) {
   const file = id.split('?')[0]?.replaceAll('\\', '/');
-  return PARTS.filter(({ importer }) => file === importer.replaceAll('\\', '/'));
+  return PARTS.filter(({ importer, only = as }) => only === as && file === importer.replaceAll('\\', '/'));
 }
 
 /** What asks for it. @param {Part} part */
@@ -263,6 +283,8 @@ const PAGE_LOADER = `
 const run = (url) => new Promise((resolve) => {
   const script = document.createElement('script');
   script.src = url;
+  // Also where the page does not say what it is written in.
+  script.charset = 'utf-8';
   script.onload = script.onerror = () => {
     script.remove();
     resolve();

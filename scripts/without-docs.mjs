@@ -22,8 +22,7 @@ export const scenesWithoutDocs = () => ({
   name: 'scenes-without-docs',
   enforce: 'pre',
   transform(code, id) {
-    if (!id.endsWith('.scene.json')) return null;
-    const { $schema: _, description: __, ...scene } = JSON.parse(code);
-    return JSON.stringify(scene);
+    if (!id.includes('/scene/built-in/generated/')) return null;
+    return JSON.stringify({ ...JSON.parse(code), description: '' });
   },
 });

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { GGX_ALBEDO } from '../fixtures/ggx-albedo.ts';
-import { type LayeredMaterial, layered } from '../fixtures/layers/layered-material.ts';
+import { LAYERED, type LayeredMaterial, layered } from '../fixtures/layers/layered-material.ts';
 import { type Backend, backends, expect, test } from './fixtures.ts';
 
 /** The BSDFs of glTF's layers (docs/materials.md), in the kernels, against the specifications and the laws of light. */
@@ -13,6 +13,7 @@ const body = { transmission: 1, solid: true, roughness: 0 };
 /** White, and nothing that absorbs or that a second facet would have to reflect once more. */
 const LOSSLESS: Readonly<Record<string, LayeredMaterial>> = {
   'a smooth coat over a mirror': layered({ ...mirror, clearcoat: 0.8 }),
+  'a smooth bent coat over a mirror': layered({ ...mirror, clearcoat: 0.8, coatNormal: [0.6, 0, 0.8] }),
   'a thin wall': layered(wall),
   'a thin wall under a smooth coat': layered({ ...wall, clearcoat: 1 }),
   'a weak gloss on a thin wall': layered({ ...wall, specular: 0.3 }),
@@ -24,6 +25,7 @@ const LOSSLESS: Readonly<Record<string, LayeredMaterial>> = {
 /** White on top of a white mirror; what is lost is light that one facet or fibre sends to another, or what E is too much by. */
 const ON_MIRRORS: Readonly<Record<string, LayeredMaterial>> = {
   'a rough coat': layered({ ...mirror, clearcoat: 1, clearcoatRoughness: 0.7 }),
+  'a rough bent coat': layered({ ...mirror, clearcoat: 1, clearcoatRoughness: 0.7, coatNormal: [0.6, 0, 0.8] }),
   'coarse sheen': layered({ ...mirror, sheenColor: [1, 1, 1], sheenRoughness: 1 }),
   'fine sheen': layered({ ...mirror, sheenColor: [1, 1, 1], sheenRoughness: 0.3 }),
   'very fine sheen': layered({ ...mirror, sheenColor: [1, 1, 1], sheenRoughness: 0.1 }),
@@ -154,8 +156,10 @@ for (const backend of backends) {
     harness,
   }) => {
     // A coat counts by the angle to the viewer, and light that a solid's matte body lets in or out by that of the surface.
-    const coated = ['rough clearcoat on plastic', 'smooth clearcoat on metal', 'half glass body below a coat', 'everything']; // biome-ignore format: one line
-    const exceptions = { any: [...coated, 'wax'], alike: ['wax'] };
+    const coated = Object.keys(LAYERED).filter((name) => LAYERED[name]!.clearcoat > 0);
+    expect(coated.length).toBe(6);
+    const bent = coated.filter((name) => LAYERED[name]!.coatNormal[2] < 1);
+    const exceptions = { any: [...coated, 'wax'], alike: [...bent, 'wax'] };
     for (const alike of [false, true]) {
       const ends = await harness.evaluate(([b, a]) => window.harness.layersFromBothEnds(b, a), [
         backend,

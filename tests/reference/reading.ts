@@ -5,7 +5,8 @@ import { readMeshFile, shadedMesh } from '../../packages/renderer/src/mesh-file/
 import type { MeshSource } from '../../packages/renderer/src/scene/mesh.ts';
 import type { Scene } from '../../packages/renderer/src/scene/scene.ts';
 import { environmentFromPicture } from '../../packages/renderer/src/scene-file/environment-from-picture.ts';
-import { parseScene, withMap, withMeshes } from '../../packages/renderer/src/scene-file/parse-scene.ts';
+import { parseScene } from '../../packages/renderer/src/scene-file/parse-scene.ts';
+import { withMap, withMeshes } from '../../packages/renderer/src/scene-file/trusted-scenes.ts';
 import type { Reference } from './blocks.ts';
 import { readNpy } from './npy.ts';
 

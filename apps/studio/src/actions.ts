@@ -1,9 +1,10 @@
 import { batch, effect, signal } from '@preact/signals';
-import { frameScene, type Problem, type Renderer, type Scene, type SceneParts, withParts } from 'mirrorball';
+import type { Problem, Renderer, Scene, SceneParts } from 'mirrorball';
 import { builtInScene } from './built-in-scenes.ts';
 import { polar } from './camera-controls.ts';
 import { stopMotion } from './camera-motion.ts';
 import { comparisonModes } from './comparison.ts';
+import { loadSceneTools } from './load-scene-tools.ts';
 import { dismiss, notify, reasonOf } from './notices.ts';
 import { cancelOpening } from './opening/under-way.ts';
 import type { Shown } from './state.ts';
@@ -60,11 +61,12 @@ export function chooseScene(id: string): void {
 }
 
 /** Another choice of what the scene on show has: the view, the time and the settings stay as they are. */
-export function changeScene(parts: SceneParts): void {
-  const now = state.shown.peek();
-  const renderer = state.renderer.peek();
-  if (!now || !renderer?.scene) return;
+export async function changeScene(parts: SceneParts): Promise<void> {
   try {
+    const { withParts } = await loadSceneTools();
+    const now = state.shown.peek();
+    const renderer = state.renderer.peek();
+    if (!now || !renderer?.scene) return;
     replaceScene(renderer, { ...now, scene: withParts(renderer.scene, parts) }, parts);
   } catch (error) {
     notify('file', (t) => t.noticeSceneFailed(reasonOf(error)));
@@ -127,7 +129,8 @@ export function resetView(): void {
 }
 
 /** Everything into the picture, from the side from which it is seen now. */
-export function frameView(): void {
+export async function frameView(): Promise<void> {
+  const { frameScene } = await loadSceneTools();
   const renderer = state.renderer.peek();
   if (!renderer?.scene) return;
   stopMotion();

@@ -1,3 +1,2 @@
 export { problemInChinese } from './problem-zh-CN.ts';
 export { reportInChinese } from './report-zh-CN.ts';
-export { seldomInChinese } from './seldom-zh-CN.ts';

@@ -1,5 +1,6 @@
-import { type Camera, depthAt, type Renderer } from 'mirrorball';
+import type { Camera, Renderer } from 'mirrorball';
 import { stopMotion } from './camera-motion.ts';
+import { loadSceneTools } from './load-scene-tools.ts';
 import { dismiss, notify } from './notices.ts';
 import { renderer, viewMoved } from './state.ts';
 
@@ -24,10 +25,11 @@ export function changeLens(change: Pick<Camera, 'aperture' | 'focusDistance'>): 
 }
 
 /** Focuses on what is seen at this place; says so when there is nothing. */
-export function focusAt([x, y]: readonly [x: number, y: number]): void {
+export async function focusAt([x, y]: readonly [x: number, y: number]): Promise<void> {
   const target = renderer.peek();
   if (!target?.scene || !hasLens(target)) return;
   stopMotion();
+  const { depthAt } = await loadSceneTools();
   const depth = depthAt(target, x, y);
   if (depth === null) {
     notify('focus', (t) => t.noticeNothingInFocus);
@@ -38,6 +40,6 @@ export function focusAt([x, y]: readonly [x: number, y: number]): void {
 }
 
 /** By the keyboard: where the pointer is, else in the middle of what the page shows of the scene. */
-export function focusHere(): void {
-  focusAt(pointed ?? renderer.peek()?.settings.framing?.center ?? [0.5, 0.5]);
+export function focusHere(): Promise<void> {
+  return focusAt(pointed ?? renderer.peek()?.settings.framing?.center ?? [0.5, 0.5]);
 }

@@ -1,7 +1,6 @@
 import { expect, test } from 'vitest';
 import { en } from './en.ts';
 import { pickLanguage } from './i18n.ts';
-import { seldomInChinese } from './seldom-zh-CN.ts';
 import { zhCN } from './zh-CN.ts';
 
 test('the first language that there is wins', () => {
@@ -18,8 +17,8 @@ const keysOf = (value: object, path = ''): string[] =>
   );
 
 test('both dictionaries say the same things, none of them empty', () => {
-  expect(keysOf({ ...zhCN, ...seldomInChinese }).sort()).toEqual(keysOf(en).sort());
-  const texts = JSON.stringify([zhCN, seldomInChinese]);
+  expect(keysOf(zhCN).sort()).toEqual(keysOf(en).sort());
+  const texts = JSON.stringify(zhCN);
   expect(texts).not.toContain('""');
 });
 

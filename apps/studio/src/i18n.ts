@@ -1,5 +1,6 @@
 import { computed, effect, signal } from '@preact/signals';
 import { en } from './en.ts';
+import { loadTables } from './said-in-chinese.ts';
 import { recall, remember } from './storage.ts';
 import { zhCN } from './zh-CN.ts';
 
@@ -36,6 +37,9 @@ export function startLanguage(fromAddress: string | null): void {
     document.title = dictionary.value.title;
   });
 }
+
+/** Resolves when what readers of files tell can be said. */
+export const readyToReport = async (): Promise<void> => (language.peek() === 'en' ? undefined : loadTables());
 
 export function sceneName(id: string, ownName: string): string {
   const names = dictionary.value.sceneNames;

@@ -53,12 +53,10 @@ function start(): void {
 
 /** The lens becomes the scene's own, so that it stays when the view is moved and taken back. */
 function throughLens(shown: { readonly id: string; readonly scene: Scene }, given: UrlParameters): state.Shown {
-  const { camera } = shown.scene;
-  const lens = {
-    ...(given.aperture !== null && { aperture: given.aperture }),
-    ...(given.focus !== null && { focusDistance: given.focus }),
-  };
-  const scene = { ...shown.scene, camera: { ...camera, ...lens } };
+  const { aperture, focus } = given;
+  if (aperture === null && focus === null) return { ...shown, original: shown.scene };
+  const lens = { ...(aperture !== null && { aperture }), ...(focus !== null && { focusDistance: focus }) };
+  const scene = { ...shown.scene, camera: { ...shown.scene.camera, ...lens } };
   return { ...shown, scene, original: scene };
 }
 

@@ -1,5 +1,5 @@
 import type { Dictionary } from './i18n.ts';
-import { problemText, reportText, seldom } from './said-in-chinese.ts';
+import { problemText, reportText } from './said-in-chinese.ts';
 
 export const zhCN: Dictionary = {
   title: 'Mirrorball 光线追踪',
@@ -20,22 +20,19 @@ export const zhCN: Dictionary = {
   openFile: '打开文件…',
   openFolder: '打开文件夹…',
   openHint: '也可以直接拖到页面任意处：glTF、GLB、OBJ、PLY、STL 或 scene.json，连同用到的文件，或打包成 zip。',
-  get dropHere() {
-    return seldom().dropHere;
-  },
-  get tooManyFiles() {
-    return seldom().tooManyFiles;
-  },
+  dropHere: '松开即可打开模型（连同用到的文件）、文件夹或 zip；.hdr、.exr 用作环境光',
+  tooManyFiles: '该文件夹中的文件超过 10,000 个，请只选择模型所在的文件夹。',
 
   opening: (file) => `正在打开 ${file}`,
-  get phases() {
-    return seldom().phases;
+  phases: {
+    reading: '读取文件',
+    geometry: '生成三角形',
+    images: '解码图片',
+    trees: '构建加速结构',
   },
   cancel: '取消',
   compiling: '正在准备路径追踪',
-  get compilingFor() {
-    return seldom().compilingFor;
-  },
+  compilingFor: (backend) => `同类模型只需在 ${backend} 上准备一次，完成之前先显示草图。`,
 
   model: '模型',
   factFile: '文件',
@@ -74,15 +71,9 @@ export const zhCN: Dictionary = {
   integratorNames: { classic: '经典光线追踪', path: '路径追踪' },
   maxDepth: '路径段数',
   noLimit: '不限',
-  get compareClassic() {
-    return seldom().compareClassic;
-  },
-  get comparePicture() {
-    return seldom().comparePicture;
-  },
-  get classicHasNoMeshes() {
-    return seldom().classicHasNoMeshes;
-  },
+  compareClassic: '对比的是经典光线追踪的参数，请先切换到该渲染方法。',
+  comparePicture: '对比的是渲染画面，请先把“显示内容”改回“画面”。',
+  classicHasNoMeshes: '经典光线追踪无法绘制三角形网格，因此模型始终使用路径追踪。',
   reflections: '反射次数',
   lightSamples: '光源采样数',
   lightSamplesCustom: '自定义',
@@ -108,9 +99,7 @@ export const zhCN: Dictionary = {
   step: '前进 1/60 秒',
   speed: '速度',
   time: '时间',
-  get stillDoesNotPlay() {
-    return seldom().stillDoesNotPlay;
-  },
+  stillDoesNotPlay: 'CPU 静帧不能播放，可以拖动时间选择画面。',
   seconds: (n) => `${n} 秒`,
 
   view: '视角',
@@ -130,25 +119,14 @@ export const zhCN: Dictionary = {
   focusDistance: '对焦距离',
   metres: (n) => `${n} 米`,
   focusNeedsAperture: '光圈为 0 时，画面处处清晰，无需对焦',
-  get focusByClick() {
-    return seldom().focusByClick;
-  },
-  get stillHasNoLens() {
-    return seldom().stillHasNoLens;
-  },
+  focusByClick: '点按画面中的物体，或按 O 键，即可对焦。',
+  stillHasNoLens: 'CPU 静帧不支持镜头景深。',
   noLensInPanorama: '全景相机没有镜头',
-  get noticeNothingInFocus() {
-    return seldom().noticeNothingInFocus;
-  },
-  get noticeCpuShowsClassic() {
-    return seldom().noticeCpuShowsClassic;
-  },
-  get noticeMadeForPaths() {
-    return seldom().noticeMadeForPaths;
-  },
-  get stillShowsPicture() {
-    return seldom().stillShowsPicture;
-  },
+  noticeNothingInFocus: '这里没有可以对焦的物体。',
+  noticeCpuShowsClassic:
+    '路径追踪需要 WebGPU 或 WebGL2。这幅静态画面改用经典光线追踪绘制：没有间接光照，材质也只有漫反射和镜面两种效果。',
+  noticeMadeForPaths: '这个场景为路径追踪而设计：经典光线追踪不支持其中的玻璃、金属和多数光源，画面会偏暗。',
+  stillShowsPicture: 'CPU 静帧只能显示画面本身。',
   resetView: '还原视角',
   fullScreen: '全屏',
   leaveFullScreen: '退出全屏',
@@ -181,57 +159,50 @@ export const zhCN: Dictionary = {
   unitTime: '用时',
 
   problemsTitle: (file) => `无法打开 ${file}`,
-  get problemsIntro() {
-    return seldom().problemsIntro;
-  },
+  problemsIntro: '发现以下问题，原来的场景不受影响。',
   problem: problemText,
   wholeFile: '（整个文件）',
   copy: '复制',
   copied: '已复制',
-  get fileUnreadable() {
-    return seldom().fileUnreadable;
-  },
+  fileUnreadable: (file, reason) => `读取 ${file} 失败：${reason}`,
 
-  get noticeCpuAlone() {
-    return seldom().noticeCpuAlone;
-  },
-  get noticeCpuChosen() {
-    return seldom().noticeCpuChosen;
-  },
-  get noticeCpuComputes() {
-    return seldom().noticeCpuComputes;
-  },
-  get noticeLost() {
-    return seldom().noticeLost;
-  },
-  get noticeFailed() {
-    return seldom().noticeFailed;
-  },
-  get noticeSwitchFailed() {
-    return seldom().noticeSwitchFailed;
-  },
-  get noticeStartFailed() {
-    return seldom().noticeStartFailed;
-  },
+  noticeCpuAlone: '当前浏览器既不支持 WebGPU 也不支持 WebGL2，这里显示的是由 CPU 计算的静态画面。',
+  noticeCpuChosen: '这是由 CPU 以双精度计算的静态画面。',
+  noticeCpuComputes: 'CPU 正在计算画面，完成之前继续显示原来的画面。',
+  noticeLost: '图形设备连接中断，正在恢复画面……',
+  noticeFailed: (reason) => `图形设备已不可用：${reason}`,
+  noticeSwitchFailed: (backend, reason) => `${backend} 启动失败，继续使用原来的后端：${reason}`,
+  noticeStartFailed: (backend, reason) => `${backend} 启动失败，已改用其他后端：${reason}`,
   noticeNothing: (reason) => `无法在此设备上绘制画面：${reason}`,
-  get noticeSceneFailed() {
-    return seldom().noticeSceneFailed;
-  },
-  get noticeParameters() {
-    return seldom().noticeParameters;
-  },
-  get noticeUnknownParameters() {
-    return seldom().noticeUnknownParameters;
-  },
+  noticeSceneFailed: (reason) => `场景无法显示：${reason}`,
+  noticeParameters: (problems) => `网址中有参数取值无效，已忽略：${problems}`,
+  noticeUnknownParameters: (names) => `网址中有无法识别或重复的参数，已忽略：${names}`,
   noticeError: (reason) => `出错了：${reason}`,
 
   keysTitle: '键盘',
   gesturesTitle: '鼠标、触摸与手写笔',
-  get keys() {
-    return seldom().keys;
+  keys: {
+    play: '播放 / 暂停',
+    step: '前进 1/60 秒',
+    scene: '选择场景',
+    reflections: '减少 / 增加反射次数',
+    compare: '切换对比方式',
+    orbit: '环绕观察',
+    pan: '平移视角',
+    dolly: '推近 / 拉远',
+    focus: '对焦到指针处；指针不在画面上时，对焦到画面中央',
+    reset: '还原视角',
+    frame: '显示全部',
+    fullScreen: '全屏',
+    panel: '展开 / 收起面板',
+    help: '显示本列表',
   },
-  get gestures() {
-    return seldom().gestures;
+  gestures: {
+    orbit: ['左键拖动、单指或手写笔', '环绕观察'],
+    pan: ['右键拖动、Shift + 拖动或双指拖动', '平移视角'],
+    dolly: ['滚轮或双指捏合', '推近 / 拉远'],
+    focus: ['单击或轻点', '对该处对焦（光圈大于 0 时）'],
+    drop: ['拖入文件、文件夹或 zip', '打开模型或场景'],
   },
   keyNames: { space: '空格', arrows: '方向键', shiftArrows: 'Shift + 方向键' },
 };

@@ -3,7 +3,7 @@ import { NO_FIGURES } from './frame-figures.ts';
 import type { StillStart } from './reference/progressive.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import type { Camera, Scene } from './scene/scene.ts';
-import { requireScene } from './scene-file/require-scene.ts';
+import { readyScene } from './scene-file/usable-scene.ts';
 import { openStillScreen, type ShowStill } from './still-screen.ts';
 import { View } from './view.ts';
 
@@ -44,6 +44,9 @@ export class CpuRenderer implements Renderer {
   #seen = '';
   #drawing = '';
   #shownRevision = -1;
+  /** Scenes asked for so far, and the last one taken. */
+  #asked = 0;
+  #taken = 0;
   /** Time spent on the samples of `#whole`, seconds. */
   #wholeSeconds = 0;
 
@@ -94,10 +97,16 @@ export class CpuRenderer implements Renderer {
 
   /** Its tracer builds what it needs in its own worker. */
   async prepare(scene: Scene): Promise<void> {
-    requireScene(scene);
+    await readyScene(scene);
   }
 
-  async setScene(scene: Scene): Promise<void> {
+  async setScene(given: Scene): Promise<void> {
+    const turn = ++this.#asked;
+    const ready = readyScene(given);
+    const scene = ready instanceof Promise ? await ready : ready;
+    // A later one was there sooner.
+    if (turn < this.#taken) return;
+    this.#taken = turn;
     this.#view.setScene(scene);
   }
 
@@ -143,7 +152,8 @@ export class CpuRenderer implements Renderer {
 
   /** Resolves when each pixel has a sample, or one more than before. Rejects when another picture took its place. */
   async render(): Promise<void> {
-    if (!this.#view.scene) throw new Error('Set a scene before rendering.');
+    const { scene, time, camera } = this.#view;
+    if (!scene) throw new Error('Set a scene before rendering.');
     this.#abort?.abort(REPLACED);
     this.#abort = new AbortController();
     const of = this.#wanted();
@@ -164,8 +174,9 @@ export class CpuRenderer implements Renderer {
     const { signal } = this.#abort;
     this.#drawing = of;
     try {
-      const { renderStill } = await import('./reference/reference-renderer.ts');
-      const film = await renderStill(this.#view.sceneNow(), this.#view.camera, still, width, height, progress, signal);
+      const { posedSceneAt, renderStill } = await import('./reference/reference-renderer.ts');
+      const now = posedSceneAt(scene, time);
+      const film = await renderStill(now, camera, still, width, height, progress, signal);
       this.#whole = { film, samples, of };
       progress(film, 1);
       this.#wholeSeconds = this.#stats.filmSeconds;

@@ -11,7 +11,7 @@ import { readShown } from './read-film.ts';
 import type { FrameStats, Renderer, RendererOptions, RendererSettings } from './renderer-types.ts';
 import { Motion } from './scene/motion.ts';
 import type { Camera, Integrator, Scene } from './scene/scene.ts';
-import { requireScene } from './scene-file/require-scene.ts';
+import { readyScene } from './scene-file/usable-scene.ts';
 import { Stages } from './stages.ts';
 import { View } from './view.ts';
 
@@ -40,7 +40,8 @@ export class GpuRenderer implements Renderer {
   #lastTick: number | null = null;
   #lastChange = 0;
   #work = 0;
-  /** Counts the scenes that have been asked for. */
+  /** Scenes asked for so far, and the last one that can be drawn. */
+  #asked = 0;
   #sceneTurn = 0;
   /** Why nothing can be drawn any more. */
   #gone: string | null = null;
@@ -129,12 +130,16 @@ export class GpuRenderer implements Renderer {
   }
 
   async prepare(scene: Scene, preparation?: Preparation): Promise<void> {
-    await prepareMeshes(drawable(scene), preparation);
+    await prepareMeshes(drawable(await readyScene(scene)), preparation);
   }
 
   async setScene(scene: Scene): Promise<void> {
-    const good = drawable(scene);
-    const turn = ++this.#sceneTurn;
+    const turn = ++this.#asked;
+    const ready = readyScene(scene);
+    const good = drawable(ready instanceof Promise ? await ready : ready);
+    // A later one was there sooner.
+    if (turn < this.#sceneTurn) return;
+    this.#sceneTurn = turn;
     if (!areMeshesReady(good)) {
       await prepareMeshes(good);
       // Another one has been asked for meanwhile.
@@ -321,10 +326,9 @@ export class GpuRenderer implements Renderer {
 
 /** The scene, if there is a picture of it. */
 function drawable(scene: Scene): Scene {
-  const good = requireScene(scene);
-  if (good.render.integrator === 'classic') refuseMeshes(good);
-  else refuseUndrawn(good);
-  return good;
+  if (scene.render.integrator === 'classic') refuseMeshes(scene);
+  else refuseUndrawn(scene);
+  return scene;
 }
 
 const reasonOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

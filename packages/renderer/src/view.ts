@@ -11,11 +11,10 @@ import { PROJECTIONS, wholeCamera } from './scene/camera.ts';
 import { SCENE_LIMITS } from './scene/limits.ts';
 import { type Moment, Motion } from './scene/motion.ts';
 import { playingClip } from './scene/node-transforms.ts';
-import { posedSceneAt } from './scene/posed.ts';
 import type { Camera, Scene } from './scene/scene.ts';
 import { TONE_MAPPINGS } from './scene/tone-mappings.ts';
 import { cameraFault } from './scene/well-formed.ts';
-import { requireScene } from './scene-file/require-scene.ts';
+import { usableScene } from './scene-file/usable-scene.ts';
 
 export const DEFAULT_SETTINGS: RendererSettings = {
   integrator: 'classic',
@@ -141,7 +140,6 @@ export class View {
   #motion: Motion | null = null;
   /** Where `#motion` is. */
   #moment: Moment | null = null;
-  #posed: { readonly time: number; readonly scene: Scene } | null = null;
   #time = 0;
   #speed = 1;
   #camera: Camera | null = null;
@@ -158,12 +156,10 @@ export class View {
     return this.#settings;
   }
 
-  /** Throws a TypeError, and changes nothing, when it is no scene. */
-  setScene(given: Scene): void {
-    const scene = requireScene(given);
-    this.#motion = new Motion(scene);
+  /** Throws a TypeError, and changes nothing, when it is no usable scene. */
+  setScene(scene: Scene): void {
+    this.#motion = new Motion(usableScene(scene));
     this.#moment = null;
-    this.#posed = null;
     this.#scene = scene;
     this.#time = 0;
     this.#camera = null;
@@ -176,14 +172,6 @@ export class View {
     if (!this.#motion) throw new Error('Set a scene first.');
     this.#moment ??= this.#motion.at(this.#time);
     return this.#moment;
-  }
-
-  /** The scene as it is at the present time, as data that stays. */
-  sceneNow(): Scene {
-    if (!this.#scene) throw new Error('Set a scene first.');
-    if (this.#posed?.time !== this.#time)
-      this.#posed = { time: this.#time, scene: posedSceneAt(this.#scene, this.#time) };
-    return this.#posed.scene;
   }
 
   /** What is to be drawn now; see `Moment.scene`. It is worked out when somebody reads it. */

@@ -4,7 +4,7 @@ import type { DeviceCounts } from '../../../packages/renderer/src/gpu/device.ts'
 import type { GpuRenderer } from '../../../packages/renderer/src/gpu-renderer.ts';
 import { createRenderer } from '../../../packages/renderer/src/renderer.ts';
 import type { Scene } from '../../../packages/renderer/src/scene/scene.ts';
-import { trustScene } from '../../../packages/renderer/src/scene-file/parse-scene.ts';
+import { trustScene } from '../../../packages/renderer/src/scene-file/trusted-scenes.ts';
 import { arm, carousel, dough, swarm } from '../../fixtures/motion.ts';
 import { seededRandom } from '../../fixtures/random.ts';
 import type { GpuBackend } from './parity.ts';

@@ -2,6 +2,7 @@
 import { adoptScene, isSkyName, type Problem } from 'mirrorball';
 import { refusedFile, show } from '../actions.ts';
 import { takeSkyFile } from '../environment.ts';
+import { readyToReport } from '../i18n.ts';
 import { dismiss, notify, reasonOf } from '../notices.ts';
 import { TooManyFiles } from './given-files.ts';
 import type { Opened, OpenedEnvironment, PathFile, Phase } from './job.ts';
@@ -18,9 +19,10 @@ export async function openFiles(coming: Promise<readonly PathFile[]> | readonly 
     mine.signal.throwIfAborted();
     if (files.length === 0) return;
     name = nameOf(files);
+    const words = readyToReport();
     opening.value = { name, phase: 'reading', share: 0 };
-    if (files.every(({ path }) => isSkyName(path))) await openSky(files[0]!.file, mine.signal);
-    else await openModel(files, mine.signal);
+    if (files.every(({ path }) => isSkyName(path))) await openSky(files[0]!.file, words, mine.signal);
+    else await openModel(files, words, mine.signal);
   } catch (error) {
     if (mine.signal.aborted) return;
     if (error instanceof TooManyFiles) notify('file', (t) => t.tooManyFiles);
@@ -42,8 +44,9 @@ const tell = (phase: Phase, share: number): void => {
   if (now) opening.value = { ...now, phase, share };
 };
 
-async function openModel(files: readonly PathFile[], signal: AbortSignal): Promise<void> {
+async function openModel(files: readonly PathFile[], words: Promise<void>, signal: AbortSignal): Promise<void> {
   const opened: Opened = await openInWorker(files, tell, signal);
+  await words;
   if (!opened.ok) return refuse(opened.file, opened.problems);
   const { file, report, bytes } = opened;
   const scene = await adoptScene(opened.prepared);
@@ -57,8 +60,9 @@ async function openModel(files: readonly PathFile[], signal: AbortSignal): Promi
   }
 }
 
-async function openSky(file: File, signal: AbortSignal): Promise<void> {
+async function openSky(file: File, words: Promise<void>, signal: AbortSignal): Promise<void> {
   const opened: OpenedEnvironment = await openSkyInWorker(file, tell, signal);
+  await words;
   if (!opened.ok) return refuse(opened.file, opened.problems);
   takeSkyFile(opened.file, opened.map);
   if (opened.notes.length > 0) notify('file', () => opened.notes.join(' '));

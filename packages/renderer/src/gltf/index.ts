@@ -1,5 +1,5 @@
 /** glTF 2.0 and GLB in. The code behind it comes when the first file does. */
-import { trustScene } from '../scene-file/parse-scene.ts';
+import { trustScene } from '../scene-file/trusted-scenes.ts';
 import type { GltfImport, GltfOptions } from './types.ts';
 
 export type { SceneCounts } from '../scene/counts.ts';

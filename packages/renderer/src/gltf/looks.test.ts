@@ -108,6 +108,17 @@ describe('materials', () => {
     });
   });
 
+  test('a coat whose map goes by other coordinates than the base’s is told', async () => {
+    const told = async (texCoord: number) => {
+      const file = painted({ normalTexture: { index: 0 }, extensions: { KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatNormalTexture: { index: 1, texCoord } } } }); // biome-ignore format: one line
+      return (await imported(file)).report.entries
+        .map(({ what }) => what)
+        .filter((what) => what === 'clearcoatNormalTexture');
+    };
+    expect(await told(0)).toEqual([]);
+    expect(await told(1)).toEqual(['clearcoatNormalTexture']);
+  });
+
   test('empty extensions have the defaults of their texts; a volume without distance is clear', async () => {
     const material = await materialOf({
       extensions: { KHR_materials_specular: {}, KHR_materials_volume: {}, KHR_materials_ior: { ior: 0 } },

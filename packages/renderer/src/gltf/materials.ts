@@ -103,7 +103,16 @@ export function readMaterial(reading: Reading, textures: TextureReader, json: Ma
     const found = extensionOf<object>(json, name);
     return found && fields(found, 'extensions', name);
   };
-  return { ...base, ...layersOf(extension) };
+  const whole = { ...base, ...layersOf(extension) };
+  const coatMap = whole.clearcoat?.normalTexture;
+  if (coatMap && base.normalTexture && (coatMap.uvSet ?? 0) !== (base.normalTexture.uvSet ?? 0))
+    reading.report.add(
+      'changed',
+      'clearcoatNormalTexture',
+      [...path, 'extensions', 'KHR_materials_clearcoat', 'clearcoatNormalTexture'],
+      "A clear coat's normal map goes by other coordinates than its base's; both have the tangents of the base.",
+    );
+  return whole;
 }
 
 const MODES = { OPAQUE: 'opaque', MASK: 'mask', BLEND: 'blend' } as const;

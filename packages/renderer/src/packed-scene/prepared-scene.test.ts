@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { triangleFile } from '../../../../tests/fixtures/gltf.ts';
 import { openModel } from '../open/open-model.ts';
-import { isParsedScene } from '../scene-file/parse-scene.ts';
+import { isParsedScene } from '../scene-file/trusted-scenes.ts';
 import { areMeshesReady } from './geometry-packer.ts';
 import { adoptScene, buffersOf, prepareScene } from './prepared-scene.ts';
 

@@ -1,7 +1,7 @@
 /** A scene with its trees, on the way from a worker, where it was read, to the page that shows it: what is large goes over without a copy. */
 import type { Mesh } from '../scene/mesh.ts';
 import type { Scene } from '../scene/scene.ts';
-import { trustScene } from '../scene-file/parse-scene.ts';
+import { adoptedScene } from '../scene-file/trusted-scenes.ts';
 import { keepMeshes, packHere } from './geometry-packer.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 
@@ -33,18 +33,5 @@ export function buffersOf(value: unknown): ArrayBuffer[] {
 /** On the page: the scene as good as it was in the worker. Only for what `prepareScene` has given there. */
 export async function adoptScene({ scene, meshes }: PreparedScene): Promise<Scene> {
   if (meshes.length > 0) await keepMeshes(meshes);
-  // Maps from names inherit nothing, so that no name finds more than the file gave; on the way they have become ordinary objects.
-  for (const name of BY_NAME) if (scene[name]) Object.setPrototypeOf(scene[name], null);
-  freeze(scene);
-  trustScene(scene);
-  return scene;
-}
-
-const BY_NAME = ['materials', 'meshes', 'nodes', 'skins', 'images', 'textures', 'clips', 'variants', 'cameras', 'shapes', 'lights'] as const satisfies readonly (keyof Scene)[]; // biome-ignore format: a list
-
-/** Everything but the arrays of numbers, which cannot be. */
-function freeze(value: unknown): void {
-  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || Object.isFrozen(value)) return;
-  Object.freeze(value);
-  for (const part of Object.values(value)) freeze(part);
+  return adoptedScene(scene);
 }

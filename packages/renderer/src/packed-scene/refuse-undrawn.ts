@@ -1,12 +1,11 @@
 /**
- * What a scene model may say and no kernel draws yet: a normal map of a clear coat's own, and textures on other shapes than meshes. A picture
- * without them would be a wrong one, so that such a scene is refused; docs/gltf.md has the list.
+ * What a scene model may say and no kernel draws: textures on other shapes than meshes, and such that need what a mesh has not. A picture
+ * without them would be a wrong one, so that such a scene is refused.
  */
 
-import { isClear, isLayered } from '../scene/layered.ts';
+import { hasCoat, isClear, isLayered } from '../scene/layered.ts';
 import type { MaterialLayers } from '../scene/material-layers.ts';
 import type { Material, Scene, Shape } from '../scene/scene.ts';
-import type { NormalTextureUse } from '../scene/textures.ts';
 import { UntraceableSceneError } from './refuse-meshes.ts';
 import { mayBeMissing } from './texture-slots.ts';
 
@@ -14,18 +13,6 @@ type Layered = Material & MaterialLayers;
 type Layer = keyof MaterialLayers;
 /** Whether what stands there makes a difference to the picture. */
 type Counts<Key extends Layer = Layer> = { readonly [K in Key]?: (material: Layered) => boolean };
-
-/** On any shape. */
-const UNDRAWN: Counts = {
-  // The coat would need a frame of its own.
-  clearcoat: ({ clearcoat, normalTexture }) =>
-    clearcoat!.weight > 0 && !isSameMap(normalTexture, clearcoat!.normalTexture),
-};
-
-/** Whether coat and base are bent alike, or neither is. */
-function isSameMap(base: NormalTextureUse | undefined, coat: NormalTextureUse | undefined): boolean {
-  return JSON.stringify(base) === JSON.stringify(coat);
-}
 
 /** The groups that may have textures in them that count. */
 const LAYER_GROUPS = [
@@ -56,18 +43,10 @@ const found = (undrawn: Counts, material: Layered): string[] =>
     .filter(([key, counts]) => material[key as Layer] !== undefined && counts(material))
     .map(([key]) => key);
 
-/** Names of all that the material has and no kernel draws. */
-export const undrawnOf = (material: Layered): string[] => found(UNDRAWN, material);
-
 /** Throws when a shape has a material, or a mesh, of which something would be missing in the picture. */
 export function refuseUndrawn(scene: Scene): void {
   for (const [name, shape] of Object.entries(scene.shapes)) {
     const material = scene.materials[shape.material]!;
-    const undrawn = undrawnOf(material);
-    if (undrawn.length > 0)
-      throw new UntraceableSceneError(
-        `The material "${shape.material}" has ${undrawn.join(', ')} with another normal map than its base, which this version reads and does not draw yet.`,
-      );
     if (shape.type === 'plane' && isClear(material))
       throw new UntraceableSceneError(
         `The plane "${name}" is made of "${shape.material}", which light goes through, but a plane lets nothing through; please use a box or a quad.`,
@@ -88,7 +67,13 @@ function refuseOnFormula(name: string, { type, material: materialName }: Shape, 
 /** Directions in normal maps and in those of a grain count from a frame of tangents. Meshes of glTF files have one, or get one when they are read. */
 function refuseFramelessMap({ meshes = {} }: Scene, shape: Shape & { type: 'mesh' }, material: Layered): void {
   const { data } = meshes[shape.mesh]!;
-  const map = material.normalTexture ? 'normalTexture' : material.anisotropy?.texture ? 'anisotropy.texture' : null;
+  const map = material.normalTexture
+    ? 'normalTexture'
+    : hasCoat(material) && material.clearcoat?.normalTexture
+      ? 'clearcoat.normalTexture'
+      : material.anisotropy?.texture
+        ? 'anisotropy.texture'
+        : null;
   if (map && !material.unlit && data && !data.tangents)
     throw new UntraceableSceneError(
       `The material "${shape.material}" has ${map}, and the mesh "${shape.mesh}" has no tangents, which its directions count from.`,

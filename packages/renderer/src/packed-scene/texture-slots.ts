@@ -41,6 +41,7 @@ function layerSlots(material: Material & MaterialLayers): Slot[] {
     ...slot(diffuseTransmission?.colorTexture, TEXTURE_SLOTS.beyondColorSlot, true),
     ...slot(clearcoat?.weightTexture, TEXTURE_SLOTS.coatSlot, false),
     ...slot(clearcoat?.roughnessTexture, TEXTURE_SLOTS.coatRoughnessSlot, false),
+    ...slot(clearcoat?.normalTexture, TEXTURE_SLOTS.coatNormalSlot, false),
     ...slot(sheen?.colorTexture, TEXTURE_SLOTS.sheenColorSlot, true),
     ...slot(sheen?.roughnessTexture, TEXTURE_SLOTS.sheenRoughnessSlot, false),
     ...slot(anisotropy?.texture, TEXTURE_SLOTS.anisotropySlot, false),

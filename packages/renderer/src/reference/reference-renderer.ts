@@ -8,6 +8,8 @@ import { isWorthShowing, renderProgressively, type StillJob, type StillStart } f
 import type { StillMessage } from './reference.worker.ts';
 import ReferenceWorker from './reference.worker.ts?worker&inline';
 
+export { posedSceneAt } from '../scene/posed.ts';
+
 export interface StillSettings
   extends Pick<RendererSettings, 'maxReflections' | 'lightSamples' | 'seed' | 'comparison'> {
   /** Default: the whole picture. */

@@ -9,7 +9,7 @@ import type { LoadedMesh, MeshSource } from '../scene/mesh.ts';
 import { crowdFault, meshFault } from '../scene/mesh-fault.ts';
 import type { Scene, Sky } from '../scene/scene.ts';
 import type { ImageSource } from '../scene/textures.ts';
-import { withMap, withMeshes, withThings } from './parse-scene.ts';
+import { withMap, withMeshes, withThings } from './trusted-scenes.ts';
 
 /** Any names will do while the form of the scene is checked. */
 const NO_IMAGE = 'memory.hdr';
@@ -59,7 +59,7 @@ export function withContent(scene: Scene, given: Scene): Scene {
   const drawn = hasContent(given.images)
     ? withThings(mapped, { images: imagesOf(mapped.images!, given.images!) }, true)
     : mapped;
-  return hasContent(given.meshes) ? withMeshes(drawn, meshesOf(drawn.meshes!, given.meshes!), true) : drawn;
+  return hasContent(given.meshes) ? withMeshes(drawn, meshesOf(drawn.meshes ?? {}, given.meshes!), true) : drawn;
 }
 
 const hasContent = (things: Readonly<Record<string, { readonly data?: unknown }>> = {}): boolean =>

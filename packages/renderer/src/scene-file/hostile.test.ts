@@ -13,7 +13,8 @@ import { writePng } from '../export/png.ts';
 import { nodeDecoder } from '../headless/node-images.ts';
 import type { Scene } from '../scene/scene.ts';
 import { loadFiles } from './load-files.ts';
-import { isParsedScene, parseScene } from './parse-scene.ts';
+import { parseScene } from './parse-scene.ts';
+import { isParsedScene } from './trusted-scenes.ts';
 
 const fixture = (name: string): Uint8Array =>
   Uint8Array.from(readFileSync(new URL(`../../../../tests/fixtures/images/${name}`, import.meta.url)));

@@ -1,6 +1,5 @@
 /** The second step of reading a scene: the files that it names. */
 import type { ImageDecoder } from '../gltf/images/decoder.ts';
-import { importGltf } from '../gltf/index.ts';
 import { lacksMap } from '../scene/environment.ts';
 import { lacksData } from '../scene/mesh.ts';
 import { lacksModel } from '../scene/models.ts';
@@ -10,9 +9,9 @@ import { checkPlaying } from './check-clips.ts';
 import { FaultyPlaces } from './faulty-places.ts';
 import { loadImage } from './load-image.ts';
 import { loadMeshes } from './load-meshes.ts';
-import { isParsedScene, withMap, withMeshes, withThings } from './parse-scene.ts';
 import { type Problem, ProblemList } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
+import { isParsedScene, withMap, withMeshes, withThings } from './trusted-scenes.ts';
 
 export type LoadedScene =
   | {
@@ -49,7 +48,7 @@ export async function loadFiles(scene: Scene, readFile: ReadFile, options: LoadO
   }
   if (Object.values(models).some(lacksModel)) {
     const { loadModels } = await import('./load-models.ts');
-    const whole = await loadModels(loaded, importGltf, readFile, problems, notes, options);
+    const whole = await loadModels(loaded, readFile, problems, notes, options);
     checkPlaying(whole, new FaultyPlaces(), problems, true);
     loaded = withThings(whole, {}, isParsedScene(loaded));
   }

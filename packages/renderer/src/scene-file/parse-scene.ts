@@ -1,7 +1,5 @@
 import * as v from 'valibot';
-import type { EnvironmentMap } from '../scene/environment.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { MeshSource } from '../scene/mesh.ts';
 import type { Scene, Track } from '../scene/scene.ts';
 import { checkScene, type Sections } from './check-scene.ts';
 import { TrackChecker } from './check-track.ts';
@@ -12,6 +10,7 @@ import { readJsonText } from './json-text.ts';
 import { describe, type Path, type Problem, ProblemList, quote } from './problem.ts';
 import { sceneSchema, stillSchema, trackSchema } from './schema.ts';
 import { treeOf } from './schema-tree.ts';
+import { freeze, names, OPTIONAL, trustScene } from './trusted-scenes.ts';
 
 export type ParsedScene =
   | { readonly ok: true; readonly scene: Scene }
@@ -32,46 +31,8 @@ export function parseScene(input: unknown): ParsedScene {
     reportFailure(error, problems);
   }
   if (!scene || !problems.isEmpty) return { ok: false, problems: problems.list() };
-  parsedScenes.add(freeze(scene));
+  trustScene(freeze(scene));
   return { ok: true, scene };
-}
-
-/** Scenes made here, for who wants to know whether one can be relied on. They are frozen, so they stay as they are. */
-const parsedScenes = new WeakSet<object>();
-export const isParsedScene = (value: unknown): value is Scene =>
-  typeof value === 'object' && value !== null && parsedScenes.has(value);
-
-/** For scenes that another reader has made and looked through, and that nobody changes. */
-export const trustScene = (scene: Scene): void => void parsedScenes.add(scene);
-
-/** The scene with the content of its sky's image: as good as the scene is, or, when the caller has looked at it, good. */
-export function withMap(scene: Scene, map: EnvironmentMap, checked = isParsedScene(scene)): Scene {
-  const whole: Scene = Object.freeze({ ...scene, sky: Object.freeze({ ...scene.sky, map }) });
-  if (checked) parsedScenes.add(whole);
-  return whole;
-}
-
-/** The scene with the content of its meshes, as `withMap` of the sky's. */
-export const withMeshes = (
-  scene: Scene,
-  meshes: Readonly<Record<string, MeshSource>>,
-  checked = isParsedScene(scene),
-): Scene => withThings(scene, { meshes }, checked);
-
-type Things = Partial<Pick<Scene, (typeof OPTIONAL)[number] | 'shapes' | 'materials' | 'lights'>>;
-
-/** The scene with other things in some sections, as good as it is, or, when the caller has looked at them, good. */
-export function withThings(scene: Scene, things: Things, checked = isParsedScene(scene)): Scene {
-  const sections = Object.entries(things).map(([section, all]) => {
-    // Arrays of numbers cannot be frozen.
-    const frozen = Object.entries(all).map(
-      ([name, thing]) => [name, Object.isFrozen(thing) ? thing : Object.freeze({ ...thing })] as const,
-    );
-    return [section, Object.freeze(names(Object.fromEntries(frozen)))] as const;
-  });
-  const whole: Scene = Object.freeze({ ...scene, ...Object.fromEntries(sections) });
-  if (checked) parsedScenes.add(whole);
-  return whole;
 }
 
 function reportFailure(error: unknown, problems: ProblemList): void {
@@ -117,9 +78,6 @@ function readScene(input: unknown, problems: ProblemList): Scene | null {
   return { version, name, description, ...sections, animation, render };
 }
 
-/** What a scene need not have. */
-const OPTIONAL = ['meshes', 'models', 'nodes', 'skins', 'images', 'textures', 'clips', 'variants', 'cameras'] as const;
-
 function sectionsOf(still: Scene): Sections {
   const optional = OPTIONAL.filter((section) => still[section] !== undefined);
   return {
@@ -157,17 +115,3 @@ function reportIssue(issue: v.BaseIssue<unknown>, prefix: Path, problems: Proble
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
-
-/** Things by name in an object that inherits nothing, so that no name finds more than the file gave. */
-function names<Things extends object>(things: Things | undefined): Things {
-  return Object.assign(Object.create(null), isObject(things) ? things : {}) as Things;
-}
-
-function freeze<Value>(value: Value): Value {
-  // Arrays of numbers cannot be.
-  if (typeof value === 'object' && value !== null && !ArrayBuffer.isView(value)) {
-    Object.freeze(value);
-    for (const part of Object.values(value)) freeze(part);
-  }
-  return value;
-}

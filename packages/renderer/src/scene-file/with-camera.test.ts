@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { richScene } from './broken/good-scene.ts';
-import { isParsedScene, parseScene } from './parse-scene.ts';
+import { parseScene } from './parse-scene.ts';
+import { isParsedScene } from './trusted-scenes.ts';
 import { withCamera } from './with-camera.ts';
 
 test('another camera, with what moves it and without what moved the first', () => {

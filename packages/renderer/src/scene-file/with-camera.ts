@@ -1,7 +1,7 @@
 import type { Clip, SampledTrack } from '../scene/nodes.ts';
 import { formatPointer } from '../scene/pointer.ts';
 import type { Scene } from '../scene/scene.ts';
-import { isParsedScene, trustScene } from './parse-scene.ts';
+import { isParsedScene, trustScene } from './trusted-scenes.ts';
 
 /**
  * The scene as one of its other cameras (`Scene.cameras`) sees it, with what moves that one in clips. Throws a TypeError when there is none

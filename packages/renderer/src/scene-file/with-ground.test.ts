@@ -3,7 +3,7 @@ import { cubeMesh } from '../../../../tests/fixtures/meshes/solids.ts';
 import { writePly } from '../mesh-file/ply/write-ply.ts';
 import { openModel } from '../open/open-model.ts';
 import { boundsAt } from '../scene/scene-bounds.ts';
-import { isParsedScene } from './parse-scene.ts';
+import { isParsedScene } from './trusted-scenes.ts';
 import { withGround } from './with-ground.ts';
 
 async function cube() {

@@ -1,7 +1,7 @@
 import type { Mesh } from '../scene/mesh.ts';
 import type { Material, MeshShape, Scene } from '../scene/scene.ts';
 import { boundsAt } from '../scene/scene-bounds.ts';
-import { isParsedScene, trustScene } from './parse-scene.ts';
+import { isParsedScene, trustScene } from './trusted-scenes.ts';
 
 /** How far the floor reaches, in half diagonals of what stands on it. */
 const REACH = 12;

@@ -1,7 +1,7 @@
 import type { Scene } from '../scene/scene.ts';
 import { withVariant } from '../scene/variants.ts';
-import { isParsedScene, trustScene } from './parse-scene.ts';
 import { requireScene } from './require-scene.ts';
+import { isParsedScene, trustScene } from './trusted-scenes.ts';
 
 /** What of a scene can be replaced while the rest stays as it is. */
 export interface SceneParts extends Partial<Pick<Scene, 'name' | 'description' | 'camera' | 'sky' | 'render'>> {

@@ -42,3 +42,7 @@ export const hasSheen = (m: Layered): boolean => isLayered(m) && (m.sheen?.color
 
 /** Whether its facets are rougher along one direction. */
 export const hasGrain = (m: Layered): boolean => isLayered(m) && (m.anisotropy?.strength ?? 0) > 0;
+
+/** Whether its coat is bent by another normal map than the base, or only one of both is. */
+export const bendsCoatApart = (m: Layered): boolean =>
+  hasCoat(m) && JSON.stringify(m.clearcoat?.normalTexture) !== JSON.stringify(m.normalTexture);

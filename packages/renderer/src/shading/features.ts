@@ -19,6 +19,7 @@ export const FEATURES = [
   'hasManyLights',
   'hasMeshLamps',
   'hasLightTree',
+  'hasVariedLamps',
   'hasMirrorLayers',
   'hasMetallicRoughness',
   'hasConductors',
@@ -30,6 +31,7 @@ export const FEATURES = [
   'hasGrain',
   'hasTransmission',
   'hasIridescence',
+  'hasCoatNormals',
   'hasLens',
   'hasOtherProjections',
   'hasFilter',
@@ -51,8 +53,10 @@ export const MODEL_FEATURES: readonly Feature[] = [
   'hasGrain',
   'hasTransmission',
   'hasIridescence',
+  'hasCoatNormals',
   'hasMeshLamps',
   'hasLightTree',
+  'hasVariedLamps',
 ];
 
 export const drawsModels = (features: ReadonlySet<Feature>): boolean =>

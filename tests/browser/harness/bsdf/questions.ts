@@ -86,20 +86,30 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
 }
 
 export const ask = (device: Device, surfaces: readonly BsdfSurface[], questions: readonly Question[]) =>
-  askTable(device, surfaceTable(surfaces), questions);
+  askTable(device, { rows: surfaceTable(surfaces) }, questions);
 
-/** `table`: rows of the scene table, each with a Surface; a question's `surface` is the number of its row. */
+/** Rows of the scene table, each with a Surface; a question's `surface` is the number of its row. */
+export interface SurfaceTable {
+  readonly rows: Block;
+  /** Normal of each one's coat in the frame of its base. */
+  readonly coats?: readonly Vec3[];
+}
+
+/** Texels of a question. */
+const TEXELS = 3;
+
 export async function askTable(
   device: Device,
-  scene: Block,
+  { rows: scene, coats }: SurfaceTable,
   questions: readonly Question[],
   switches: PassSource['switches'] = ALL_SWITCHES,
 ): Promise<Answer[]> {
   const rows = scene.f32.length / (4 * TABLE_WIDTH);
   const height = Math.ceil(questions.length / WIDTH);
-  const texels = new Float32Array(WIDTH * height * 8);
+  const texels = new Float32Array(WIDTH * height * 4 * TEXELS);
   questions.forEach(({ surface, wo, second, asked, hero = 0 }, k) => {
-    texels.set([...wo, surface, ...second, asked + 3 * hero], k * 8);
+    const coat = coats?.[surface] ?? [0, 0, 1];
+    texels.set([...wo, surface, ...second, asked + 3 * hero, ...coat, 0], k * 4 * TEXELS);
   });
   const frame = device.createUniforms(structSize('Frame'));
   // As where there are lights: the direction of a question is the one to a light.
@@ -108,7 +118,7 @@ export async function askTable(
   frame.write(values.bytes);
   const table = device.createTable(TABLE_WIDTH, rows);
   table.write(scene.f32, rows);
-  const asked = device.createTable(2 * WIDTH, height);
+  const asked = device.createTable(TEXELS * WIDTH, height);
   asked.write(texels, height);
   const film = device.createFilm(WIDTH, height);
   const pass = await device.createPass({ ...PROBE, switches });

@@ -84,6 +84,11 @@ struct LayeredSample {
     vec3 weight;
     bool delta;
 };
+struct Basis {
+    vec3 tangent;
+    vec3 bitangent;
+    vec3 normal;
+};
 struct Parting {
     vec3 toward;
     vec3 beyond;
@@ -92,6 +97,11 @@ struct Parting {
 struct Pair {
     vec4 toLight;
     vec4 toSample;
+};
+struct FacetLobe {
+    vec3 value;
+    float pdf;
+    float cosine;
 };
 struct Frame {
     vec3 right;
@@ -132,11 +142,6 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
-struct FacetLobe {
-    vec3 value;
-    float pdf;
-    float cosine;
-};
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;
 const uint metallicRoughness = 1u;
@@ -154,6 +159,8 @@ const bool hasLayers = false;
 
 const bool hasMetallicRoughness = false;
 
+vec3 coatNormalHere = vec3(0.0);
+
 const bool hasConductors = false;
 
 const bool hasGlass = false;
@@ -163,6 +170,8 @@ Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, v
 const bool hasTransmission = false;
 
 const bool hasCoats = false;
+
+const bool hasCoatNormals = false;
 
 const bool hasSheen = false;
 
@@ -248,8 +257,8 @@ vec2 ellipticAlpha(float alpha, float strength) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_2 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_2 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 vec3 schlick(vec3 f0_, float cosine) {
@@ -263,17 +272,35 @@ float coatReflectance(float coat, float cosine_1) {
     return (coat * _e4.x);
 }
 
+vec3 coatNormal(float side) {
+    vec3 _e2 = coatNormalHere;
+    float _e7 = coatNormalHere.z;
+    return vec3((side * _e2.xy), _e7);
+}
+
+float coatCosine(float side_1, vec3 w) {
+    float z = 0.0;
+    z = w.z;
+    const bool _e5 = hasCoatNormals;
+    if (_e5) {
+        vec3 _e6 = coatNormal(side_1);
+        z = dot(_e6, w);
+    }
+    float _e8 = z;
+    return abs(_e8);
+}
+
 float greatest(vec3 v) {
     return max(max(v.x, v.y), v.z);
 }
 
 float sheenAlbedo(float cosine_2, float roughness) {
     float u_6 = (((sqrt(sqrt(clamp(cosine_2, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_2 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    float v_4 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
     vec3 low = (vec3(0.746962, 0.0397496, 0.224802) + (u_6 * (vec3(-0.448339, 0.3406, -0.509736) + (u_6 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_6 * (vec3(0.0587112, 0.187983, 0.191769) + (u_6 * (vec3(-0.182064, 0.425384, 0.971703) + (u_6 * (vec3(0.0763965, -0.331055, 0.616069) + (u_6 * (vec3(0.0893496, -0.409073, -0.445006) + (u_6 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
     vec3 high = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_6 * (vec3(0.492365, -0.201291, -0.00570256) + (u_6 * (vec3(0.833264, 0.765625, -1.06831) + (u_6 * (vec3(-1.29238, 0.71056, 0.237437) + (u_6 * (vec3(-2.81818, -0.673857, 2.17806) + (u_6 * (vec3(0.500911, -0.777981, 0.0143213) + (u_6 * (vec3(1.97956, 0.108218, -1.28939) + (u_6 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_2 * v_2);
-    float root = dot((low + ((v2_ * v_2) * high)), vec3(1.0, v_2, v2_));
+    float v2_ = (v_4 * v_4);
+    float root = dot((low + ((v2_ * v_4) * high)), vec3(1.0, v_4, v2_));
     float albedo = (root * root);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -424,14 +451,14 @@ Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_1 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_1 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_1));
+    float side_3 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_3));
     vec2 _e20 = ellipticAlpha(s_1.alpha, l_2.anisotropy);
     alpha_2 = _e20;
     const bool _e23 = hasTransmission;
     if (_e23) {
         bool isSolid = (l_2.solid > 0.0);
-        inside = pick(isSolid, (side_1 < 0.0), false);
+        inside = pick(isSolid, (side_3 < 0.0), false);
         float _e32 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
         bool _e35 = inside;
         ratio_2 = pick(isSolid, pick(_e35, (1.0 / _e32), _e32), 1.0);
@@ -441,7 +468,8 @@ Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
     }
     const bool _e55 = hasCoats;
     if (_e55) {
-        float _e58 = coatReflectance(l_2.coat, wo_8.z);
+        float _e57 = coatCosine(side_3, wo_8);
+        float _e58 = coatReflectance(l_2.coat, _e57);
         bool _e59 = inside;
         coat_1 = pick(_e59, 0.0, _e58);
     }
@@ -475,7 +503,7 @@ Stack stackOf(Surface s_1, Layers l_2, vec3 given, vec3 hero_1) {
     float _e124 = coat_1;
     float _e125 = sheen;
     float _e126 = sheenColor;
-    o_1 = Stack(l_2, wo_8, side_1, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
+    o_1 = Stack(l_2, wo_8, side_3, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
     Stack _e133 = o_1;
     vec4 _e135 = baseReflectance(s_1, _e133, wo_8.z);
     float _e136 = coat_1;
@@ -525,8 +553,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_9) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float indexRatio(float eta_2, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
+float indexRatio(float eta_2, float z_1, bool thin) {
+    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
 }
 
 bool isThin(uint code_6) {
@@ -541,8 +569,8 @@ float reflectionBound(vec3 wo, float alpha_3) {
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w, float alpha_4) {
-    return sqrt(((w.z * w.z) + ((alpha_4 * alpha_4) * dot(w.xy, w.xy))));
+float stretched(vec3 w_1, float alpha_4) {
+    return sqrt(((w_1.z * w_1.z) + ((alpha_4 * alpha_4) * dot(w_1.xy, w_1.xy))));
 }
 
 Outgoing outgoing(Surface s_2, vec3 wo_1, vec3 hero_2) {
@@ -605,18 +633,18 @@ bool isSmooth(uint code_7) {
 
 vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_1) {
     float _e8 = stretched(wo_2, alpha_5);
-    vec3 w_2 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
+    vec3 w_3 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_1 = ((6.2831855 * u_1.x) - 3.1415927);
-    float drop = (u_1.y * (1.0 + (bound * w_2.z)));
+    float drop = (u_1.y * (1.0 + (bound * w_3.z)));
     float sine = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_3 = (w_2 + vec3((sine * cos(phi_1)), (sine * sin(phi_1)), (1.0 - drop)));
-    return normalize(vec3((alpha_5 * h_3.xy), max(h_3.z, 1e-7)));
+    vec3 h_4 = (w_3 + vec3((sine * cos(phi_1)), (sine * sin(phi_1)), (1.0 - drop)));
+    return normalize(vec3((alpha_5 * h_4.xy), max(h_4.z, 1e-7)));
 }
 
 vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_3, vec2 u_2) {
-    float side_2 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_2), max(alpha_6, 0.001), o_3.bound, u_2);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_2);
+    float side_4 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_4), max(alpha_6, 0.001), o_3.bound, u_2);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_4);
 }
 
 vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
@@ -627,8 +655,8 @@ vec3 conductorFresnel(float cosine_10, vec3 eta_3, vec3 k) {
     vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
     vec3 smaller = ((eta_3 * k) / larger);
     vec3 a = mix(smaller, larger, greaterThan(difference_2, vec3(0.0)));
-    vec3 b = mix(larger, smaller, greaterThan(difference_2, vec3(0.0)));
-    vec3 b2_ = ((b * b) + vec3(1e-20));
+    vec3 b_2 = mix(larger, smaller, greaterThan(difference_2, vec3(0.0)));
+    vec3 b2_ = ((b_2 * b_2) + vec3(1e-20));
     vec3 acrossFar = (a + vec3(cosine_10));
     vec3 acrossNear = (a - vec3(cosine_10));
     vec3 across = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
@@ -691,6 +719,17 @@ vec3 refracted(vec3 wo_3, vec3 h, float ratio_6) {
     return ((((cosine_17 - inside_2) * h) - wo_3) / vec3(ratio_6));
 }
 
+Basis basisAbout(vec3 n) {
+    float side_5 = pick((n.z >= 0.0), 1.0, -1.0);
+    float a_1 = (-1.0 / (side_5 + n.z));
+    float b_3 = ((n.x * n.y) * a_1);
+    return Basis(vec3((1.0 + (((side_5 * n.x) * n.x) * a_1)), (side_5 * b_3), (-(side_5) * n.x)), vec3(b_3, (side_5 + ((n.y * n.y) * a_1)), -(n.y)), n);
+}
+
+vec3 toLocal(Basis b, vec3 v_2) {
+    return vec3(dot(v_2, b.tangent), dot(v_2, b.bitangent), dot(v_2, b.normal));
+}
+
 float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     float s_13 = (1.0 + length(wo_4.xy));
     float s2_1 = (s_13 * s_13);
@@ -699,19 +738,23 @@ float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_1, vec2 alpha_8) {
-    vec2 scaled = (alpha_8 * w_1.xy);
-    return sqrt(((w_1.z * w_1.z) + dot(scaled, scaled)));
+float ellipticStretched(vec3 w_2, vec2 alpha_8) {
+    vec2 scaled = (alpha_8 * w_2.xy);
+    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
 }
 
 vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_3) {
     float _e8 = ellipticStretched(wo_5, alpha_9);
-    vec3 w_3 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
+    vec3 w_4 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_2 = ((6.2831855 * u_3.x) - 3.1415927);
-    float drop_1 = (u_3.y * (1.0 + (bound_1 * w_3.z)));
+    float drop_1 = (u_3.y * (1.0 + (bound_1 * w_4.z)));
     float sine_1 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_4 = (w_3 + vec3((sine_1 * cos(phi_2)), (sine_1 * sin(phi_2)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_9 * h_4.xy), max(h_4.z, 1e-7)));
+    vec3 h_5 = (w_4 + vec3((sine_1 * cos(phi_2)), (sine_1 * sin(phi_2)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_9 * h_5.xy), max(h_5.z, 1e-7)));
+}
+
+vec3 toWorld(Basis b_1, vec3 v_3) {
+    return (((v_3.x * b_1.tangent) + (v_3.y * b_1.bitangent)) + (v_3.z * b_1.normal));
 }
 
 Parting partingOf(Surface s_4, Stack o_4, vec4 reflectance_1) {
@@ -729,35 +772,39 @@ Parting partingOf(Surface s_4, Stack o_4, vec4 reflectance_1) {
     return _e37;
 }
 
-float throughCover(Stack o_5, float zi, bool crossing) {
+float throughCover(Stack o_5, float zi, float coatZi, bool crossing) {
     float left = 1.0;
     float sheen_1 = 0.0;
     Layers l_4 = o_5.layers;
-    const bool _e7 = hasCoats;
-    if (_e7) {
+    const bool _e8 = hasCoats;
+    if (_e8) {
         bool entersHere = pick(o_5.inside, crossing, false);
-        float _e12 = coatReflectance(l_4.coat, zi);
-        left = (1.0 - pick(entersHere, _e12, o_5.coat));
+        float _e13 = coatReflectance(l_4.coat, coatZi);
+        left = (1.0 - pick(entersHere, _e13, o_5.coat));
     }
-    const bool _e17 = hasSheen;
-    if (_e17) {
+    const bool _e18 = hasSheen;
+    if (_e18) {
         sheen_1 = o_5.sheen;
         if ((o_5.sheenColor > 0.0)) {
             bool isOutside = pick(!((l_4.solid > 0.0)), true, (o_5.inside == crossing));
-            float _e30 = sheen_1;
-            float _e32 = sheenAlbedo(zi, l_4.sheenRoughness);
-            sheen_1 = max(_e30, pick(isOutside, _e32, 0.0));
+            float _e31 = sheen_1;
+            float _e33 = sheenAlbedo(zi, l_4.sheenRoughness);
+            sheen_1 = max(_e31, pick(isOutside, _e33, 0.0));
         }
-        float _e36 = left;
-        float _e38 = sheen_1;
-        left = (_e36 * (1.0 - (o_5.sheenColor * min(_e38, 1.0))));
+        float _e37 = left;
+        float _e39 = sheen_1;
+        left = (_e37 * (1.0 - (o_5.sheenColor * min(_e39, 1.0))));
     }
-    float _e45 = left;
-    return _e45;
+    float _e46 = left;
+    return _e46;
 }
 
 LayeredSample sampleLayered(Surface s_5, Stack o_6, vec3 u_4) {
+    Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    vec3 ownWo = vec3(0.0);
+    vec3 h_1 = vec3(0.0);
     vec3 met = vec3(0.0);
+    bool lost = false;
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_6.wo;
     const bool _e5 = hasTransmission;
@@ -768,48 +815,87 @@ LayeredSample sampleLayered(Surface s_5, Stack o_6, vec3 u_4) {
     vec2 alpha_15 = pick(isCoat_1, vec2(o_6.coatAlpha), o_6.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide = max(alpha_15, vec2(0.001));
-    float _e34 = ellipticBound(wo_9, wide);
-    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e34);
-    vec3 _e40 = sampleEllipticNormal(wo_9, wide, bound_2, u_4.xy);
-    vec3 h_5 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e40);
-    float oh = max(dot(wo_9, h_5), 0.0);
-    vec4 _e49 = baseReflectance(s_5, o_6, oh);
-    Parting _e50 = partingOf(s_5, o_6, _e49);
+    const bool _e49 = hasCoatNormals;
+    if (_e49) {
+        if (isCoat_1) {
+            vec3 _e51 = coatNormal(o_6.side);
+            Basis _e52 = basisAbout(_e51);
+            frame = _e52;
+        }
+    }
+    ownWo = wo_9;
+    const bool _e55 = hasCoatNormals;
+    if (_e55) {
+        Basis _e56 = frame;
+        vec3 _e57 = toLocal(_e56, wo_9);
+        ownWo = _e57;
+    }
+    vec3 _e58 = ownWo;
+    float _e59 = ellipticBound(_e58, wide);
+    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e59);
+    vec3 _e64 = ownWo;
+    vec3 _e66 = sampleEllipticNormal(_e64, wide, bound_2, u_4.xy);
+    h_1 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e66);
+    const bool _e74 = hasCoatNormals;
+    if (_e74) {
+        Basis _e75 = frame;
+        vec3 _e76 = h_1;
+        vec3 _e77 = toWorld(_e75, _e76);
+        h_1 = _e77;
+    }
+    vec3 _e78 = h_1;
+    float oh = max(dot(wo_9, _e78), 0.0);
+    vec4 _e82 = baseReflectance(s_5, o_6, oh);
+    Parting _e83 = partingOf(s_5, o_6, _e82);
     float left_1 = ((u_4.z - o_6.ofCoat) / max(o_6.ofFacets, 1e-20));
-    const bool _e59 = hasTransmission;
-    bool crossing_1 = pick(pick(_e59, !(isCoat_1), false), (left_1 >= _e50.share), false);
-    vec3 reflected = (((2.0 * oh) * h_5) - wo_9);
+    const bool _e92 = hasTransmission;
+    bool crossing_1 = pick(pick(_e92, !(isCoat_1), false), (left_1 >= _e83.share), false);
+    vec3 _e100 = h_1;
+    vec3 reflected = (((2.0 * oh) * _e100) - wo_9);
     met = reflected;
-    const bool _e71 = hasTransmission;
-    if (_e71) {
-        vec3 _e77 = refracted(wo_9, h_5, o_6.ratio);
-        vec3 beyond_2 = pick(isSolid_1, _e77, vec3(reflected.xy, -(reflected.z)));
+    const bool _e105 = hasTransmission;
+    if (_e105) {
+        vec3 _e110 = h_1;
+        vec3 _e112 = refracted(wo_9, _e110, o_6.ratio);
+        vec3 beyond_2 = pick(isSolid_1, _e112, vec3(reflected.xy, -(reflected.z)));
         met = pick(crossing_1, beyond_2, reflected);
     }
-    float _e82 = met.z;
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (_e82 < 0.0)), false);
-    float _e88 = met.z;
-    float _e90 = throughCover(o_6, abs(_e88), crossing_1);
-    vec3 weight_1 = (_e90 * pick(crossing_1, (_e50.beyond / vec3(max((((1.0 - _e50.share) * o_6.ratio) * o_6.ratio), 1e-20))), (_e50.toward / vec3(max(_e50.share, 1e-20)))));
-    vec3 _e111 = met;
-    drawn = LayeredSample(_e111, pick(isCoat_1, o_6.ofCoat, (o_6.ofFacets * pick(crossing_1, (1.0 - _e50.share), _e50.share))), pick(isCoat_1, vec3((o_6.coat / max(o_6.ofCoat, 1e-20))), (weight_1 / vec3(max(o_6.ofFacets, 1e-20)))), isSmooth_1);
-    float _e137 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e137);
+    float _e117 = met.z;
+    lost = pick(!(isSmooth_1), (crossing_1 != (_e117 < 0.0)), false);
+    const bool _e124 = hasCoatNormals;
+    if (_e124) {
+        if (isCoat_1) {
+            vec3 _e126 = frame.normal;
+            vec3 _e127 = met;
+            float _e132 = met.z;
+            lost = pick((dot(_e126, _e127) <= 0.0), true, pick((_e132 < 0.0), (s_5.eta.x < 0.0), false));
+        }
+    }
+    float _e142 = met.z;
+    vec3 _e145 = met;
+    float _e146 = coatCosine(o_6.side, _e145);
+    float _e147 = throughCover(o_6, abs(_e142), _e146, crossing_1);
+    vec3 weight_1 = (_e147 * pick(crossing_1, (_e83.beyond / vec3(max((((1.0 - _e83.share) * o_6.ratio) * o_6.ratio), 1e-20))), (_e83.toward / vec3(max(_e83.share, 1e-20)))));
+    vec3 _e168 = met;
+    drawn = LayeredSample(_e168, pick(isCoat_1, o_6.ofCoat, (o_6.ofFacets * pick(crossing_1, (1.0 - _e83.share), _e83.share))), pick(isCoat_1, vec3((o_6.coat / max(o_6.ofCoat, 1e-20))), (weight_1 / vec3(max(o_6.ofFacets, 1e-20)))), isSmooth_1);
+    float _e194 = drawn.pdf;
+    bool _e195 = lost;
+    drawn.pdf = pick(_e195, 0.0, _e194);
     if (!(isFacet)) {
         float next = ((u_4.z - o_6.ofCoat) - o_6.ofFacets);
         float sine_2 = sqrt(max((u_4.x * (2.0 - u_4.x)), 0.0));
         float phi_3 = ((6.2831855 * u_4.y) - 3.1415927);
         vec3 even = vec3((sine_2 * cos(phi_3)), (sine_2 * sin(phi_3)), (1.0 - u_4.x));
-        vec3 _e168 = sampleCosine(u_4.xy);
-        const bool _e174 = hasTransmission;
-        vec3 below_1 = vec3(_e168.xy, pick(pick(_e174, (next >= (o_6.ofSheen + o_6.ofDiffuse)), false), -(_e168.z), _e168.z));
-        const bool _e183 = hasSheen;
-        drawn = LayeredSample(pick(pick(_e183, (next < o_6.ofSheen), false), even, below_1), 1.0, vec3(1.0), false);
+        vec3 _e226 = sampleCosine(u_4.xy);
+        const bool _e232 = hasTransmission;
+        vec3 below_1 = vec3(_e226.xy, pick(pick(_e232, (next >= (o_6.ofSheen + o_6.ofDiffuse)), false), -(_e226.z), _e226.z));
+        const bool _e241 = hasSheen;
+        drawn = LayeredSample(pick(pick(_e241, (next < o_6.ofSheen), false), even, below_1), 1.0, vec3(1.0), false);
     }
-    float _e195 = drawn.direction.z;
-    drawn.direction.z = (_e195 * o_6.side);
-    LayeredSample _e198 = drawn;
-    return _e198;
+    float _e253 = drawn.direction.z;
+    drawn.direction.z = (_e253 * o_6.side);
+    LayeredSample _e256 = drawn;
+    return _e256;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -892,8 +978,8 @@ BsdfSample sampleLobe(Surface s_6, Outgoing o_7, vec3 u_5) {
     return _e156;
 }
 
-float facetDensity(vec3 h_1, float alpha_10) {
-    float slope = max(((dot(h_1.xy, h_1.xy) / (alpha_10 * alpha_10)) + (h_1.z * h_1.z)), 1.0);
+float facetDensity(vec3 h_2, float alpha_10) {
+    float slope = max(((dot(h_2.xy, h_2.xy) / (alpha_10 * alpha_10)) + (h_2.z * h_2.z)), 1.0);
     return (0.31830987 / (((alpha_10 * alpha_10) * slope) * slope));
 }
 
@@ -981,20 +1067,20 @@ vec4 evaluateBsdf(Surface s_9, Outgoing o_9, vec3 wi_2) {
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_2, vec2 alpha_11) {
-    vec2 scaled_1 = (h_2.xy / alpha_11);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_2.z * h_2.z)), 1.0);
+float ellipticDensity(vec3 h_3, vec2 alpha_11) {
+    vec2 scaled_1 = (h_3.xy / alpha_11);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_3.z * h_3.z)), 1.0);
     return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
 }
 
 float shadowingExponent(float x, float alpha_12) {
     float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
-    float a_1 = mix(21.5473, 25.3245, m_2);
-    float b_1 = mix(3.82987, 3.32435, m_2);
+    float a_2 = mix(21.5473, 25.3245, m_2);
+    float b_4 = mix(3.82987, 3.32435, m_2);
     float c = mix(0.19823, 0.16801, m_2);
     float d = mix(-1.9776, -1.27393, m_2);
     float e = mix(-4.32054, -4.85967, m_2);
-    return (((a_1 / (1.0 + (b_1 * pow(x, c)))) + (d * x)) + e);
+    return (((a_2 / (1.0 + (b_4 * pow(x, c)))) + (d * x)) + e);
 }
 
 float sheenShadowing(float cosine_16, float alpha_13) {
@@ -1030,176 +1116,210 @@ vec4 evaluateLayered(Surface s_10, Stack o_11, vec3 given_1) {
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     bool isCoat = false;
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
     vec3 lobe = vec3(0.0);
     float chosen = 0.0;
     Layers l_5 = o_11.layers;
     vec3 wo_12 = o_11.wo;
     vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_11.side));
     const bool _e11 = hasTransmission;
-    bool crossing_4 = pick(_e11, (wi_4.z < 0.0), false);
-    const bool _e17 = hasTransmission;
-    bool dark_1 = pick(!(_e17), (wi_4.z < 0.0), false);
+    const bool _e13 = hasCoatNormals;
+    bool crossing_4 = pick(pick(_e11, true, _e13), (wi_4.z < 0.0), false);
+    const bool _e20 = hasTransmission;
+    const bool _e22 = hasCoatNormals;
+    bool dark_1 = pick(!(pick(_e20, true, _e22)), (wi_4.z < 0.0), false);
     vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
     float zi_2 = facing.z;
-    float _e28 = throughCover(o_11, zi_2, crossing_4);
-    const bool _e35 = hasCoats;
-    const bool _e37 = hasTransmission;
-    isCoat = pick(pick(_e35, true, _e37), pick((o_11.coat > 0.0), true, (s_10.metallic < 1.0)), false);
+    float _e35 = coatCosine(o_11.side, wi_4);
+    float _e36 = throughCover(o_11, zi_2, _e35, crossing_4);
+    const bool _e43 = hasCoats;
+    const bool _e45 = hasTransmission;
+    isCoat = pick(pick(_e43, true, _e45), pick((o_11.coat > 0.0), true, (s_10.metallic < 1.0)), false);
+    const bool _e57 = hasCoatNormals;
+    bool coatEnds = pick(crossing_4, !(pick(_e57, (s_10.eta.x >= 0.0), false)), false);
     while(true) {
-        const bool _e49 = hasTransmission;
-        bool _e51 = isCoat;
-        bool bends = pick(pick(pick(_e49, crossing_4, false), !(_e51), false), (l_5.solid > 0.0), false);
-        bool _e61 = isCoat;
-        vec2 alpha_16 = pick(_e61, vec2(o_11.coatAlpha), o_11.alpha);
+        const bool _e66 = hasTransmission;
+        bool _e68 = isCoat;
+        bool bends = pick(pick(pick(_e66, crossing_4, false), !(_e68), false), (l_5.solid > 0.0), false);
+        bool _e78 = isCoat;
+        vec2 alpha_16 = pick(_e78, vec2(o_11.coatAlpha), o_11.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_1 = max(alpha_16, vec2(0.001));
-        vec3 met_1 = pick(bends, wi_4, facing);
+        bool _e88 = isCoat;
+        vec3 met_1 = pick(pick(bends, true, pick(_e88, !(coatEnds), false)), wi_4, facing);
         vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_11.ratio, 1.0)));
         float m2_3 = max(dot(m_4, m_4), 1e-20);
         vec3 h_7 = (m_4 * inversesqrt(m2_3));
         float oh_3 = dot(wo_12, h_7);
         float ih_1 = dot(met_1, h_7);
-        bool faces_1 = pick(((oh_3 * h_7.z) >= 0.0), (((ih_1 * h_7.z) * met_1.z) >= 0.0), false);
-        float _e100 = ellipticDensity(h_7, wide_1);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_1, !(isSmooth_2), false), (2.0 * _e100), 0.0));
-        float _e108 = ellipticStretched(wo_12, wide_1);
-        float _e111 = ellipticStretched(facing, wide_1);
-        float masked_1 = (zi_2 / max(((zi_2 * _e108) + (wo_12.z * _e111)), 1e-20));
-        float _e117 = ellipticBound(wo_12, wide_1);
-        const bool _e119 = hasTransmission;
-        bool _e124 = isCoat;
-        float bound_3 = pick(pick(pick(_e119, (l_5.solid > 0.0), false), !(_e124), false), 1.0, _e117);
-        float density_1 = (spread_1 / ((bound_3 * wo_12.z) + _e108));
-        const bool _e138 = hasTransmission;
-        bool _e139 = isCoat;
-        vec4 _e144 = baseReflectance(s_10, o_11, pick(pick(pick(_e138, _e139, false), o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e145 = partingOf(s_10, o_11, _e144);
-        lobe = (_e28 * pick(crossing_4, _e145.beyond, (_e145.toward * o_11.more)));
-        chosen = ((o_11.ofFacets * pick(crossing_4, (1.0 - _e145.share), _e145.share)) * pick(bends, (o_11.ratio * o_11.ratio), 1.0));
-        const bool _e168 = hasCoats;
-        if (!(_e168)) {
-            const bool _e171 = hasTransmission;
-            if (!(_e171)) {
-                intoBody = _e144.w;
+        ownWo_1 = wo_12;
+        ownWi = met_1;
+        ownH = h_7;
+        const bool _e109 = hasCoatNormals;
+        if (_e109) {
+            bool _e110 = isCoat;
+            if (_e110) {
+                vec3 _e112 = coatNormal(o_11.side);
+                Basis _e113 = basisAbout(_e112);
+                vec3 _e114 = toLocal(_e113, wo_12);
+                ownWo_1 = _e114;
+                vec3 _e115 = toLocal(_e113, met_1);
+                ownWi = _e115;
+                vec3 _e116 = toLocal(_e113, h_7);
+                ownH = _e116;
             }
         }
+        float _e118 = ownH.z;
+        float _e123 = ownH.z;
+        float _e126 = ownWi.z;
+        float _e132 = ownWi.z;
+        bool faces_1 = pick(pick(((oh_3 * _e118) >= 0.0), (((ih_1 * _e123) * _e126) >= 0.0), false), pick(bends, true, (_e132 >= 0.0)), false);
+        vec3 _e142 = ownH;
+        float _e143 = ellipticDensity(_e142, wide_1);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_1, !(isSmooth_2), false), (2.0 * _e143), 0.0));
+        vec3 _e151 = ownWo_1;
+        float _e152 = ellipticStretched(_e151, wide_1);
+        float _e154 = ownWi.z;
+        float ownZi = abs(_e154);
+        float _e158 = ownWo_1.z;
+        vec3 _e159 = ownWi;
+        float _e160 = ellipticStretched(_e159, wide_1);
+        float masked_1 = (ownZi / max(((ownZi * _e152) + (_e158 * _e160)), 1e-20));
+        vec3 _e166 = ownWo_1;
+        float _e167 = ellipticBound(_e166, wide_1);
+        const bool _e169 = hasTransmission;
         bool _e174 = isCoat;
-        if (_e174) {
-            intoBody = _e144.w;
-            lobe = vec3(pick(crossing_4, 0.0, o_11.coat));
-            chosen = pick(crossing_4, 0.0, o_11.ofCoat);
+        float bound_3 = pick(pick(pick(_e169, (l_5.solid > 0.0), false), !(_e174), false), 1.0, _e167);
+        float _e180 = ownWo_1.z;
+        float density_1 = (spread_1 / ((bound_3 * _e180) + _e152));
+        const bool _e189 = hasTransmission;
+        bool _e190 = isCoat;
+        vec4 _e195 = baseReflectance(s_10, o_11, pick(pick(pick(_e189, _e190, false), o_11.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e196 = partingOf(s_10, o_11, _e195);
+        lobe = (_e36 * pick(crossing_4, _e196.beyond, (_e196.toward * o_11.more)));
+        chosen = ((o_11.ofFacets * pick(crossing_4, (1.0 - _e196.share), _e196.share)) * pick(bends, (o_11.ratio * o_11.ratio), 1.0));
+        const bool _e219 = hasCoats;
+        if (!(_e219)) {
+            const bool _e222 = hasTransmission;
+            if (!(_e222)) {
+                intoBody = _e195.w;
+            }
         }
-        vec4 _e183 = sum_1;
-        vec3 _e184 = lobe;
-        float _e187 = chosen;
-        sum_1 = (_e183 + vec4((_e184 * (spread_1 * masked_1)), (_e187 * density_1)));
-        const bool _e192 = hasCoats;
-        if (!(_e192)) {
-            const bool _e195 = hasTransmission;
-            if (!(_e195)) {
+        bool _e225 = isCoat;
+        if (_e225) {
+            intoBody = _e195.w;
+            lobe = vec3(pick(coatEnds, 0.0, o_11.coat));
+            chosen = pick(coatEnds, 0.0, o_11.ofCoat);
+        }
+        vec4 _e234 = sum_1;
+        vec3 _e235 = lobe;
+        float _e238 = chosen;
+        sum_1 = (_e234 + vec4((_e235 * (spread_1 * masked_1)), (_e238 * density_1)));
+        const bool _e243 = hasCoats;
+        if (!(_e243)) {
+            const bool _e246 = hasTransmission;
+            if (!(_e246)) {
                 break;
             }
         }
-        bool _e197 = isCoat;
-        if (!(_e197)) {
+        bool _e248 = isCoat;
+        if (!(_e248)) {
             break;
         }
         isCoat = false;
     }
-    const bool _e201 = hasSheen;
-    if (_e201) {
+    const bool _e252 = hasSheen;
+    if (_e252) {
         if (pick(pick((o_11.sheenColor > 0.0), !(crossing_4), false), !(o_11.inside), false)) {
-            float _e212 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-            float most = max(max(o_11.sheen, _e212), 1.0);
-            float _e220 = sheenAlpha(l_5.sheenRoughness);
-            float _e221 = whiteSheen(wo_12, wi_4, _e220);
-            float fibres_1 = (((1.0 - o_11.coat) * _e221) / most);
-            vec4 _e224 = sum_1;
-            sum_1 = (_e224 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
+            float _e263 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+            float most = max(max(o_11.sheen, _e263), 1.0);
+            float _e271 = sheenAlpha(l_5.sheenRoughness);
+            float _e272 = whiteSheen(wo_12, wi_4, _e271);
+            float fibres_1 = (((1.0 - o_11.coat) * _e272) / most);
+            vec4 _e275 = sum_1;
+            sum_1 = (_e275 + vec4((fibres_1 * l_5.sheenColor), (o_11.ofSheen * 0.15915494)));
         }
     }
     vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_10.baseColor));
-    float _e241 = intoBody;
-    vec3 matte = (((_e28 * _e241) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e248 = sum_1;
-    float _e250 = ofBeyond(o_11);
-    vec4 all_1 = (_e248 + (vec4(matte, pick(crossing_4, _e250, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
+    float _e292 = intoBody;
+    vec3 matte = (((_e36 * _e292) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e299 = sum_1;
+    float _e301 = ofBeyond(o_11);
+    vec4 all_1 = (_e299 + (vec4(matte, pick(crossing_4, _e301, o_11.ofDiffuse)) * (0.31830987 * zi_2)));
     return pick(dark_1, vec4(0.0), all_1);
 }
 
 Pair evaluatePair(Surface s_11, Outgoing o_12, vec3 toLight, vec3 toSample) {
     Pair pair = Pair(vec4(0.0), vec4(0.0));
     bool isLight = false;
-    vec4 value_1 = vec4(0.0);
-    const bool _e6 = hasLayers;
-    if (_e6) {
-        uint _e9 = frame.emitterCount;
-        isLight = (_e9 > 0u);
-        while(true) {
-            bool _e13 = isLight;
-            vec3 wi_5 = pick(_e13, toLight, toSample);
-            vec4 _e15 = evaluateBsdf(s_11, o_12, wi_5);
-            value_1 = _e15;
-            bool _e21 = isLayered(uint(s_11.code), s_11.eta.x);
-            if (_e21) {
-                float _e23 = mirrorShare(s_11.reflectivity);
-                Stack _e27 = stackHere;
-                vec4 _e28 = evaluateLayered(s_11, _e27, wi_5);
-                value_1 = ((1.0 - _e23) * _e28);
+    vec4 _e4 = evaluateBsdf(s_11, o_12, toLight);
+    vec4 _e5 = evaluateBsdf(s_11, o_12, toSample);
+    pair = Pair(_e4, _e5);
+    const bool _e9 = hasLayers;
+    if (_e9) {
+        bool _e14 = isLayered(uint(s_11.code), s_11.eta.x);
+        if (_e14) {
+            uint _e17 = frame.emitterCount;
+            isLight = (_e17 > 0u);
+            while(true) {
+                float _e22 = mirrorShare(s_11.reflectivity);
+                Stack _e26 = stackHere;
+                bool _e27 = isLight;
+                vec4 _e29 = evaluateLayered(s_11, _e26, pick(_e27, toLight, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e29);
+                bool _e31 = isLight;
+                if (_e31) {
+                    pair.toLight = value_2;
+                } else {
+                    pair.toSample = value_2;
+                }
+                bool _e34 = isLight;
+                if (!(_e34)) {
+                    break;
+                }
+                isLight = false;
             }
-            bool _e30 = isLight;
-            if (_e30) {
-                vec4 _e32 = value_1;
-                pair.toLight = _e32;
-            } else {
-                vec4 _e34 = value_1;
-                pair.toSample = _e34;
-            }
-            bool _e35 = isLight;
-            if (!(_e35)) {
-                break;
-            }
-            isLight = false;
         }
-    } else {
-        vec4 _e38 = evaluateBsdf(s_11, o_12, toLight);
-        vec4 _e39 = evaluateBsdf(s_11, o_12, toSample);
-        pair = Pair(_e38, _e39);
     }
-    Pair _e41 = pair;
-    return _e41;
+    Pair _e37 = pair;
+    return _e37;
 }
 
-BsdfSample completed(BsdfSample drawn_2, vec4 value_2) {
-    float pdf = pick((drawn_2.pdf <= 0.0), 0.0, value_2.w);
-    vec3 weight_2 = pick((pdf > 0.0), (value_2.xyz / vec3(max(pdf, 1e-30))), vec3(0.0));
+BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
+    float pdf = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_2 = pick((pdf > 0.0), (value_1.xyz / vec3(max(pdf, 1e-30))), vec3(0.0));
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
 }
 
 void main() {
     vec4 fragment = gl_FragCoord;
     uvec2 pixel = uvec2(fragment.xy);
-    vec4 a_2 = texelFetch(questions, ivec2(uvec2((2u * pixel.x), pixel.y)), 0);
-    vec4 b_2 = texelFetch(questions, ivec2(uvec2(((2u * pixel.x) + 1u), pixel.y)), 0);
-    Surface _e23 = fetchSurface(uint(a_2.w));
-    uint asked_2 = (uint(b_2.w) % 3u);
-    uint color = (uint(b_2.w) / 3u);
+    vec4 a_3 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
+    vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 _e30 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    vec3 n_1 = _e30.xyz;
+    Surface _e34 = fetchSurface(uint(a_3.w));
+    uint asked_2 = (uint(b_5.w) % 3u);
+    uint color = (uint(b_5.w) / 3u);
     vec3 hero_3 = pick((color == 0u), vec3(1.0), (3.0 * vec3(equal(uvec3(color), uvec3(1u, 2u, 3u)))));
-    Layers _e51 = layersOf(uint(_e23.code), _e23.eta.x);
-    layersHere = _e51;
-    Outgoing _e53 = outgoing(_e23, a_2.xyz, hero_3);
-    BsdfSample _e55 = sampleLobe(_e23, _e53, b_2.xyz);
-    Pair _e58 = evaluatePair(_e23, _e53, b_2.xyz, _e55.direction);
+    Layers _e62 = layersOf(uint(_e34.code), _e34.eta.x);
+    layersHere = _e62;
+    coatNormalHere = pick(((dot(n_1, a_3.xyz) < 0.0) != (a_3.z < 0.0)), -(n_1), n_1);
+    Outgoing _e75 = outgoing(_e34, a_3.xyz, hero_3);
+    BsdfSample _e77 = sampleLobe(_e34, _e75, b_5.xyz);
+    Pair _e80 = evaluatePair(_e34, _e75, b_5.xyz, _e77.direction);
     if ((asked_2 == evaluation)) {
-        _fs2p_location0 = _e58.toLight;
+        _fs2p_location0 = _e80.toLight;
         return;
     }
-    BsdfSample _e63 = completed(_e55, _e58.toSample);
+    BsdfSample _e85 = completed(_e77, _e80.toSample);
     if ((asked_2 == sampledDirection)) {
-        _fs2p_location0 = vec4(_e63.direction, _e63.pdf);
+        _fs2p_location0 = vec4(_e85.direction, _e85.pdf);
         return;
     }
-    _fs2p_location0 = vec4(_e63.weight, pick(_e63.delta, 1.0, 0.0));
+    _fs2p_location0 = vec4(_e85.weight, pick(_e85.delta, 1.0, 0.0));
     return;
 }
 

@@ -8,13 +8,16 @@ const sampledDirection = 1u;
 
 @fragment fn bsdfProbe(@builtin(position) fragment: vec4f) -> @location(0) vec4f {
   let pixel = vec2u(fragment.xy);
-  let a = textureLoad(questions, vec2u(2u * pixel.x, pixel.y), 0);
-  let b = textureLoad(questions, vec2u(2u * pixel.x + 1u, pixel.y), 0);
+  let a = textureLoad(questions, vec2u(3u * pixel.x, pixel.y), 0);
+  let b = textureLoad(questions, vec2u(3u * pixel.x + 1u, pixel.y), 0);
+  let n = textureLoad(questions, vec2u(3u * pixel.x + 2u, pixel.y), 0).xyz;
   let surface = fetchSurface(u32(a.w));
   let asked = u32(b.w) % 3u;
   let color = u32(b.w) / 3u;
   let hero = select(3.0 * vec3f(vec3u(color) == vec3u(1u, 2u, 3u)), vec3f(1.0), color == 0u);
   layersHere = layersOf(u32(surface.code), surface.eta.x);
+  // Like the base's it looks to where wo is.
+  coatNormalHere = select(n, -n, (dot(n, a.xyz) < 0.0) != (a.z < 0.0));
   let o = outgoing(surface, a.xyz, hero);
   let drawn = sampleLobe(surface, o, b.xyz);
   // The other direction is to a light in path.wesl.
@@ -51,6 +54,10 @@ fn layersOf(code: u32, eta: f32) -> Layers {
   }
   return l;
 }
+
+// Its unit normal, a variable of the whole program as those of here.wesl: in the world until path.wesl has a frame for the base
+// (bsdf.wesl), in that frame from then on. The same as the base's where one normal map bends both, or none.
+var<private> coatNormalHere: vec3f;
 
 // The layers are those of layers/here.wesl. `hero`: layers/transmission.wesl; white where colours do not part.
 fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
@@ -124,30 +131,26 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. With layers that is done in a loop, so that they stand
-// in the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
+// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
+// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair: Pair;
+  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
   if (hasLayers) {
-    var isLight = frame.emitterCount > 0u;
-    loop {
-      let wi = select(toSample, toLight, isLight);
-      var value = evaluateBsdf(s, o, wi);
-      if (isLayered(u32(s.code), s.eta.x)) {
-        value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, wi);
+    if (isLayered(u32(s.code), s.eta.x)) {
+      var isLight = frame.emitterCount > 0u;
+      loop {
+        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
+        if (isLight) {
+          pair.toLight = value;
+        } else {
+          pair.toSample = value;
+        }
+        if (!isLight) {
+          break;
+        }
+        isLight = false;
       }
-      if (isLight) {
-        pair.toLight = value;
-      } else {
-        pair.toSample = value;
-      }
-      if (!isLight) {
-        break;
-      }
-      isLight = false;
     }
-  } else {
-    pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
   }
   return pair;
 }
@@ -398,7 +401,7 @@ fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   }
   var coat = 0.0;
   if (hasCoats) {
-    coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
+    coat = select(coatReflectance(l.coat, coatCosine(side, wo)), 0.0, inside);
   }
   let coatAlpha = l.coatRoughness * l.coatRoughness;
   var sheenColor = 0.0;
@@ -540,6 +543,15 @@ fn coatReflectance(coat: f32, cosine: f32) -> f32 {
   return coat * schlick(vec3f(coatF0), cosine).x;
 }
 
+// Between the coat's normal and a direction in that frame.
+fn coatCosine(side: f32, w: vec3f) -> f32 {
+  var z = w.z;
+  if (hasCoatNormals) {
+    z = dot(coatNormal(side), w);
+  }
+  return abs(z);
+}
+
 // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
 fn schlick(f0: vec3f, cosine: f32) -> vec3f {
   let m = max(1.0 - cosine, 0.0);
@@ -548,6 +560,14 @@ fn schlick(f0: vec3f, cosine: f32) -> vec3f {
 }
 
 const coatF0 = 0.04;
+
+// Clear coats that are bent by another normal map than their base, or by none where the base is.
+override hasCoatNormals = false;
+
+// `side` -1: as it is in the frame that is mirrored, where the coat of the other side of a thin wall is above.
+fn coatNormal(side: f32) -> vec3f {
+  return vec3f(side * coatNormalHere.xy, coatNormalHere.z);
+}
 
 fn greatest(v: vec3f) -> f32 {
   return max(max(v.x, v.y), v.z);
@@ -832,9 +852,22 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
   let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
   let wide = max(alpha, vec2f(leastAlpha));
-  let bound = select(ellipticBound(wo, wide), 1.0, isSolid & !isCoat);
-  let rough = sampleEllipticNormal(wo, wide, bound, u.xy);
-  let h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  var frame = Basis(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
+  if (hasCoatNormals) {
+    if (isCoat) {
+      frame = basisAbout(coatNormal(o.side));
+    }
+  }
+  var ownWo = wo;
+  if (hasCoatNormals) {
+    ownWo = toLocal(frame, wo);
+  }
+  let bound = select(ellipticBound(ownWo, wide), 1.0, isSolid & !isCoat);
+  let rough = sampleEllipticNormal(ownWo, wide, bound, u.xy);
+  var h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  if (hasCoatNormals) {
+    h = toWorld(frame, h);
+  }
   let oh = max(dot(wo, h), 0.0);
   let p = partingOf(s, o, baseReflectance(s, o, oh));
   // What is left of u.z is uniform again.
@@ -846,8 +879,13 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
     let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
     met = select(reflected, beyond, crossing);
   }
-  let lost = !isSmooth & (crossing != (met.z < 0.0));
-  let weight = throughCover(o, abs(met.z), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
+  var lost = !isSmooth & (crossing != (met.z < 0.0));
+  if (hasCoatNormals) {
+    if (isCoat) {
+      lost = (dot(frame.normal, met) <= 0.0) | ((met.z < 0.0) & (s.eta.x < 0.0));
+    }
+  }
+  let weight = throughCover(o, abs(met.z), coatCosine(o.side, met), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
   var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
   drawn.pdf = select(drawn.pdf, 0.0, lost);
   if (!isFacet) {
@@ -862,6 +900,14 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   drawn.direction.z *= o.side;
   return drawn;
 }
+
+// An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+struct Basis {
+  tangent: vec3f,
+  bitangent: vec3f,
+  normal: vec3f,
+}
+
 
 // Eto and Tokuyoshi 2023, equation 6: the smaller width bounds both.
 fn ellipticBound(wo: vec3f, alpha: vec2f) -> f32 {
@@ -894,14 +940,14 @@ fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
   return parting;
 }
 
-// What of the light between wo and a direction of cosine zi is left by coat and sheen. Light that crosses a solid's boundary meets them
-// once, outside.
-fn throughCover(o: Stack, zi: f32, crossing: bool) -> f32 {
+// What of the light between wo and another direction is left by coat and sheen; zi and coatZi: cosines of that one to the normals of base and
+// coat. Light that crosses a solid's boundary meets them once, outside.
+fn throughCover(o: Stack, zi: f32, coatZi: f32, crossing: bool) -> f32 {
   let l = o.layers;
   var left = 1.0;
   if (hasCoats) {
     let entersHere = o.inside & crossing;
-    left = 1.0 - select(o.coat, coatReflectance(l.coat, zi), entersHere);
+    left = 1.0 - select(o.coat, coatReflectance(l.coat, coatZi), entersHere);
   }
   if (hasSheen) {
     var sheen = o.sheen;
@@ -922,6 +968,21 @@ struct LayeredSample {
   delta: bool,
 }
 
+
+fn basisAbout(n: vec3f) -> Basis {
+  let side = select(-1.0, 1.0, n.z >= 0.0);
+  let a = -1.0 / (side + n.z);
+  let b = n.x * n.y * a;
+  return Basis(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
+}
+
+fn toLocal(b: Basis, v: vec3f) -> vec3f {
+  return vec3f(dot(v, b.tangent), dot(v, b.bitangent), dot(v, b.normal));
+}
+
+fn toWorld(b: Basis, v: vec3f) -> vec3f {
+  return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
+}
 
 fn ellipticStretched(w: vec3f, alpha: vec2f) -> f32 {
   let scaled = alpha * w.xy;
@@ -971,35 +1032,51 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
   let l = o.layers;
   let wo = o.wo;
   let wi = vec3f(given.xy, given.z * o.side);
-  let crossing = hasTransmission & (wi.z < 0.0);
-  let dark = !hasTransmission & (wi.z < 0.0);
+  // Below the horizon there is light of what lets some through, and of coats with normals of their own.
+  let crossing = (hasTransmission | hasCoatNormals) & (wi.z < 0.0);
+  let dark = !(hasTransmission | hasCoatNormals) & (wi.z < 0.0);
   // Through a thin wall light goes as if it were reflected and then mirrored.
   let facing = vec3f(wi.xy, abs(wi.z));
   let zi = facing.z;
-  let under = throughCover(o, zi, crossing);
+  let under = throughCover(o, zi, coatCosine(o.side, wi), crossing);
   var sum = vec4f(0.0);
   var intoBody = 0.0;
   // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
   // whose length is known is written out by Windows' compiler.
   // Without coats in the scene, and without anything that light goes through, the base's facets are met alike and show it themselves.
   var isCoat = (hasCoats | hasTransmission) & ((o.coat > 0.0) | (s.metallic < 1.0));
+  // A coat may be bent towards what lies below the base's horizon; where light goes through that is the other side.
+  let coatEnds = crossing & !(hasCoatNormals & (s.eta.x >= 0.0));
   loop {
     let bends = hasTransmission & crossing & !isCoat & (l.solid > 0.0);
     let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
     let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
     let wide = max(alpha, vec2f(leastAlpha));
-    let met = select(facing, wi, bends);
+    let met = select(facing, wi, bends | (isCoat & !coatEnds));
     let m = wo + met * select(1.0, o.ratio, bends);
     let m2 = max(dot(m, m), 1e-20);
     let h = m * inverseSqrt(m2);
     let oh = dot(wo, h);
     let ih = dot(met, h);
-    let faces = (oh * h.z >= 0.0) & (ih * h.z * met.z >= 0.0);
-    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(h, wide), faces & !isSmooth);
-    let ownStretched = ellipticStretched(wo, wide);
-    let masked = zi / max(zi * ownStretched + wo.z * ellipticStretched(facing, wide), 1e-20);
-    let bound = select(ellipticBound(wo, wide), 1.0, hasTransmission & (l.solid > 0.0) & !isCoat);
-    let density = spread / (bound * wo.z + ownStretched);
+    // The same three in the frame of the layer whose facets are meant.
+    var ownWo = wo;
+    var ownWi = met;
+    var ownH = h;
+    if (hasCoatNormals) {
+      if (isCoat) {
+        let frame = basisAbout(coatNormal(o.side));
+        ownWo = toLocal(frame, wo);
+        ownWi = toLocal(frame, met);
+        ownH = toLocal(frame, h);
+      }
+    }
+    let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
+    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & !isSmooth);
+    let ownStretched = ellipticStretched(ownWo, wide);
+    let ownZi = abs(ownWi.z);
+    let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
+    let bound = select(ellipticBound(ownWo, wide), 1.0, hasTransmission & (l.solid > 0.0) & !isCoat);
+    let density = spread / (bound * ownWo.z + ownStretched);
     // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
     let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, hasTransmission & isCoat & o.inside));
     let p = partingOf(s, o, reflectance);
@@ -1012,8 +1089,8 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
     }
     if (isCoat) {
       intoBody = reflectance.a;
-      lobe = vec3f(select(o.coat, 0.0, crossing));
-      chosen = select(o.ofCoat, 0.0, crossing);
+      lobe = vec3f(select(o.coat, 0.0, coatEnds));
+      chosen = select(o.ofCoat, 0.0, coatEnds);
     }
     sum += vec4f(lobe * (spread * masked), chosen * density);
     if (!hasCoats) {

@@ -5,7 +5,7 @@ import { layerValues } from '../../../../packages/renderer/src/packed-scene/laye
 import { TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { writeRow } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
 import { surfaceValues } from '../../../../packages/renderer/src/packed-scene/surface-values.ts';
-import { type Block, createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
+import { createBlock } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { isLayered } from '../../../../packages/renderer/src/scene/layered.ts';
 import type { Shape } from '../../../../packages/renderer/src/scene/scene.ts';
 import sheenWesl from '../../../../packages/renderer/src/shading/bsdf/layers/sheen.wesl?raw';
@@ -14,11 +14,12 @@ import { materialOf } from '../../../fixtures/layers/as-material.ts';
 import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';
 import { sheenFit } from '../../../fixtures/layers/sheen-fit.ts';
 import { testScene } from '../../../fixtures/scenes.ts';
+import type { SurfaceTable } from '../bsdf/questions.ts';
 
 export const albedoOfSheen = sheenFit(sheenWesl);
 
 /** The surface of material i lies in row i, its layers below all surfaces. */
-export function layerTable(materials: readonly LayeredMaterial[], energyCompensation = false): Block {
+export function layerTable(materials: readonly LayeredMaterial[], energyCompensation = false): SurfaceTable {
   const table = createBlock(2 * materials.length * TABLE_WIDTH * 16);
   materials.forEach((given, row) => {
     const material = { ...materialOf(given), energyCompensation };
@@ -26,7 +27,7 @@ export function layerTable(materials: readonly LayeredMaterial[], energyCompensa
     writeRow(table, 'Surface', row, surfaceValues(material, null, 0, materials.length + row));
     writeRow(table, 'Layers', materials.length + row, layerValues(material));
   });
-  return table;
+  return { rows: table, coats: materials.map(({ coatNormal }) => coatNormal) };
 }
 
 /** Of the program that a scene of balls of these is drawn by. */

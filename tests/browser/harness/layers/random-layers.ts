@@ -1,5 +1,6 @@
 /** Layered materials with anything in them, the ends of all ranges above all, as 32-bit floats hold them. */
 import type { Color } from '../../../../packages/renderer/src/scene/scene.ts';
+import { directionOf } from '../../../fixtures/bsdf-cases.ts';
 import { LAYERED, type LayeredMaterial, layered } from '../../../fixtures/layers/layered-material.ts';
 import { between, pick, type Random } from '../../../fixtures/random.ts';
 
@@ -26,6 +27,7 @@ function randomLayers(random: Random): LayeredMaterial {
     ] as const),
     clearcoat: share(random),
     clearcoatRoughness: pick(random, [0, 0.033, 1, random()]),
+    coatNormal: pick(random, [[0, 0, 1], directionOf(between(random, 0.3, 1), between(random, -4, 4))] as const),
     sheenColor: color(random),
     sheenRoughness: pick(random, [0, 1, random(), random()]),
     transmission: share(random),
@@ -71,6 +73,8 @@ export function withOnly(m: LayeredMaterial, kind: (typeof LAYER_KINDS)[number])
   return {
     ...m,
     clearcoat: kind === 'clearcoat' ? m.clearcoat : 0,
+    // Bent with the base's; coats apart from it have a switch of their own.
+    coatNormal: [0, 0, 1],
     sheenColor: kind === 'sheenColor' ? m.sheenColor : [0, 0, 0],
     anisotropy: kind === 'anisotropy' ? m.anisotropy : 0,
     transmission: clear ? m.transmission : 0,

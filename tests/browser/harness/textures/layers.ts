@@ -21,9 +21,13 @@ const COLOR = [linear(R), linear(G), linear(B)] as const;
 const use = { texture: 'one' };
 const times = ([r, g, b]: readonly [number, number, number]) => [r * COLOR[0], g * COLOR[1], b * COLOR[2]] as const;
 
+const bent = { texture: 'one', normalScale: 0.7 };
+
 type Part = Partial<Material>;
-/** With a texture, and what that comes to. */
-const CASES: Readonly<Record<string, readonly [textured: Part, plain: Part]>> = {
+const SMOOTH = { weight: 1, roughness: 0 };
+const BLACK: Part = { baseColor: [0, 0, 0], specularLobe: { weight: 0, color: [1, 1, 1] } };
+/** With a texture, and what that comes to; and what it must not, if that is not the same without a texture. */
+const CASES: Readonly<Record<string, readonly [textured: Part, plain: Part, other?: Part]>> = {
   'specular weight': [
     { specularLobe: { weight: 0.9, color: [9, 9, 9], weightTexture: use } },
     { specularLobe: { weight: 0.9 * A, color: [9, 9, 9] } },
@@ -48,6 +52,16 @@ const CASES: Readonly<Record<string, readonly [textured: Part, plain: Part]>> = 
   'roughness of clearcoat': [
     { clearcoat: { weight: 1, roughness: 0.9, roughnessTexture: use } },
     { clearcoat: { weight: 1, roughness: 0.9 * G } },
+  ],
+  // What lies under these coats sends nothing back; a mirror's samples know no azimuth.
+  'normals of clearcoat': [
+    { ...BLACK, clearcoat: { ...SMOOTH, normalTexture: bent } },
+    { ...BLACK, clearcoat: { ...SMOOTH, normalTexture: bent }, normalTexture: bent },
+  ],
+  'normals of a base, which leave its clearcoat as it is': [
+    { ...BLACK, clearcoat: SMOOTH, normalTexture: bent },
+    { ...BLACK, clearcoat: SMOOTH },
+    { ...BLACK, clearcoat: { ...SMOOTH, normalTexture: bent }, normalTexture: bent },
   ],
   'colour of sheen': [
     { sheen: { color: [1, 0.8, 1], roughness: 0.6, colorTexture: use } },
@@ -119,9 +133,9 @@ function apart(a: Float32Array, b: Float32Array): number {
 export async function layerTextures(backend: GpuBackend): Promise<LayerTexture[]> {
   const film = async (part: Part) => (await renderPath(backend, sceneWith(part), SIZE)).sum;
   const results: LayerTexture[] = [];
-  for (const [what, [textured, plain]] of Object.entries(CASES)) {
+  for (const [what, [textured, plain, other = withoutTextures(textured)]] of Object.entries(CASES)) {
     const own = await film(textured);
-    const effect = apart(own, await film(withoutTextures(textured)));
+    const effect = apart(own, await film(other));
     results.push({ what, difference: apart(own, await film(plain)), effect });
   }
   return results;

@@ -7,7 +7,7 @@ import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-sc
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
 import { lampsAsShapes } from '../../scene/lamps.ts';
-import { hasCoat, hasGrain, hasSheen, isClear, isLayered } from '../../scene/layered.ts';
+import { bendsCoatApart, hasCoat, hasGrain, hasSheen, isClear, isLayered } from '../../scene/layered.ts';
 import { meshShapes } from '../../scene/placed.ts';
 import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
@@ -71,7 +71,7 @@ function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [strin
   };
 }
 
-function lightFeatures({ kinds, far, near }: EmitterPlan) {
+function lightFeatures({ kinds, far, near, glows }: EmitterPlan) {
   const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));
   return {
     hasSphereLights: has(EMITTER_KIND.sphere),
@@ -83,6 +83,7 @@ function lightFeatures({ kinds, far, near }: EmitterPlan) {
     hasManyLights: far + near > 1,
     hasMeshLamps: has(EMITTER_KIND.mesh),
     hasLightTree: near > LISTED_EMITTERS,
+    hasVariedLamps: [...glows.values()].some(({ texture, mayBeMissing }) => texture !== null || mayBeMissing),
   };
 }
 
@@ -99,6 +100,7 @@ function materialFeatures(materials: readonly Material[]) {
     hasSheen: materials.some(hasSheen),
     hasGrain: materials.some(hasGrain),
     hasTransmission: materials.some(isClear),
+    hasCoatNormals: materials.some(bendsCoatApart),
     hasIridescence: materials.some((material) => isLayered(material) && (material.iridescence?.weight ?? 0) > 0),
   };
 }

@@ -1,4 +1,7 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { parseScene } from '../../scene-file/parse-scene.ts';
+import { isParsedScene } from '../../scene-file/trusted-scenes.ts';
 import { sceneAt } from '../index.ts';
 import type { Box, Plane, Scene, Shape, Sphere, SphereLight, Vec3 } from '../scene.ts';
 import { cross, dot, length, normalize, subtract } from '../vec3.ts';
@@ -122,4 +125,13 @@ test('the scenes are what their names say', () => {
   expect(Object.keys(shadows!.lights)).toHaveLength(2);
   expect(builtInScenes.map(({ scene }) => scene.render.integrator)).toEqual(['classic', 'classic', 'classic', 'path']);
   expect([room!, blocks!, shadows!].map(({ render }) => render.lightSamples)).toEqual([9, 9, 16]);
+});
+
+test.each(builtInScenes)('$id is what the reader makes of its file now (else: npm run scenes)', ({ id, scene }) => {
+  const read = parseScene(readFileSync(new URL(`${id}.scene.json`, import.meta.url), 'utf8'));
+  expect(read.ok && read.scene).toStrictEqual(scene);
+  expect(JSON.stringify(read.ok && read.scene), 'in the same order').toBe(JSON.stringify(scene));
+  expect(isParsedScene(scene)).toBe(true);
+  expect(Object.isFrozen(Object.values(scene.materials)[0]!.baseColor)).toBe(true);
+  expect(Object.getPrototypeOf(scene.shapes)).toBeNull();
 });

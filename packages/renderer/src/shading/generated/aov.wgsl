@@ -668,10 +668,12 @@ const instances = 0x80000000u;
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
 
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
+  
   
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -745,6 +747,7 @@ struct SurfacePoint {
 fn kindOf(code: u32) -> u32 {
   return code & 3u;
 }
+
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k

@@ -175,6 +175,10 @@ struct MaterialTextures {
     float opacity;
     float cutoff;
 };
+struct Cover {
+    vec4 uv;
+    float opacity;
+};
 struct Vertex {
     uint normal;
     uint tangent;
@@ -253,6 +257,10 @@ struct MeshPoint {
     vec4 uv;
     vec4 color;
 };
+struct Bumps {
+    vec3 base;
+    vec3 coat;
+};
 struct Material {
     vec3 baseColor;
     float reflectivity;
@@ -298,6 +306,7 @@ const uint baseColorSlot = 0u;
 const uint emissionSlot = 1u;
 const uint metallicRoughnessSlot = 2u;
 const uint normalSlot = 3u;
+const uint coatNormalSlot = 16u;
 const uint specularWeightSlot = 4u;
 const uint specularColorSlot = 5u;
 const uint transmissionSlot = 6u;
@@ -354,6 +363,10 @@ const bool hasLayers = false;
 Layers0_ layersHere = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 const bool hasMetallicRoughness = false;
+
+const bool hasCoatNormals = false;
+
+vec3 coatNormalHere = vec3(0.0);
 
 const bool hasTextures = false;
 
@@ -436,8 +449,8 @@ float filterAxis(float u) {
     float x_10 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_10), 15.0);
     float t_4 = (x_10 - piece);
-    vec4 c_1 = frame.filterPieces[uint(piece)];
-    float offset_3 = (c_1.x + (t_4 * (c_1.y + (t_4 * (c_1.z + (t_4 * c_1.w))))));
+    vec4 c_2 = frame.filterPieces[uint(piece)];
+    float offset_3 = (c_2.x + (t_4 * (c_2.y + (t_4 * (c_2.z + (t_4 * c_2.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -845,6 +858,31 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
+Cover coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover c = Cover(vec4(0.0), 1.0);
+    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
+    if ((each != 0u)) {
+        Vertex _e19 = fetchVertex(rows.x);
+        Vertex _e24 = fetchVertex(rows.y);
+        Vertex _e30 = fetchVertex(rows.z);
+        c.uv = vec4((((share.x * _e19.uv) + (share.y * _e24.uv)) + (share.z * _e30.uv)), 0.0, 0.0);
+    }
+    if ((each > vertexRows)) {
+        uvec3 more = (rows + uvec3(1u));
+        VertexMore _e43 = fetchVertexMore(more.x);
+        VertexMore _e45 = fetchVertexMore(more.y);
+        VertexMore _e47 = fetchVertexMore(more.z);
+        vec4 _e50 = c.uv;
+        c.uv = vec4(_e50.xy, (((share.x * _e43.uv) + (share.y * _e45.uv)) + (share.z * _e47.uv)));
+        vec2 _e66 = pairOf(_e43.blueAlpha);
+        vec2 _e69 = pairOf(_e45.blueAlpha);
+        vec2 _e72 = pairOf(_e47.blueAlpha);
+        c.opacity = dot(share, vec3(_e66.y, _e69.y, _e72.y));
+    }
+    Cover _e76 = c;
+    return _e76;
+}
+
 TextureUse fetchTextureUse(uint row_7) {
     uvec4 _e3 = texelRow((row_7 + 0u));
     uvec4 _e6 = texelRow((row_7 + 1u));
@@ -865,14 +903,14 @@ Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool near
     return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at - low)));
 }
 
-vec3 linearFromSrgb(vec3 c) {
-    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+vec3 linearFromSrgb(vec3 c_1) {
+    return mix(pow(((c_1 + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c_1 / vec3(12.92)), lessThanEqual(c_1, vec3(0.04045)));
 }
 
 vec4 decoded(uint texel, bool colored) {
-    vec4 c_2 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
-    vec3 _e18 = linearFromSrgb(c_2.xyz);
-    return vec4(pick(colored, _e18, c_2.xyz), c_2.w);
+    vec4 c_3 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_3.xyz);
+    return vec4(pick(colored, _e18, c_3.xyz), c_3.w);
 }
 
 uint texelAt(uint i_9) {
@@ -906,50 +944,28 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
-    vec4 uv_1 = vec4(0.0);
+bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
     uint row_8 = (_e10.cover & coverRow);
     MaterialTextures _e19 = fetchMaterialTextures(row_8);
-    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
-    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
-    opacity = _e19.opacity;
-    if ((_e10.vertexRows != 0u)) {
-        Vertex _e45 = fetchVertex(rows.x);
-        Vertex _e50 = fetchVertex(rows.y);
-        Vertex _e56 = fetchVertex(rows.z);
-        uv_1 = vec4((((share.x * _e45.uv) + (share.y * _e50.uv)) + (share.z * _e56.uv)), 0.0, 0.0);
-    }
-    if ((_e10.vertexRows > vertexRows)) {
-        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
-        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
-        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
-        vec4 _e78 = uv_1;
-        uv_1 = vec4(_e78.xy, (((share.x * _e69.uv) + (share.y * _e73.uv)) + (share.z * _e77.uv)));
-        float _e92 = opacity;
-        vec2 _e94 = pairOf(_e69.blueAlpha);
-        vec2 _e97 = pairOf(_e73.blueAlpha);
-        vec2 _e100 = pairOf(_e77.blueAlpha);
-        opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
-    }
+    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
-        float _e113 = opacity;
-        vec4 _e114 = uv_1;
-        vec4 _e116 = uv_1;
-        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
-        opacity = (_e113 * _e124.w);
+        TextureUse _e42 = fetchTextureUse((row_8 + materialTexturesRows));
+        float _e43 = opacity;
+        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
+        opacity = (_e43 * _e54.w);
     }
-    uint _e127 = pcg(number_1);
-    uint _e129 = pcg((instance + _e127));
-    uint _e131 = pcg((place + _e129));
-    float _e132 = unitFloat(_e131);
-    float _e133 = opacity;
-    float _e136 = opacity;
-    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+    uint _e57 = pcg(number_1);
+    uint _e59 = pcg((instance + _e57));
+    uint _e61 = pcg((place + _e59));
+    float _e62 = unitFloat(_e61);
+    float _e63 = opacity;
+    float _e66 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1004,10 +1020,10 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 r0_ = pick(a_1, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
                 vec2 t1_ = pick(b_2, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_2, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_3 = (t0_.x < t1_.x);
+                bool c_4 = (t0_.x < t1_.x);
                 bool d_2 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_3, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 ta = pick(c_4, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
+                uvec2 ra = pick(c_4, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e = (ta.y < tb.x);
@@ -1442,29 +1458,29 @@ vec3 fromOctahedral(uint code_4) {
     return normalize(vec3(pick((z < 0.0), folded, p_13), z));
 }
 
-MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
     MeshPoint p_8 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
     mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
-    vec3 geometric_1 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
-    p_8 = MeshPoint(geometric_1, geometric_1, vec3(0.0), vec3(0.0), geometric_1, vec4(0.0), vec4(1.0));
+    vec3 geometric_2 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_8 = MeshPoint(geometric_2, geometric_2, vec3(0.0), vec3(0.0), geometric_2, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
         uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
         Vertex _e54 = fetchVertex(rows_1.x);
         Vertex _e56 = fetchVertex(rows_1.y);
         Vertex _e58 = fetchVertex(rows_1.z);
-        vec3 share_1 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 share_1 = vec3(((1.0 - weights_2.x) - weights_2.y), weights_2);
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
         vec3 normal_5 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
         vec3 smoothed = (turn * normal_5);
         float size_2 = dot(smoothed, smoothed);
-        float side_2 = pick((dot(smoothed, geometric_1) < 0.0), -1.0, 1.0);
+        float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_1);
+        p_8.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
         const bool _e103 = hasTextures;
         if (_e103) {
             p_8.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
@@ -1558,8 +1574,8 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     }
 }
 
-vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
-    vec3 bump = vec3(0.0, 0.0, 1.0);
+Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
+    Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     float _e4 = s_4.textures;
     uint row_9 = uint(_e4);
@@ -1571,38 +1587,44 @@ vec3 takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
     s_4.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
-            uint _e33 = i_17;
-            TextureUse _e37 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e33 * textureUseRows)));
-            vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
-            vec3 _e48 = s_4.baseColor;
-            s_4.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
-            vec3 _e58 = s_4.emission;
-            s_4.emission = (_e58 * pick((_e37.slot == emissionSlot), _e46.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e37.slot == metallicRoughnessSlot), _e46.yz, vec2(1.0));
-            float _e75 = s_4.alpha;
-            float rough = max(((_e75 * share_2.x) * share_2.x), 0.001);
-            float _e84 = s_4.alpha;
-            float _e86 = s_4.code;
-            bool _e88 = isSmooth(uint(_e86));
-            s_4.alpha = pick(_e88, _e84, rough);
-            float _e91 = s_4.metallic;
-            s_4.metallic = (_e91 * share_2.y);
-            vec3 _e94 = bump;
-            bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
-            const bool _e111 = hasLayers;
-            if (_e111) {
-                takeUpLayer(_e37.slot, _e46);
+            uint _e38 = i_17;
+            TextureUse _e42 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e38 * textureUseRows)));
+            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy));
+            vec3 _e53 = s_4.baseColor;
+            s_4.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
+            vec3 _e63 = s_4.emission;
+            s_4.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
+            float _e80 = s_4.alpha;
+            float rough = max(((_e80 * share_2.x) * share_2.x), 0.001);
+            float _e89 = s_4.alpha;
+            float _e91 = s_4.code;
+            bool _e93 = isSmooth(uint(_e91));
+            s_4.alpha = pick(_e93, _e89, rough);
+            float _e96 = s_4.metallic;
+            s_4.metallic = (_e96 * share_2.y);
+            vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
+            vec3 _e112 = bumps.base;
+            bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
+            const bool _e118 = hasCoatNormals;
+            if (_e118) {
+                vec3 _e121 = bumps.coat;
+                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e121);
             }
-            uint _e114 = i_17;
-            i_17 = (_e114 + 1u);
-            uint _e116 = i_17;
-            if ((_e116 >= _e6.count)) {
+            const bool _e127 = hasLayers;
+            if (_e127) {
+                takeUpLayer(_e42.slot, _e51);
+            }
+            uint _e130 = i_17;
+            i_17 = (_e130 + 1u);
+            uint _e132 = i_17;
+            if ((_e132 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e119 = bump;
-    return _e119;
+    Bumps _e135 = bumps;
+    return _e135;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1613,8 +1635,8 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float ox = dot(o_1, x_12);
     float a_2 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_3 = (2.0 * (a_2 + (oz * least)));
-    float c_4 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_4)), 0.0));
+    float c_5 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_5)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_3 + root), (b_3 - root))) / a_2), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_12) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
@@ -1640,6 +1662,11 @@ bool letsThrough(uint code_7, float eta_2) {
     const bool _e4 = hasTransmission;
     bool _e5 = isLayered(code_7, eta_2);
     return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_2 < 0.0), false));
+}
+
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_10) > 0.0) == (dot(shading, direction_10) > 0.0));
+    return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
 vec3 tangentAbout(vec3 normal_2) {
@@ -1674,50 +1701,67 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
         Layers0_ _e16 = layersOf(uint(_e11), _e15);
         layersHere = _e16;
     }
+    const bool _e18 = hasCoatNormals;
+    if (_e18) {
+        coatNormalHere = _e4;
+    }
     normals = Normals(_e4, _e4);
-    const bool _e26 = hasMeshes;
-    if (_e26) {
+    const bool _e29 = hasMeshes;
+    if (_e29) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            normals = Normals(_e36.geometric, _e36.shading);
-            const bool _e41 = hasTextures;
-            if (_e41) {
-                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
-                tangent_1 = _e36.tangent;
-                bitangent_1 = _e36.bitangent;
-                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
-                    normals.shading = _e69;
+            MeshPoint _e39 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e39.geometric, _e39.shading);
+            const bool _e44 = hasTextures;
+            if (_e44) {
+                Bumps _e48 = takeUpTextures(surface, _e39.uv, _e39.color.xyz);
+                tangent_1 = _e39.tangent;
+                bitangent_1 = _e39.bitangent;
+                if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e76 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
+                    normals.shading = _e76;
+                }
+                const bool _e78 = hasCoatNormals;
+                if (_e78) {
+                    coatNormalHere = _e39.shading;
+                    if (any(notEqual(_e48.coat, vec3(0.0, 0.0, 1.0)))) {
+                        vec3 _e106 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
+                        coatNormalHere = _e106;
+                    }
                 }
             }
-            vec3 _e71 = normals.geometric;
-            vec3 _e77 = normals.shading;
-            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
-            vec3 _e85 = normals.shading;
-            vec3 _e87 = normals.geometric;
-            float _e89 = surface.code;
-            float _e93 = surface.eta.x;
-            bool _e94 = letsThrough(uint(_e89), _e93);
-            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
+            float _e108 = surface.code;
+            float _e112 = surface.eta.x;
+            bool _e113 = letsThrough(uint(_e108), _e112);
+            vec3 _e116 = normals.geometric;
+            vec3 _e118 = normals.shading;
+            vec3 _e120 = agreed(_e116, _e118, rays_1.direction, _e113);
+            normals.shading = _e120;
+            const bool _e122 = hasCoatNormals;
+            if (_e122) {
+                vec3 _e125 = normals.geometric;
+                vec3 _e127 = coatNormalHere;
+                vec3 _e129 = agreed(_e125, _e127, rays_1.direction, _e113);
+                coatNormalHere = _e129;
+            }
         }
     }
-    const bool _e99 = hasGrain;
-    if (_e99) {
+    const bool _e131 = hasGrain;
+    if (_e131) {
         grainHere = vec3(0.0);
-        float _e105 = layersHere.anisotropy;
-        if ((_e105 > 0.0)) {
-            vec3 _e110 = normals.shading;
-            vec3 _e111 = tangent_1;
-            vec3 _e112 = bitangent_1;
-            vec2 _e115 = layersHere.grain;
-            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
-            grainHere = _e116;
+        float _e137 = layersHere.anisotropy;
+        if ((_e137 > 0.0)) {
+            vec3 _e142 = normals.shading;
+            vec3 _e143 = tangent_1;
+            vec3 _e144 = bitangent_1;
+            vec2 _e147 = layersHere.grain;
+            vec3 _e148 = grainAt(_e142, _e143, _e144, _e147);
+            grainHere = _e148;
         }
     }
-    Surface _e117 = surface;
-    vec3 _e119 = normals.geometric;
-    vec3 _e121 = normals.shading;
-    return SurfacePoint(_e117, _e119, _e121);
+    Surface _e149 = surface;
+    vec3 _e151 = normals.geometric;
+    vec3 _e153 = normals.shading;
+    return SurfacePoint(_e149, _e151, _e153);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
@@ -1788,12 +1832,12 @@ void main() {
     uint shape_1 = _e7.hit.shape;
     if ((shape_1 != noShape)) {
         SurfacePoint _e37 = surfaceAt(_e7.rays, _e7.hit, shape_1);
-        vec3 direction_10 = _e7.rays.direction;
+        vec3 direction_11 = _e7.rays.direction;
         vec4 _e41 = sums.first;
-        vec3 _e47 = albedoOf(_e37.surface, (dot(_e37.geometric, direction_10) > 0.0));
+        vec3 _e47 = albedoOf(_e37.surface, (dot(_e37.geometric, direction_11) > 0.0));
         sums.first = (_e41 + vec4(_e47, 0.0));
         vec4 _e52 = sums.second;
-        sums.second = (_e52 + vec4(pick((dot(_e37.shading, direction_10) > 0.0), -(_e37.shading), _e37.shading), 1.0));
+        sums.second = (_e52 + vec4(pick((dot(_e37.shading, direction_11) > 0.0), -(_e37.shading), _e37.shading), 1.0));
     }
     Layers _e64 = sums;
     _fs2p_location0 = _e64.first;

@@ -950,23 +950,11 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
   let row = i.cover & coverRow;
   let material = fetchMaterialTextures(row);
-  let share = vec3f(1.0 - weights.x - weights.y, weights);
-  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
-  var uv = vec4f(0.0);
-  var opacity = material.opacity;
-  if (i.vertexRows != 0u) {
-    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
-  }
-  if (i.vertexRows > vertexRows) {
-    let a = fetchVertexMore(rows.x + vertexRows);
-    let b = fetchVertexMore(rows.y + vertexRows);
-    let c = fetchVertexMore(rows.z + vertexRows);
-    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
-    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
-  }
+  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
+  var opacity = material.opacity * c.opacity;
   if ((material.flags & hasOpacityTexture) != 0u) {
     let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
   }
   let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
@@ -1094,7 +1082,23 @@ fn fetchMaterialTextures(row: u32) -> MaterialTextures {
   return MaterialTextures(r0.x, r0.y, bitcast<f32>(r0.z), bitcast<f32>(r0.w));
 }
 
-const vertexRows = 1u;
+// `rows`: of its three vertices, which are `each` rows long. `weights`: of the second and third.
+fn coverAt(rows: vec3u, each: u32, weights: vec2f) -> Cover {
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  var c = Cover(vec4f(0.0), 1.0);
+  if (each != 0u) {
+    c.uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (each > vertexRows) {
+    let more = rows + vertexRows;
+    let a = fetchVertexMore(more.x);
+    let b = fetchVertexMore(more.y);
+    let d = fetchVertexMore(more.z);
+    c.uv = vec4f(c.uv.xy, share.x * a.uv + share.y * b.uv + share.z * d.uv);
+    c.opacity = dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(d.blueAlpha).y));
+  }
+  return c;
+}
 
 const hasOpacityTexture = 2u;
 
@@ -1102,41 +1106,6 @@ const hasOpacityTexture = 2u;
 fn unitFloat(h: u32) -> f32 {
   return f32(h >> 8u) * 5.9604644775390625e-8;
 }
-
-fn fetchVertex(row: u32) -> Vertex {
-  let r0 = geometryRow(row + 0u);
-  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
-}
-
-struct Vertex {
-  // shading normal, octahedral, 16 bits each
-  normal: u32,
-  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
-  tangent: u32,
-  // texture coordinates of set 0
-  uv: vec2f,
-}
-
-
-fn fetchVertexMore(row: u32) -> VertexMore {
-  let r0 = geometryRow(row + 0u);
-  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
-}
-
-// Two numbers of 16 bits.
-fn pairOf(word: u32) -> vec2f {
-  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
-}
-
-struct VertexMore {
-  // linear colour, 16 bits each
-  redGreen: u32,
-  // and opacity
-  blueAlpha: u32,
-  // texture coordinates of set 1
-  uv: vec2f,
-}
-
 
 fn fetchTextureUse(row: u32) -> TextureUse {
   let r0 = texelRow(row + 0u);
@@ -1254,12 +1223,60 @@ struct MaterialTextures {
 }
 
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// What the vertices of a triangle say at a point of it: both sets of coordinates, and opacity.
+struct Cover {
+  uv: vec4f,
+  opacity: f32,
+}
+
+
+const vertexRows = 1u;
+
+fn fetchVertex(row: u32) -> Vertex {
+  let r0 = geometryRow(row + 0u);
+  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+struct Vertex {
+  // shading normal, octahedral, 16 bits each
+  normal: u32,
+  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
+  tangent: u32,
+  // texture coordinates of set 0
+  uv: vec2f,
+}
+
+
+fn fetchVertexMore(row: u32) -> VertexMore {
+  let r0 = geometryRow(row + 0u);
+  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+// Two numbers of 16 bits.
+fn pairOf(word: u32) -> vec2f {
+  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
+}
+
+struct VertexMore {
+  // linear colour, 16 bits each
+  redGreen: u32,
+  // and opacity
+  blueAlpha: u32,
+  // texture coordinates of set 1
+  uv: vec2f,
+}
+
+
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
   if (hasLayers) {
     layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
+  if (hasCoatNormals) {
+    coatNormalHere = outward;
   }
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -1269,16 +1286,24 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
       normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
+        let bumps = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
-        if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
+          normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+        }
+        if (hasCoatNormals) {
+          coatNormalHere = m.shading;
+          if (any(bumps.coat != vec3f(0.0, 0.0, 1.0))) {
+            coatNormalHere = validNormal(m.geometric, rays.direction, bumps.coat.x * m.tangent + bumps.coat.y * m.bitangent + bumps.coat.z * m.normal, m.shading);
+          }
         }
       }
-      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
-      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
+      let isClear = letsThrough(u32(surface.code), surface.eta.x);
+      normals.shading = agreed(normals.geometric, normals.shading, rays.direction, isClear);
+      if (hasCoatNormals) {
+        coatNormalHere = agreed(normals.geometric, coatNormalHere, rays.direction, isClear);
+      }
     }
   }
   if (hasGrain) {
@@ -1340,6 +1365,9 @@ fn fetchSurface(i: u32) -> Surface {
 // What glTF's extensions add to metallicRoughness: any of them, and those that take a program something of their own. Light that goes
 // through is one, be it by facets or diffusely.
 override hasLayers = false;
+
+// Clear coats that are bent by another normal map than their base, or by none where the base is.
+override hasCoatNormals = false;
 
 struct Normals {
   geometric: vec3f,
@@ -1443,6 +1471,10 @@ fn kindOf(code: u32) -> u32 {
 
 const metallicRoughness = 1u;
 
+// Its unit normal, a variable of the whole program as those of here.wesl: in the world until path.wesl has a frame for the base
+// (bsdf.wesl), in that frame from then on. The same as the base's where one normal map bends both, or none.
+var<private> coatNormalHere: vec3f;
+
 // `weights`: of the triangle's second and third vertex.
 fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
   let i = fetchInstance(frame.instances + instance * instanceRows);
@@ -1497,14 +1529,20 @@ fn letsThrough(code: u32, eta: f32) -> bool {
   return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
 }
 
-// `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
+// Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+fn agreed(geometric: vec3f, shading: vec3f, direction: vec3f, isClear: bool) -> vec3f {
+  let agree = (dot(geometric, direction) > 0.0) == (dot(shading, direction) > 0.0);
+  return select(shading, geometric, isClear & !agree);
+}
+
+// `uv`: both sets of coordinates.
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   let row = u32((*s).textures);
   let material = fetchMaterialTextures(row);
   let unlit = (material.flags & isUnlit) != 0u;
   (*s).baseColor *= color;
   (*s).emission *= select(vec3f(1.0), color, unlit);
-  var bump = vec3f(0.0, 0.0, 1.0);
+  var bumps = Bumps(vec3f(0.0, 0.0, 1.0), vec3f(0.0, 0.0, 1.0));
   var i = 0u;
   // One call for all textures: compilers write out each.
   if (material.count > 0u) {
@@ -1517,7 +1555,11 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       let rough = max((*s).alpha * share.x * share.x, leastAlpha);
       (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
       (*s).metallic *= share.y;
-      bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      let bump = (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0);
+      bumps.base = select(bumps.base, bump, t.slot == normalSlot);
+      if (hasCoatNormals) {
+        bumps.coat = select(bumps.coat, bump, t.slot == coatNormalSlot);
+      }
       if (hasLayers) {
         takeUpLayer(t.slot, texel);
       }
@@ -1527,7 +1569,7 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       }
     }
   }
-  return bump;
+  return bumps;
 }
 
 // A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
@@ -1565,6 +1607,13 @@ fn bent(g: vec3f, o: vec3f, n: vec3f) -> vec3f {
 }
 
 const isUnlit = 1u;
+
+// What the normal maps of base and coat say, in the frame of tangent, bitangent and normal; of any length.
+struct Bumps {
+  base: vec3f,
+  coat: vec3f,
+}
+
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -1610,6 +1659,8 @@ fn isSmooth(code: u32) -> bool {
 }
 
 const normalSlot = 3u;
+
+const coatNormalSlot = 16u;
 
 fn takeUpLayer(slot: u32, texel: vec4f) {
   layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);

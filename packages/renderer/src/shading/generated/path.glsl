@@ -2067,11 +2067,9 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
 
 Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
     Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
-    {
-        vec4 _e5 = evaluateBsdf(s_17, o_5, toLight_1);
-        vec4 _e6 = evaluateBsdf(s_17, o_5, toSample);
-        pair_2 = Pair(_e5, _e6);
-    }
+    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
+    vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
+    pair_2 = Pair(_e4, _e5);
     Pair _e8 = pair_2;
     return _e8;
 }

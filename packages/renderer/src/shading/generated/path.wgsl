@@ -272,6 +272,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
   
+  
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
 
@@ -322,10 +323,12 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
+  
   
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -569,13 +572,11 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. With layers that is done in a loop, so that they stand
-// in the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
+// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
+// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair: Pair;
-  {
-    pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
-  }
+  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+  
   return pair;
 }
 
@@ -754,6 +755,7 @@ const metallicRoughness = 1u;
 
 const noInstance = 0xffffffffu;
 
+
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
   baseColor: vec3f,
@@ -915,7 +917,7 @@ struct Emitter {
   position: vec3f,
   // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals, in y 1 where its material says how much of the radiance there is at a point
   u: vec3f,
   // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,

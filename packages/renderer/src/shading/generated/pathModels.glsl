@@ -186,6 +186,10 @@ struct MaterialTextures {
     float opacity;
     float cutoff;
 };
+struct Cover {
+    vec4 uv;
+    float opacity;
+};
 struct Vertex {
     uint normal;
     uint tangent;
@@ -263,6 +267,10 @@ struct MeshPoint {
     vec3 normal;
     vec4 uv;
     vec4 color;
+};
+struct Bumps {
+    vec3 base;
+    vec3 coat;
 };
 struct Basis {
     vec3 tangent;
@@ -480,6 +488,7 @@ const uint baseColorSlot = 0u;
 const uint emissionSlot = 1u;
 const uint metallicRoughnessSlot = 2u;
 const uint normalSlot = 3u;
+const uint coatNormalSlot = 16u;
 const uint specularWeightSlot = 4u;
 const uint specularColorSlot = 5u;
 const uint transmissionSlot = 6u;
@@ -536,6 +545,10 @@ Layers layersHere = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(
 
 const bool hasMetallicRoughness = false;
 
+const bool hasCoatNormals = false;
+
+vec3 coatNormalHere = vec3(0.0);
+
 const bool hasTextures = false;
 
 const bool hasTransmission = false;
@@ -574,6 +587,8 @@ const bool hasSuns = false;
 
 const bool hasPointLights = false;
 
+const bool hasVariedLamps = false;
+
 const bool hasConductors = false;
 
 Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
@@ -591,8 +606,8 @@ layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_25 = ((x * 747796405u) + 2891336453u);
-    uint w_3 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
-    return ((w_3 >> 22u) ^ w_3);
+    uint w_4 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    return ((w_4 >> 22u) ^ w_4);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -651,8 +666,8 @@ float filterAxis(float u) {
     float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_17), 15.0);
     float t_7 = (x_17 - piece);
-    vec4 c_1 = frame.filterPieces[uint(piece)];
-    float offset_3 = (c_1.x + (t_7 * (c_1.y + (t_7 * (c_1.z + (t_7 * c_1.w))))));
+    vec4 c_3 = frame.filterPieces[uint(piece)];
+    float offset_3 = (c_3.x + (t_7 * (c_3.y + (t_7 * (c_3.z + (t_7 * c_3.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -1038,10 +1053,10 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     float _e36 = edge(pa, pc);
     float _e37 = edge(pb, pa);
     float sum_2 = ((_e35 + _e36) + _e37);
-    float side = pick((sum_2 < 0.0), -1.0, 1.0);
+    float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
     bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side), depth, (vec2(_e36, _e37) * side), ((sum_2 * ray_1.shear.z) > 0.0));
+    float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -1096,6 +1111,31 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
+Cover coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover c = Cover(vec4(0.0), 1.0);
+    vec3 share_1 = vec3(((1.0 - weights.x) - weights.y), weights);
+    if ((each != 0u)) {
+        Vertex _e19 = fetchVertex(rows.x);
+        Vertex _e24 = fetchVertex(rows.y);
+        Vertex _e30 = fetchVertex(rows.z);
+        c.uv = vec4((((share_1.x * _e19.uv) + (share_1.y * _e24.uv)) + (share_1.z * _e30.uv)), 0.0, 0.0);
+    }
+    if ((each > vertexRows)) {
+        uvec3 more_1 = (rows + uvec3(1u));
+        VertexMore _e43 = fetchVertexMore(more_1.x);
+        VertexMore _e45 = fetchVertexMore(more_1.y);
+        VertexMore _e47 = fetchVertexMore(more_1.z);
+        vec4 _e50 = c.uv;
+        c.uv = vec4(_e50.xy, (((share_1.x * _e43.uv) + (share_1.y * _e45.uv)) + (share_1.z * _e47.uv)));
+        vec2 _e66 = pairOf(_e43.blueAlpha);
+        vec2 _e69 = pairOf(_e45.blueAlpha);
+        vec2 _e72 = pairOf(_e47.blueAlpha);
+        c.opacity = dot(share_1, vec3(_e66.y, _e69.y, _e72.y));
+    }
+    Cover _e76 = c;
+    return _e76;
+}
+
 TextureUse fetchTextureUse(uint row_7) {
     uvec4 _e3 = texelRow((row_7 + 0u));
     uvec4 _e6 = texelRow((row_7 + 1u));
@@ -1116,14 +1156,14 @@ Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool near
     return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_1 - low_1)));
 }
 
-vec3 linearFromSrgb(vec3 c) {
-    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+vec3 linearFromSrgb(vec3 c_1) {
+    return mix(pow(((c_1 + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c_1 / vec3(12.92)), lessThanEqual(c_1, vec3(0.04045)));
 }
 
 vec4 decoded(uint texel, bool colored) {
-    vec4 c_2 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
-    vec3 _e18 = linearFromSrgb(c_2.xyz);
-    return vec4(pick(colored, _e18, c_2.xyz), c_2.w);
+    vec4 c_4 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_4.xyz);
+    return vec4(pick(colored, _e18, c_4.xyz), c_4.w);
 }
 
 uint texelAt(uint i_9) {
@@ -1157,50 +1197,28 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
-    vec4 uv_1 = vec4(0.0);
+bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_9 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_9);
-    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
-    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
-    opacity = _e19.opacity;
-    if ((_e10.vertexRows != 0u)) {
-        Vertex _e45 = fetchVertex(rows.x);
-        Vertex _e50 = fetchVertex(rows.y);
-        Vertex _e56 = fetchVertex(rows.z);
-        uv_1 = vec4((((share.x * _e45.uv) + (share.y * _e50.uv)) + (share.z * _e56.uv)), 0.0, 0.0);
-    }
-    if ((_e10.vertexRows > vertexRows)) {
-        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
-        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
-        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
-        vec4 _e78 = uv_1;
-        uv_1 = vec4(_e78.xy, (((share.x * _e69.uv) + (share.y * _e73.uv)) + (share.z * _e77.uv)));
-        float _e92 = opacity;
-        vec2 _e94 = pairOf(_e69.blueAlpha);
-        vec2 _e97 = pairOf(_e73.blueAlpha);
-        vec2 _e100 = pairOf(_e77.blueAlpha);
-        opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
-    }
+    uint row_10 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_10);
+    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_9 + materialTexturesRows));
-        float _e113 = opacity;
-        vec4 _e114 = uv_1;
-        vec4 _e116 = uv_1;
-        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
-        opacity = (_e113 * _e124.w);
+        TextureUse _e42 = fetchTextureUse((row_10 + materialTexturesRows));
+        float _e43 = opacity;
+        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
+        opacity = (_e43 * _e54.w);
     }
-    uint _e127 = pcg(number_1);
-    uint _e129 = pcg((instance + _e127));
-    uint _e131 = pcg((place + _e129));
-    float _e132 = unitFloat(_e131);
-    float _e133 = opacity;
-    float _e136 = opacity;
-    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+    uint _e57 = pcg(number_1);
+    uint _e59 = pcg((instance + _e57));
+    uint _e61 = pcg((place + _e59));
+    float _e62 = unitFloat(_e61);
+    float _e63 = opacity;
+    float _e66 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1255,10 +1273,10 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 r0_ = pick(a_3, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
                 vec2 t1_ = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_7, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_3 = (t0_.x < t1_.x);
+                bool c_5 = (t0_.x < t1_.x);
                 bool d_2 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_3, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 ta = pick(c_5, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
+                uvec2 ra = pick(c_5, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e_26 = (ta.y < tb.x);
@@ -1560,10 +1578,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
     float t_13 = pick(entering, _e5.near, _e5.far);
-    vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
+    vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
     bool onX = (crossed.x == t_13);
     bool onY = pick(!(onX), (crossed.y == t_13), false);
-    return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
+    return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
 vec3 turnedBack(vec4 q_2, vec3 v_3) {
@@ -1668,62 +1686,62 @@ Layers layersOf(uint code_3, float eta_1) {
 
 vec3 fromOctahedral(uint code_4) {
     vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_1 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
+    float z_2 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
     vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
-    return normalize(vec3(pick((z_1 < 0.0), folded, p_19), z_1));
+    return normalize(vec3(pick((z_2 < 0.0), folded, p_19), z_2));
 }
 
-MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
     MeshPoint p_9 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
     Triangle _e14 = fetchTriangle((_e9.triangles + (place_1 * triangleRows)));
     mat3x3 turn = mat3x3(_e9.toMeshX.xyz, _e9.toMeshY.xyz, _e9.toMeshZ.xyz);
-    vec3 geometric_2 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
-    p_9 = MeshPoint(geometric_2, geometric_2, vec3(0.0), vec3(0.0), geometric_2, vec4(0.0), vec4(1.0));
+    vec3 geometric_3 = normalize((turn * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
+    p_9 = MeshPoint(geometric_3, geometric_3, vec3(0.0), vec3(0.0), geometric_3, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
         uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
         Vertex _e54 = fetchVertex(rows_1.x);
         Vertex _e56 = fetchVertex(rows_1.y);
         Vertex _e58 = fetchVertex(rows_1.z);
-        vec3 share_1 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 share_2 = vec3(((1.0 - weights_2.x) - weights_2.y), weights_2);
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_14 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 normal_14 = (((share_2.x * _e67) + (share_2.y * _e71)) + (share_2.z * _e76));
         vec3 smoothed = (turn * normal_14);
         float size_2 = dot(smoothed, smoothed);
-        float side_2 = pick((dot(smoothed, geometric_2) < 0.0), -1.0, 1.0);
+        float side_4 = pick((dot(smoothed, geometric_3) < 0.0), -1.0, 1.0);
         bool useful = pick(((_e9.vertexFlags & hasNormals) != 0u), (size_2 > 0.0), false);
-        p_9.shading = pick(useful, (smoothed * (side_2 * inversesqrt(max(size_2, 1e-37)))), geometric_2);
+        p_9.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
         const bool _e103 = hasTextures;
         if (_e103) {
-            p_9.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
+            p_9.uv = vec4((((share_2.x * _e54.uv) + (share_2.y * _e56.uv)) + (share_2.z * _e58.uv)), 0.0, 0.0);
             if ((_e9.vertexRows > vertexRows)) {
                 VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
                 VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
                 VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
                 vec4 _e136 = p_9.uv;
-                p_9.uv = vec4(_e136.xy, (((share_1.x * _e125.uv) + (share_1.y * _e129.uv)) + (share_1.z * _e133.uv)));
+                p_9.uv = vec4(_e136.xy, (((share_2.x * _e125.uv) + (share_2.y * _e129.uv)) + (share_2.z * _e133.uv)));
                 vec2 _e152 = pairOf(_e125.redGreen);
                 vec2 _e156 = pairOf(_e129.redGreen);
                 vec2 _e161 = pairOf(_e133.redGreen);
-                vec2 redGreen = (((share_1.x * _e152) + (share_1.y * _e156)) + (share_1.z * _e161));
+                vec2 redGreen = (((share_2.x * _e152) + (share_2.y * _e156)) + (share_2.z * _e161));
                 vec2 _e166 = pairOf(_e125.blueAlpha);
                 vec2 _e170 = pairOf(_e129.blueAlpha);
                 vec2 _e175 = pairOf(_e133.blueAlpha);
-                vec2 blueAlpha = (((share_1.x * _e166) + (share_1.y * _e170)) + (share_1.z * _e175));
+                vec2 blueAlpha = (((share_2.x * _e166) + (share_2.y * _e170)) + (share_2.z * _e175));
                 p_9.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
             }
             if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
                 vec3 _e193 = fromOctahedral(_e54.tangent);
                 vec3 _e197 = fromOctahedral(_e56.tangent);
                 vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
+                vec3 tangent_2 = (((share_2.x * _e193) + (share_2.y * _e197)) + (share_2.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_9.normal = (smoothed * side_2);
-                p_9.tangent = ((turn * tangent_2) * side_2);
-                p_9.bitangent = ((turn * cross(normal_14, tangent_2)) * (hand * side_2));
+                p_9.normal = (smoothed * side_4);
+                p_9.tangent = ((turn * tangent_2) * side_4);
+                p_9.bitangent = ((turn * cross(normal_14, tangent_2)) * (hand * side_4));
             }
         }
     }
@@ -1789,12 +1807,12 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     }
 }
 
-vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
-    vec3 bump = vec3(0.0, 0.0, 1.0);
+Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
+    Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     float _e4 = s_6.textures;
-    uint row_10 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_10);
+    uint row_11 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_11);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1802,38 +1820,44 @@ vec3 takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     s_6.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
-            uint _e33 = i_17;
-            TextureUse _e37 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e33 * textureUseRows)));
-            vec4 _e46 = lookUp(_e37, pick(((_e37.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
-            vec3 _e48 = s_6.baseColor;
-            s_6.baseColor = (_e48 * pick((_e37.slot == baseColorSlot), _e46.xyz, vec3(1.0)));
-            vec3 _e58 = s_6.emission;
-            s_6.emission = (_e58 * pick((_e37.slot == emissionSlot), _e46.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e37.slot == metallicRoughnessSlot), _e46.yz, vec2(1.0));
-            float _e75 = s_6.alpha;
-            float rough = max(((_e75 * share_2.x) * share_2.x), 0.001);
-            float _e84 = s_6.alpha;
-            float _e86 = s_6.code;
-            bool _e88 = isSmooth(uint(_e86));
-            s_6.alpha = pick(_e88, _e84, rough);
-            float _e91 = s_6.metallic;
-            s_6.metallic = (_e91 * share_2.y);
-            vec3 _e94 = bump;
-            bump = pick((_e37.slot == normalSlot), (((2.0 * _e46.xyz) - vec3(1.0)) * vec3(_e37.scale, _e37.scale, 1.0)), _e94);
-            const bool _e111 = hasLayers;
-            if (_e111) {
-                takeUpLayer(_e37.slot, _e46);
+            uint _e38 = i_17;
+            TextureUse _e42 = fetchTextureUse(((row_11 + materialTexturesRows) + (_e38 * textureUseRows)));
+            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy));
+            vec3 _e53 = s_6.baseColor;
+            s_6.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
+            vec3 _e63 = s_6.emission;
+            s_6.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
+            vec2 share_3 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
+            float _e80 = s_6.alpha;
+            float rough = max(((_e80 * share_3.x) * share_3.x), 0.001);
+            float _e89 = s_6.alpha;
+            float _e91 = s_6.code;
+            bool _e93 = isSmooth(uint(_e91));
+            s_6.alpha = pick(_e93, _e89, rough);
+            float _e96 = s_6.metallic;
+            s_6.metallic = (_e96 * share_3.y);
+            vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
+            vec3 _e112 = bumps.base;
+            bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
+            const bool _e118 = hasCoatNormals;
+            if (_e118) {
+                vec3 _e121 = bumps.coat;
+                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e121);
             }
-            uint _e114 = i_17;
-            i_17 = (_e114 + 1u);
-            uint _e116 = i_17;
-            if ((_e116 >= _e6.count)) {
+            const bool _e127 = hasLayers;
+            if (_e127) {
+                takeUpLayer(_e42.slot, _e51);
+            }
+            uint _e130 = i_17;
+            i_17 = (_e130 + 1u);
+            uint _e132 = i_17;
+            if ((_e132 >= _e6.count)) {
                 break;
             }
         }
     }
-    vec3 _e119 = bump;
-    return _e119;
+    Bumps _e135 = bumps;
+    return _e135;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1844,8 +1868,8 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float ox = dot(o_1, x_19);
     float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_8 = (2.0 * (a_4 + (oz * least)));
-    float c_4 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_4)), 0.0));
+    float c_6 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_6)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
@@ -1855,9 +1879,9 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
     float size_4 = dot(mapped, mapped);
     vec3 n_4 = pick((size_4 > 0.0), (mapped * inversesqrt(max(size_4, 1e-37))), otherwise);
-    float side_3 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
-    vec3 _e21 = bent((side_3 * geometric), -(direction_9), (side_3 * n_4));
-    return (side_3 * _e21);
+    float side_5 = pick((dot(geometric, direction_9) > 0.0), -1.0, 1.0);
+    vec3 _e21 = bent((side_5 * geometric), -(direction_9), (side_5 * n_4));
+    return (side_5 * _e21);
 }
 
 bool isDielectric(uint code_6) {
@@ -1871,6 +1895,11 @@ bool letsThrough(uint code_7, float eta_2) {
     const bool _e4 = hasTransmission;
     bool _e5 = isLayered(code_7, eta_2);
     return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_2 < 0.0), false));
+}
+
+vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
+    bool agree = ((dot(geometric_1, direction_10) > 0.0) == (dot(shading, direction_10) > 0.0));
+    return pick(pick(isClear, !(agree), false), geometric_1, shading);
 }
 
 vec3 tangentAbout(vec3 normal_2) {
@@ -1905,57 +1934,74 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
         Layers _e16 = layersOf(uint(_e11), _e15);
         layersHere = _e16;
     }
+    const bool _e18 = hasCoatNormals;
+    if (_e18) {
+        coatNormalHere = _e4;
+    }
     normals = Normals(_e4, _e4);
-    const bool _e26 = hasMeshes;
-    if (_e26) {
+    const bool _e29 = hasMeshes;
+    if (_e29) {
         if ((hit.triangle.instance != noInstance)) {
-            MeshPoint _e36 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
-            normals = Normals(_e36.geometric, _e36.shading);
-            const bool _e41 = hasTextures;
-            if (_e41) {
-                vec3 _e45 = takeUpTextures(surface, _e36.uv, _e36.color.xyz);
-                tangent_1 = _e36.tangent;
-                bitangent_1 = _e36.bitangent;
-                if (any(notEqual(_e45, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e69 = validNormal(_e36.geometric, rays_1.direction, (((_e45.x * _e36.tangent) + (_e45.y * _e36.bitangent)) + (_e45.z * _e36.normal)), _e36.shading);
-                    normals.shading = _e69;
+            MeshPoint _e39 = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
+            normals = Normals(_e39.geometric, _e39.shading);
+            const bool _e44 = hasTextures;
+            if (_e44) {
+                Bumps _e48 = takeUpTextures(surface, _e39.uv, _e39.color.xyz);
+                tangent_1 = _e39.tangent;
+                bitangent_1 = _e39.bitangent;
+                if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
+                    vec3 _e76 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
+                    normals.shading = _e76;
+                }
+                const bool _e78 = hasCoatNormals;
+                if (_e78) {
+                    coatNormalHere = _e39.shading;
+                    if (any(notEqual(_e48.coat, vec3(0.0, 0.0, 1.0)))) {
+                        vec3 _e106 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
+                        coatNormalHere = _e106;
+                    }
                 }
             }
-            vec3 _e71 = normals.geometric;
-            vec3 _e77 = normals.shading;
-            bool agree = ((dot(_e71, rays_1.direction) > 0.0) == (dot(_e77, rays_1.direction) > 0.0));
-            vec3 _e85 = normals.shading;
-            vec3 _e87 = normals.geometric;
-            float _e89 = surface.code;
-            float _e93 = surface.eta.x;
-            bool _e94 = letsThrough(uint(_e89), _e93);
-            normals.shading = pick(pick(_e94, !(agree), false), _e87, _e85);
+            float _e108 = surface.code;
+            float _e112 = surface.eta.x;
+            bool _e113 = letsThrough(uint(_e108), _e112);
+            vec3 _e116 = normals.geometric;
+            vec3 _e118 = normals.shading;
+            vec3 _e120 = agreed(_e116, _e118, rays_1.direction, _e113);
+            normals.shading = _e120;
+            const bool _e122 = hasCoatNormals;
+            if (_e122) {
+                vec3 _e125 = normals.geometric;
+                vec3 _e127 = coatNormalHere;
+                vec3 _e129 = agreed(_e125, _e127, rays_1.direction, _e113);
+                coatNormalHere = _e129;
+            }
         }
     }
-    const bool _e99 = hasGrain;
-    if (_e99) {
+    const bool _e131 = hasGrain;
+    if (_e131) {
         grainHere = vec3(0.0);
-        float _e105 = layersHere.anisotropy;
-        if ((_e105 > 0.0)) {
-            vec3 _e110 = normals.shading;
-            vec3 _e111 = tangent_1;
-            vec3 _e112 = bitangent_1;
-            vec2 _e115 = layersHere.grain;
-            vec3 _e116 = grainAt(_e110, _e111, _e112, _e115);
-            grainHere = _e116;
+        float _e137 = layersHere.anisotropy;
+        if ((_e137 > 0.0)) {
+            vec3 _e142 = normals.shading;
+            vec3 _e143 = tangent_1;
+            vec3 _e144 = bitangent_1;
+            vec2 _e147 = layersHere.grain;
+            vec3 _e148 = grainAt(_e142, _e143, _e144, _e147);
+            grainHere = _e148;
         }
     }
-    Surface _e117 = surface;
-    vec3 _e119 = normals.geometric;
-    vec3 _e121 = normals.shading;
-    return SurfacePoint(_e117, _e119, _e121);
+    Surface _e149 = surface;
+    vec3 _e151 = normals.geometric;
+    vec3 _e153 = normals.shading;
+    return SurfacePoint(_e149, _e151, _e153);
 }
 
 Basis basisAbout(vec3 n_1) {
-    float side_4 = pick((n_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (side_4 + n_1.z));
+    float side_6 = pick((n_1.z >= 0.0), 1.0, -1.0);
+    float a_5 = (-1.0 / (side_6 + n_1.z));
     float b_9 = ((n_1.x * n_1.y) * a_5);
-    return Basis(vec3((1.0 + (((side_4 * n_1.x) * n_1.x) * a_5)), (side_4 * b_9), (-(side_4) * n_1.x)), vec3(b_9, (side_4 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+    return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_5)), (side_6 * b_9), (-(side_6) * n_1.x)), vec3(b_9, (side_6 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
 }
 
 Basis basisAlong(vec3 n_2, vec3 x_10) {
@@ -1981,6 +2027,24 @@ vec3 schlick(vec3 f0_, float cosine) {
 float coatReflectance(float coat, float cosine_1) {
     vec3 _e4 = schlick(vec3(0.04), cosine_1);
     return (coat * _e4.x);
+}
+
+vec3 coatNormal(float side) {
+    vec3 _e2 = coatNormalHere;
+    float _e7 = coatNormalHere.z;
+    return vec3((side * _e2.xy), _e7);
+}
+
+float coatCosine(float side_1, vec3 w_1) {
+    float z = 0.0;
+    z = w_1.z;
+    const bool _e5 = hasCoatNormals;
+    if (_e5) {
+        vec3 _e6 = coatNormal(side_1);
+        z = dot(_e6, w_1);
+    }
+    float _e8 = z;
+    return abs(_e8);
 }
 
 Emitter fetchEmitter(uint i_18) {
@@ -2018,9 +2082,9 @@ vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
     vec2 high_1 = max(x_11, y_5);
     bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
     vec2 r_1 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
-    vec2 z_2 = (r_1 * r_1);
-    vec2 series = ((((((0.080537446 * z_2) - vec2(0.13877685)) * z_2) + vec2(0.19977711)) * z_2) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_2) * r_1) + r_1));
+    vec2 z_3 = (r_1 * r_1);
+    vec2 series = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_1) + r_1));
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_11));
 }
 
@@ -2045,48 +2109,48 @@ Corners environmentCorners(uvec2 cell) {
     return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
 }
 
-EnvironmentLight lookUpEnvironment(vec3 direction_10) {
+EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     vec2 size_7 = frame.environmentSize;
-    float sine_1 = max(length(direction_10.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_10.z, direction_10.y)), vec2(abs(direction_10.x), sine_1));
-    float turn_1 = (pick((direction_10.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_10.x < 0.0), -1.0, 1.0));
+    float sine_1 = max(length(direction_11.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_1));
+    float turn_1 = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
     float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
-    float row_11 = floor(fromPole);
-    bool isLower = (direction_10.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_11), row_11));
-    float within_2 = (fromPole - row_11);
+    float row_12 = floor(fromPole);
+    bool isLower = (direction_11.y < 0.0);
+    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_12), row_12));
+    float within_2 = (fromPole - row_12);
     vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
     return _e67;
 }
 
-vec3 sky0_(vec3 direction_11) {
+vec3 sky0_(vec3 direction_12) {
     vec3 _e3 = frame.horizon;
     vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_11.y, 0.0));
+    return mix(_e3, _e6, max(direction_12.y, 0.0));
 }
 
-EnvironmentLight skyLight(vec3 direction_12) {
+EnvironmentLight skyLight(vec3 direction_13) {
     EnvironmentLight light = white;
     const bool _e4 = hasEnvironment;
     if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_12);
+        EnvironmentLight _e5 = lookUpEnvironment(direction_13);
         light = _e5;
     }
     vec3 _e7 = light.radiance;
-    vec3 _e8 = sky0_(direction_12);
+    vec3 _e8 = sky0_(direction_13);
     float _e11 = light.pdf;
     return EnvironmentLight((_e7 * _e8), _e11);
 }
 
-FarLight skySeen(vec3 direction_13) {
+FarLight skySeen(vec3 direction_14) {
     FarLight far = FarLight(vec3(0.0), 0.0);
     const bool _e7 = hasSky;
     if (_e7) {
-        EnvironmentLight _e8 = skyLight(direction_13);
+        EnvironmentLight _e8 = skyLight(direction_14);
         far = FarLight(_e8.radiance, _e8.pdf);
     }
     FarLight _e12 = far;
@@ -2107,9 +2171,9 @@ float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_14) {
+float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_15) {
     SphereView _e3 = viewSphere(e_2, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_14, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_15, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -2131,9 +2195,9 @@ float arctangent(float x_12) {
     bool middle_2 = pick((a_6 > 0.41421357), !(steep), false);
     float r_2 = pick(steep, (-1.0 / max(a_6, 1.0)), pick(middle_2, ((a_6 - 1.0) / (a_6 + 1.0)), a_6));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_3 = (r_2 * r_2);
-    float series_1 = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
-    return (sign(x_12) * (base_1 + (((series_1 * z_3) * r_2) + r_2)));
+    float z_4 = (r_2 * r_2);
+    float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
+    return (sign(x_12) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
 }
 
 float stretch(float x_13, vec2 y_6, float h_1) {
@@ -2179,9 +2243,9 @@ BoxView viewBox(Emitter e_5, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_15, float distance_3, vec3 normal_4) {
+float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_16, float distance_3, vec3 normal_4) {
     BoxView _e5 = viewBox(e_6, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_15, normal_4))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_16, normal_4))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
@@ -2191,20 +2255,20 @@ LampTriangle fetchLampTriangle(uint row_8) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_7, vec3 direction_16, float distance_4, vec3 normal_5, uint place_2) {
+float meshPdf(Emitter e_7, vec3 direction_17, float distance_4, vec3 normal_5, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_12 = ((_e7 + uint(e_7.table)) + (place_2 & ((1u << uint(e_7.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_12);
-    float _e26 = areaPdf((e_7.area / _e20.density), (distance_4 * abs(dot(direction_16, normal_5))), distance_4);
-    return _e26;
+    uint row_13 = ((_e7 + uint(e_7.table)) + (place_2 & ((1u << uint(e_7.radius)) - 1u)));
+    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_17, normal_5))), distance_4);
+    LampTriangle _e24 = fetchLampTriangle(row_13);
+    return (_e23 * _e24.density);
 }
 
-float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_17, float distance_5, vec3 normal_6, uint place_3) {
+float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_18, float distance_5, vec3 normal_6, uint place_3) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
         if ((e_8.kind == 0.0)) {
-            float _e13 = spherePdf(e_8, point_6, direction_17);
+            float _e13 = spherePdf(e_8, point_6, direction_18);
             pdf = _e13;
         }
     }
@@ -2218,14 +2282,14 @@ float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_17, float distance_5, v
     const bool _e21 = hasBoxLights;
     if (_e21) {
         if ((e_8.kind == 2.0)) {
-            float _e25 = boxPdf(e_8, point_6, direction_17, distance_5, normal_6);
+            float _e25 = boxPdf(e_8, point_6, direction_18, distance_5, normal_6);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
         if ((e_8.kind == 7.0)) {
-            float _e31 = meshPdf(e_8, direction_17, distance_5, normal_6, place_3);
+            float _e31 = meshPdf(e_8, direction_18, distance_5, normal_6, place_3);
             pdf = _e31;
         }
     }
@@ -2260,14 +2324,14 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 x_20 = (n_3.x - vec4(point_7.x));
     vec4 y_11 = (n_3.y - vec4(point_7.y));
-    vec4 z_4 = (n_3.z - vec4(point_7.z));
-    vec4 distance2_ = (((x_20 * x_20) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 z_5 = (n_3.z - vec4(point_7.z));
+    vec4 distance2_ = (((x_20 * x_20) + (y_11 * y_11)) + (z_5 * z_5));
     vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
     bvec4 inside_4 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_4);
-    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
+    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n_3.cosWidth);
@@ -2275,7 +2339,7 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_4);
-    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_11)) + (normal_7.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_4);
@@ -2285,8 +2349,8 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
 }
 
 float shareOfTree(float total, float far_1) {
-    float share_3 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_3));
+    float share_4 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
 }
 
 TreeChoice descend(vec3 point_8, vec3 normal_8, float u_4, int leaf, float far_2) {
@@ -2353,23 +2417,23 @@ float treeProbability(Emitter e_9, vec3 point_9, vec3 normal_9, Odds odds) {
     return _e21;
 }
 
-bool isOnDisc(Emitter e_10, vec3 direction_18) {
-    vec3 chord = (direction_18 + e_10.u);
+bool isOnDisc(Emitter e_10, vec3 direction_19) {
+    vec3 chord = (direction_19 + e_10.u);
     return ((3.1415927 * dot(chord, chord)) < e_10.area);
 }
 
-float directionalPdf(Emitter e_11, vec3 direction_19) {
-    bool _e7 = isOnDisc(e_11, direction_19);
+float directionalPdf(Emitter e_11, vec3 direction_20) {
+    bool _e7 = isOnDisc(e_11, direction_20);
     return pick(_e7, (1.0 / max(e_11.area, 1e-31)), 0.0);
 }
 
-FarLight farLight(Emitter e_12, vec3 direction_20, FarLight sky) {
+FarLight farLight(Emitter e_12, vec3 direction_21, FarLight sky) {
     FarLight far_3 = FarLight(vec3(0.0), 0.0);
     const bool _e9 = hasSuns;
     if (_e9) {
-        bool _e13 = isOnDisc(e_12, direction_20);
+        bool _e13 = isOnDisc(e_12, direction_21);
         bool seen_1 = pick((e_12.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_12, direction_20);
+        float _e19 = directionalPdf(e_12, direction_21);
         far_3 = FarLight(pick(seen_1, e_12.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
     }
     const bool _e24 = hasSky;
@@ -2383,8 +2447,8 @@ FarLight farLight(Emitter e_12, vec3 direction_20, FarLight sky) {
 }
 
 float spotFalloff(Emitter e_13, vec3 toLight_1) {
-    float share_4 = clamp(((-(dot(toLight_1, e_13.u)) - e_13.radius) / (e_13.cosInner - e_13.radius)), 0.0, 1.0);
-    return (share_4 * share_4);
+    float share_5 = clamp(((-(dot(toLight_1, e_13.u)) - e_13.radius) / (e_13.cosInner - e_13.radius)), 0.0, 1.0);
+    return (share_5 * share_5);
 }
 
 float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
@@ -2405,8 +2469,8 @@ float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
     const bool _e65 = hasQuadLights;
     if (_e65) {
         float height_2 = (-(dot(cross(e_14.u, e_14.v), toLight_3)) / max(e_14.area, 1e-30));
-        float side_5 = pick((e_14.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_5 > 0.0), ((side_5 + e_14.reach) / grown), 0.0);
+        float side_7 = pick((e_14.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_7 > 0.0), ((side_7 + e_14.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
@@ -2414,8 +2478,8 @@ float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
     if (_e94) {
         float alike = length(e_14.v);
         float across_5 = -(dot(e_14.v, toLight_3));
-        float side_6 = pick((e_14.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_6 + (alike * e_14.reach)) / grown));
+        float side_8 = pick((e_14.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_14.reach)) / grown));
         float sizeOfMesh = (distance2_1 + ((e_14.area * (1.0 + (3.0 * alike))) / 12.566371));
         float _e125 = estimate;
         estimate = pick((e_14.kind == 7.0), (((e_14.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
@@ -2467,8 +2531,8 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     float byTree = 0.0;
     float probability_2 = 0.0;
     bool escaped = (hit_1.shape == noShape);
-    vec3 direction_21 = p_10.rays.direction;
-    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_21) > 0.0), false);
+    vec3 direction_22 = p_10.rays.direction;
+    bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_22) > 0.0), false);
     int _e21 = emitterOf(s_7.code);
     found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
     bool weighed = pick(escaped, true, (_e21 >= 0));
@@ -2487,10 +2551,10 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
                 i_21 = (_e52 + _e56);
             }
         }
-        FarLight _e58 = skySeen(direction_21);
+        FarLight _e58 = skySeen(direction_22);
         uint _e59 = i_21;
         Emitter _e60 = emitterAt(_e59, only_1);
-        float _e66 = shapePdf(_e60, p_10.rays.point, direction_21, hit_1.t, outward, hit_1.triangle.triangle);
+        float _e66 = shapePdf(_e60, p_10.rays.point, direction_22, hit_1.t, outward, hit_1.triangle.triangle);
         const bool _e70 = hasLightTree;
         if (_e70) {
             float _e75 = treeProbability(_e60, p_10.rays.point, p_10.litSide, p_10.odds);
@@ -2499,7 +2563,7 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
         while(true) {
             uint _e76 = i_21;
             Emitter _e77 = emitterAt(_e76, only_1);
-            FarLight _e78 = farLight(_e77, direction_21, _e58);
+            FarLight _e78 = farLight(_e77, direction_22, _e58);
             float _e83 = listedProbability(_e77, p_10.rays.point, p_10.litSide, p_10.odds);
             probability_2 = _e83;
             const bool _e86 = hasLightTree;
@@ -2510,10 +2574,10 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
             }
             float _e97 = probability_2;
             float pdf_3 = (pick(escaped, _e78.pdf, _e66) * _e97);
-            vec3 radiance = pick(escaped, _e78.radiance, emission);
+            vec3 radiance_1 = pick(escaped, _e78.radiance, emission);
             vec3 _e101 = found_8;
             float _e103 = misWeight(p_10.pdf, pdf_3);
-            found_8 = (_e101 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e103)));
+            found_8 = (_e101 + (radiance_1 * pick((p_10.pdf <= 0.0), 1.0, _e103)));
             uint _e112 = i_21;
             i_21 = (_e112 + 1u);
             const bool _e115 = hasManyLights;
@@ -2596,9 +2660,9 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
                 float _e55 = total_1;
                 total_1 = (_e55 + weight_1);
                 float _e57 = total_1;
-                float share_5 = (weight_1 / max(_e57, 1e-37));
+                float share_6 = (weight_1 / max(_e57, 1e-37));
                 float _e61 = rest_1;
-                bool take = (_e61 < share_5);
+                bool take = (_e61 < share_6);
                 uint _e63 = chosen;
                 uint _e64 = i_22;
                 chosen = pick(take, _e64, _e63);
@@ -2606,7 +2670,7 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
                 chosenWeight = pick(take, weight_1, _e66);
                 float _e68 = rest_1;
                 float _e75 = rest_1;
-                rest_1 = pick(take, (_e75 / max(share_5, 1e-37)), ((_e68 - share_5) / max((1.0 - share_5), 1e-7)));
+                rest_1 = pick(take, (_e75 / max(share_6, 1e-37)), ((_e68 - share_6) / max((1.0 - share_6), 1e-7)));
                 uint _e81 = i_22;
                 i_22 = (_e81 + 1u);
                 uint _e83 = i_22;
@@ -2673,25 +2737,25 @@ LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_7) {
 }
 
 vec2 cosineAndSine(float x_15) {
-    float h_5 = (0.5 * x_15);
-    float z_5 = (h_5 * h_5);
-    float sine_4 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_5) + h_5);
+    float h_6 = (0.5 * x_15);
+    float z_6 = (h_6 * h_6);
+    float sine_4 = (((((((-0.00019515296 * z_6) + 0.008332161) * z_6) - 0.16666655) * z_6) * h_6) + h_6);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
-    float h_6 = q_4.height;
+    float h_7 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_6 * h_6)))));
+    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_8.x * q_4.solidAngle))));
     vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
-    float w_4 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_22 = clamp(((h_6 * w_4) * inversesqrt(max((1.0 - (w_4 * w_4)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_22 * x_22) + (h_6 * h_6));
+    float w_5 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
+    float x_22 = clamp(((h_7 * w_5) * inversesqrt(max((1.0 - (w_5 * w_5)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_22 * x_22) + (h_7 * h_7));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
     float v_11 = mix(ends_2.x, ends_2.y, u_8.y);
     float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
-    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_6 * q_4.axisZ));
+    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_9) {
@@ -2729,11 +2793,11 @@ LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_11) {
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_19.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_22 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_23 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);
-    vec3 _e37 = rotateBack(_e3.rotation, direction_22);
+    vec3 _e37 = rotateBack(_e3.rotation, direction_23);
     return LightSample(_e37, distance_9, e_19.radiance, pdf_4, false);
 }
 
@@ -2764,11 +2828,45 @@ vec3 outOfMesh(Instance i_23, vec3 p_11) {
     vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
     vec3 x_24 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
     vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
-    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
+    vec3 z_7 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
+    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
+}
+
+vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
+    vec3 share = vec3(1.0);
+    float opacity_1 = 0.0;
+    uint i_24 = 0u;
+    MaterialTextures _e3 = fetchMaterialTextures(row_9);
+    bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
+    uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
+    opacity_1 = (_e3.opacity * c_2.opacity);
+    if ((wanted > 0u)) {
+        while(true) {
+            uint _e27 = i_24;
+            TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
+            vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
+            vec3 _e43 = share;
+            share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
+            float _e52 = opacity_1;
+            uint _e54 = i_24;
+            opacity_1 = (_e52 * pick(pick(hasFirst, (_e54 == 0u), false), _e42.w, 1.0));
+            uint _e62 = i_24;
+            i_24 = (_e62 + 1u);
+            uint _e64 = i_24;
+            if ((_e64 >= wanted)) {
+                break;
+            }
+        }
+    }
+    float _e66 = opacity_1;
+    float _e72 = opacity_1;
+    float there = pick((_e3.cutoff < 0.0), _e72, pick((_e66 >= _e3.cutoff), 1.0, 0.0));
+    vec3 _e77 = share;
+    return (_e77 * pick(missing, there, 1.0));
 }
 
 LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_14) {
+    vec3 radiance = vec3(0.0);
     ChosenTriangle _e3 = chooseTriangle(e_21, u_14);
     uint _e6 = frame.instances;
     Instance _e12 = fetchInstance((_e6 + (uint(e_21.instance) * instanceRows)));
@@ -2779,10 +2877,24 @@ LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_14) {
     vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
     float height_3 = (dot(across_7, toLight_6) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
     float distance_10 = length(toLight_6);
-    float _e62 = areaPdf((e_21.area / _e3.density), abs(height_3), distance_10);
+    float _e60 = areaPdf(e_21.area, abs(height_3), distance_10);
+    float pdf_5 = (_e60 * _e3.density);
     bool lit_1 = pick((height_3 < 0.0), true, pick((e_21.oneSided == 0.0), (height_3 > 0.0), false));
     float reached_1 = max((distance_10 - (1e-5 * (length(point_16) + distance_10))), 0.0);
-    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, e_21.radiance, pick(lit_1, _e62, 0.0), false);
+    radiance = e_21.radiance;
+    const bool _e82 = hasVariedLamps;
+    if (_e82) {
+        if ((e_21.u.y > 0.0)) {
+            uvec3 rows_2 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
+            Cover _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
+            vec3 _e98 = radiance;
+            Surface _e101 = fetchSurface(uint(e_21.shape));
+            vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
+            radiance = (_e98 * _e109);
+        }
+    }
+    vec3 _e115 = radiance;
+    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_5, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_22, vec3 point_17) {
@@ -2815,9 +2927,9 @@ LightSample sampleDirectional(Emitter e_24, vec2 u_15) {
 vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
-    uint i_25 = (t_5.first + pair);
-    uint row_13 = (i_25 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_25 - (row_13 * width_2)), row_13)), 0);
+    uint i_26 = (t_5.first + pair);
+    uint row_14 = (i_26 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_14 * width_2)), row_14)), 0);
     return _e15;
 }
 
@@ -2912,9 +3024,9 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_23 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
+    vec3 direction_24 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
     EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_15), sine_5);
-    return EnvironmentSample(direction_23, _e119);
+    return EnvironmentSample(direction_24, _e119);
 }
 
 LightSample sampleSky(vec2 u_19) {
@@ -3000,11 +3112,11 @@ LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
 }
 
 vec3 heroColor(vec3 throughput, float u_21) {
-    vec3 share_6 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_21 < share_6.x);
-    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_6.x + share_6.y)), false), (share_6.z > 0.0), false);
+    vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_21 < share_7.x);
+    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_6), 1e-6)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
 }
 
 float nextHash(inout Sampler s_12) {
@@ -3031,8 +3143,8 @@ vec2 ellipticAlpha(float alpha, float strength) {
 }
 
 float dispersedIndex(float ior, float dispersion, vec3 hero) {
-    float side_7 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
-    return max((ior + (((side_7 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
+    float side_9 = (pick((hero.z > 0.0), 1.0, 0.0) - pick((hero.x > 0.0), 1.0, 0.0));
+    return max((ior + (((side_9 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
 float greatest(vec3 v_7) {
@@ -3196,14 +3308,14 @@ Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
     float sheen = 0.0;
     vec3 more = vec3(1.0);
     Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    float side_8 = pick((given.z < 0.0), -1.0, 1.0);
-    vec3 wo_8 = vec3(given.xy, (given.z * side_8));
+    float side_10 = pick((given.z < 0.0), -1.0, 1.0);
+    vec3 wo_8 = vec3(given.xy, (given.z * side_10));
     vec2 _e20 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
     alpha_2 = _e20;
     const bool _e23 = hasTransmission;
     if (_e23) {
         bool isSolid = (l_2.solid > 0.0);
-        inside = pick(isSolid, (side_8 < 0.0), false);
+        inside = pick(isSolid, (side_10 < 0.0), false);
         float _e32 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
         bool _e35 = inside;
         ratio_2 = pick(isSolid, pick(_e35, (1.0 / _e32), _e32), 1.0);
@@ -3213,7 +3325,8 @@ Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
     }
     const bool _e55 = hasCoats;
     if (_e55) {
-        float _e58 = coatReflectance(l_2.coat, wo_8.z);
+        float _e57 = coatCosine(side_10, wo_8);
+        float _e58 = coatReflectance(l_2.coat, _e57);
         bool _e59 = inside;
         coat_1 = pick(_e59, 0.0, _e58);
     }
@@ -3247,7 +3360,7 @@ Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
     float _e124 = coat_1;
     float _e125 = sheen;
     float _e126 = sheenColor;
-    o_3 = Stack(l_2, wo_8, side_8, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
+    o_3 = Stack(l_2, wo_8, side_10, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
     Stack _e133 = o_3;
     vec4 _e135 = baseReflectance(s_14, _e133, wo_8.z);
     float _e136 = coat_1;
@@ -3297,8 +3410,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float indexRatio(float eta_3, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
+float indexRatio(float eta_3, float z_1, bool thin) {
+    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
 }
 
 float reflectionBound(vec3 wo, float alpha_3) {
@@ -3308,8 +3421,8 @@ float reflectionBound(vec3 wo, float alpha_3) {
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w_1, float alpha_4) {
-    return sqrt(((w_1.z * w_1.z) + ((alpha_4 * alpha_4) * dot(w_1.xy, w_1.xy))));
+float stretched(vec3 w_2, float alpha_4) {
+    return sqrt(((w_2.z * w_2.z) + ((alpha_4 * alpha_4) * dot(w_2.xy, w_2.xy))));
 }
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
@@ -3368,18 +3481,18 @@ vec3 sampleCosine(vec2 u_22) {
 
 vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_23) {
     float _e8 = stretched(wo_2, alpha_5);
-    vec3 w_5 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
+    vec3 w_6 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
-    float drop = (u_23.y * (1.0 + (bound * w_5.z)));
+    float drop = (u_23.y * (1.0 + (bound * w_6.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_7 = (w_5 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_5 * h_7.xy), max(h_7.z, 1e-7)));
+    vec3 h_8 = (w_6 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    return normalize(vec3((alpha_5 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
 vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_24) {
-    float side_9 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_9), max(alpha_6, 0.001), o_5.bound, u_24);
-    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_9);
+    float side_11 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_6, 0.001), o_5.bound, u_24);
+    return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
 }
 
 vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
@@ -3462,19 +3575,23 @@ float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_2, vec2 alpha_8) {
-    vec2 scaled = (alpha_8 * w_2.xy);
-    return sqrt(((w_2.z * w_2.z) + dot(scaled, scaled)));
+float ellipticStretched(vec3 w_3, vec2 alpha_8) {
+    vec2 scaled = (alpha_8 * w_3.xy);
+    return sqrt(((w_3.z * w_3.z) + dot(scaled, scaled)));
 }
 
 vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_25) {
     float _e8 = ellipticStretched(wo_5, alpha_9);
-    vec3 w_6 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
+    vec3 w_7 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_4 = ((6.2831855 * u_25.x) - 3.1415927);
-    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_6.z)));
+    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_7.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_8 = (w_6 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_9 * h_8.xy), max(h_8.z, 1e-7)));
+    vec3 h_9 = (w_7 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    return normalize(vec3((alpha_9 * h_9.xy), max(h_9.z, 1e-7)));
+}
+
+vec3 toWorld(Basis b_4, vec3 v_9) {
+    return (((v_9.x * b_4.tangent) + (v_9.y * b_4.bitangent)) + (v_9.z * b_4.normal));
 }
 
 Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
@@ -3492,35 +3609,39 @@ Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
     return _e37;
 }
 
-float throughCover(Stack o_7, float zi, bool crossing) {
+float throughCover(Stack o_7, float zi, float coatZi, bool crossing) {
     float left_1 = 1.0;
     float sheen_1 = 0.0;
     Layers l_4 = o_7.layers;
-    const bool _e7 = hasCoats;
-    if (_e7) {
+    const bool _e8 = hasCoats;
+    if (_e8) {
         bool entersHere = pick(o_7.inside, crossing, false);
-        float _e12 = coatReflectance(l_4.coat, zi);
-        left_1 = (1.0 - pick(entersHere, _e12, o_7.coat));
+        float _e13 = coatReflectance(l_4.coat, coatZi);
+        left_1 = (1.0 - pick(entersHere, _e13, o_7.coat));
     }
-    const bool _e17 = hasSheen;
-    if (_e17) {
+    const bool _e18 = hasSheen;
+    if (_e18) {
         sheen_1 = o_7.sheen;
         if ((o_7.sheenColor > 0.0)) {
             bool isOutside = pick(!((l_4.solid > 0.0)), true, (o_7.inside == crossing));
-            float _e30 = sheen_1;
-            float _e32 = sheenAlbedo(zi, l_4.sheenRoughness);
-            sheen_1 = max(_e30, pick(isOutside, _e32, 0.0));
+            float _e31 = sheen_1;
+            float _e33 = sheenAlbedo(zi, l_4.sheenRoughness);
+            sheen_1 = max(_e31, pick(isOutside, _e33, 0.0));
         }
-        float _e36 = left_1;
-        float _e38 = sheen_1;
-        left_1 = (_e36 * (1.0 - (o_7.sheenColor * min(_e38, 1.0))));
+        float _e37 = left_1;
+        float _e39 = sheen_1;
+        left_1 = (_e37 * (1.0 - (o_7.sheenColor * min(_e39, 1.0))));
     }
-    float _e45 = left_1;
-    return _e45;
+    float _e46 = left_1;
+    return _e46;
 }
 
 LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
+    Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+    vec3 ownWo = vec3(0.0);
+    vec3 h_3 = vec3(0.0);
     vec3 met = vec3(0.0);
+    bool lost = false;
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wo_9 = o_8.wo;
     const bool _e5 = hasTransmission;
@@ -3531,48 +3652,87 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
-    float _e34 = ellipticBound(wo_9, wide_1);
-    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e34);
-    vec3 _e40 = sampleEllipticNormal(wo_9, wide_1, bound_2, u_26.xy);
-    vec3 h_9 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e40);
-    float oh = max(dot(wo_9, h_9), 0.0);
-    vec4 _e49 = baseReflectance(s_18, o_8, oh);
-    Parting _e50 = partingOf(s_18, o_8, _e49);
+    const bool _e49 = hasCoatNormals;
+    if (_e49) {
+        if (isCoat_1) {
+            vec3 _e51 = coatNormal(o_8.side);
+            Basis _e52 = basisAbout(_e51);
+            frame = _e52;
+        }
+    }
+    ownWo = wo_9;
+    const bool _e55 = hasCoatNormals;
+    if (_e55) {
+        Basis _e56 = frame;
+        vec3 _e57 = toLocal(_e56, wo_9);
+        ownWo = _e57;
+    }
+    vec3 _e58 = ownWo;
+    float _e59 = ellipticBound(_e58, wide_1);
+    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e59);
+    vec3 _e64 = ownWo;
+    vec3 _e66 = sampleEllipticNormal(_e64, wide_1, bound_2, u_26.xy);
+    h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e66);
+    const bool _e74 = hasCoatNormals;
+    if (_e74) {
+        Basis _e75 = frame;
+        vec3 _e76 = h_3;
+        vec3 _e77 = toWorld(_e75, _e76);
+        h_3 = _e77;
+    }
+    vec3 _e78 = h_3;
+    float oh = max(dot(wo_9, _e78), 0.0);
+    vec4 _e82 = baseReflectance(s_18, o_8, oh);
+    Parting _e83 = partingOf(s_18, o_8, _e82);
     float left_3 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
-    const bool _e59 = hasTransmission;
-    bool crossing_1 = pick(pick(_e59, !(isCoat_1), false), (left_3 >= _e50.share), false);
-    vec3 reflected_1 = (((2.0 * oh) * h_9) - wo_9);
+    const bool _e92 = hasTransmission;
+    bool crossing_1 = pick(pick(_e92, !(isCoat_1), false), (left_3 >= _e83.share), false);
+    vec3 _e100 = h_3;
+    vec3 reflected_1 = (((2.0 * oh) * _e100) - wo_9);
     met = reflected_1;
-    const bool _e71 = hasTransmission;
-    if (_e71) {
-        vec3 _e77 = refracted(wo_9, h_9, o_8.ratio);
-        vec3 beyond_2 = pick(isSolid_1, _e77, vec3(reflected_1.xy, -(reflected_1.z)));
+    const bool _e105 = hasTransmission;
+    if (_e105) {
+        vec3 _e110 = h_3;
+        vec3 _e112 = refracted(wo_9, _e110, o_8.ratio);
+        vec3 beyond_2 = pick(isSolid_1, _e112, vec3(reflected_1.xy, -(reflected_1.z)));
         met = pick(crossing_1, beyond_2, reflected_1);
     }
-    float _e82 = met.z;
-    bool lost = pick(!(isSmooth_1), (crossing_1 != (_e82 < 0.0)), false);
-    float _e88 = met.z;
-    float _e90 = throughCover(o_8, abs(_e88), crossing_1);
-    vec3 weight_2 = (_e90 * pick(crossing_1, (_e50.beyond / vec3(max((((1.0 - _e50.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e50.toward / vec3(max(_e50.share, 1e-20)))));
-    vec3 _e111 = met;
-    drawn = LayeredSample(_e111, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e50.share), _e50.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
-    float _e137 = drawn.pdf;
-    drawn.pdf = pick(lost, 0.0, _e137);
+    float _e117 = met.z;
+    lost = pick(!(isSmooth_1), (crossing_1 != (_e117 < 0.0)), false);
+    const bool _e124 = hasCoatNormals;
+    if (_e124) {
+        if (isCoat_1) {
+            vec3 _e126 = frame.normal;
+            vec3 _e127 = met;
+            float _e132 = met.z;
+            lost = pick((dot(_e126, _e127) <= 0.0), true, pick((_e132 < 0.0), (s_18.eta.x < 0.0), false));
+        }
+    }
+    float _e142 = met.z;
+    vec3 _e145 = met;
+    float _e146 = coatCosine(o_8.side, _e145);
+    float _e147 = throughCover(o_8, abs(_e142), _e146, crossing_1);
+    vec3 weight_2 = (_e147 * pick(crossing_1, (_e83.beyond / vec3(max((((1.0 - _e83.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e83.toward / vec3(max(_e83.share, 1e-20)))));
+    vec3 _e168 = met;
+    drawn = LayeredSample(_e168, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e83.share), _e83.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    float _e194 = drawn.pdf;
+    bool _e195 = lost;
+    drawn.pdf = pick(_e195, 0.0, _e194);
     if (!(isFacet)) {
         float next_1 = ((u_26.z - o_8.ofCoat) - o_8.ofFacets);
         float sine_8 = sqrt(max((u_26.x * (2.0 - u_26.x)), 0.0));
         float phi_5 = ((6.2831855 * u_26.y) - 3.1415927);
         vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_26.x));
-        vec3 _e168 = sampleCosine(u_26.xy);
-        const bool _e174 = hasTransmission;
-        vec3 below_3 = vec3(_e168.xy, pick(pick(_e174, (next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), false), -(_e168.z), _e168.z));
-        const bool _e183 = hasSheen;
-        drawn = LayeredSample(pick(pick(_e183, (next_1 < o_8.ofSheen), false), even, below_3), 1.0, vec3(1.0), false);
+        vec3 _e226 = sampleCosine(u_26.xy);
+        const bool _e232 = hasTransmission;
+        vec3 below_3 = vec3(_e226.xy, pick(pick(_e232, (next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), false), -(_e226.z), _e226.z));
+        const bool _e241 = hasSheen;
+        drawn = LayeredSample(pick(pick(_e241, (next_1 < o_8.ofSheen), false), even, below_3), 1.0, vec3(1.0), false);
     }
-    float _e195 = drawn.direction.z;
-    drawn.direction.z = (_e195 * o_8.side);
-    LayeredSample _e198 = drawn;
-    return _e198;
+    float _e253 = drawn.direction.z;
+    drawn.direction.z = (_e253 * o_8.side);
+    LayeredSample _e256 = drawn;
+    return _e256;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -3655,8 +3815,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     return _e156;
 }
 
-float facetDensity(vec3 h_3, float alpha_10) {
-    float slope = max(((dot(h_3.xy, h_3.xy) / (alpha_10 * alpha_10)) + (h_3.z * h_3.z)), 1.0);
+float facetDensity(vec3 h_4, float alpha_10) {
+    float slope = max(((dot(h_4.xy, h_4.xy) / (alpha_10 * alpha_10)) + (h_4.z * h_4.z)), 1.0);
     return (0.31830987 / (((alpha_10 * alpha_10) * slope) * slope));
 }
 
@@ -3744,9 +3904,9 @@ vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
     return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
 }
 
-float ellipticDensity(vec3 h_4, vec2 alpha_11) {
-    vec2 scaled_1 = (h_4.xy / alpha_11);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_4.z * h_4.z)), 1.0);
+float ellipticDensity(vec3 h_5, vec2 alpha_11) {
+    vec2 scaled_1 = (h_5.xy / alpha_11);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_5.z * h_5.z)), 1.0);
     return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
 }
 
@@ -3754,10 +3914,10 @@ float shadowingExponent(float x_16, float alpha_12) {
     float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
     float a_9 = mix(21.5473, 25.3245, m_2);
     float b_12 = mix(3.82987, 3.32435, m_2);
-    float c_5 = mix(0.19823, 0.16801, m_2);
+    float c_7 = mix(0.19823, 0.16801, m_2);
     float d_5 = mix(-1.9776, -1.27393, m_2);
     float e_27 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_27);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_7)))) + (d_5 * x_16)) + e_27);
 }
 
 float sheenShadowing(float cosine_17, float alpha_13) {
@@ -3793,167 +3953,194 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     bool isCoat = false;
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
     vec3 lobe = vec3(0.0);
     float chosen_1 = 0.0;
     Layers l_5 = o_13.layers;
     vec3 wo_12 = o_13.wo;
     vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_13.side));
     const bool _e11 = hasTransmission;
-    bool crossing_4 = pick(_e11, (wi_4.z < 0.0), false);
-    const bool _e17 = hasTransmission;
-    bool dark_1 = pick(!(_e17), (wi_4.z < 0.0), false);
+    const bool _e13 = hasCoatNormals;
+    bool crossing_4 = pick(pick(_e11, true, _e13), (wi_4.z < 0.0), false);
+    const bool _e20 = hasTransmission;
+    const bool _e22 = hasCoatNormals;
+    bool dark_1 = pick(!(pick(_e20, true, _e22)), (wi_4.z < 0.0), false);
     vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
     float zi_2 = facing.z;
-    float _e28 = throughCover(o_13, zi_2, crossing_4);
-    const bool _e35 = hasCoats;
-    const bool _e37 = hasTransmission;
-    isCoat = pick(pick(_e35, true, _e37), pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0)), false);
+    float _e35 = coatCosine(o_13.side, wi_4);
+    float _e36 = throughCover(o_13, zi_2, _e35, crossing_4);
+    const bool _e43 = hasCoats;
+    const bool _e45 = hasTransmission;
+    isCoat = pick(pick(_e43, true, _e45), pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0)), false);
+    const bool _e57 = hasCoatNormals;
+    bool coatEnds = pick(crossing_4, !(pick(_e57, (s_23.eta.x >= 0.0), false)), false);
     while(true) {
-        const bool _e49 = hasTransmission;
-        bool _e51 = isCoat;
-        bool bends = pick(pick(pick(_e49, crossing_4, false), !(_e51), false), (l_5.solid > 0.0), false);
-        bool _e61 = isCoat;
-        vec2 alpha_16 = pick(_e61, vec2(o_13.coatAlpha), o_13.alpha);
+        const bool _e66 = hasTransmission;
+        bool _e68 = isCoat;
+        bool bends = pick(pick(pick(_e66, crossing_4, false), !(_e68), false), (l_5.solid > 0.0), false);
+        bool _e78 = isCoat;
+        vec2 alpha_16 = pick(_e78, vec2(o_13.coatAlpha), o_13.alpha);
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_2 = max(alpha_16, vec2(0.001));
-        vec3 met_2 = pick(bends, wi_4, facing);
+        bool _e88 = isCoat;
+        vec3 met_2 = pick(pick(bends, true, pick(_e88, !(coatEnds), false)), wi_4, facing);
         vec3 m_4 = (wo_12 + (met_2 * pick(bends, o_13.ratio, 1.0)));
         float m2_3 = max(dot(m_4, m_4), 1e-20);
         vec3 h_11 = (m_4 * inversesqrt(m2_3));
         float oh_3 = dot(wo_12, h_11);
         float ih_1 = dot(met_2, h_11);
-        bool faces_2 = pick(((oh_3 * h_11.z) >= 0.0), (((ih_1 * h_11.z) * met_2.z) >= 0.0), false);
-        float _e100 = ellipticDensity(h_11, wide_2);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e100), 0.0));
-        float _e108 = ellipticStretched(wo_12, wide_2);
-        float _e111 = ellipticStretched(facing, wide_2);
-        float masked_1 = (zi_2 / max(((zi_2 * _e108) + (wo_12.z * _e111)), 1e-20));
-        float _e117 = ellipticBound(wo_12, wide_2);
-        const bool _e119 = hasTransmission;
-        bool _e124 = isCoat;
-        float bound_3 = pick(pick(pick(_e119, (l_5.solid > 0.0), false), !(_e124), false), 1.0, _e117);
-        float density_2 = (spread_1 / ((bound_3 * wo_12.z) + _e108));
-        const bool _e138 = hasTransmission;
-        bool _e139 = isCoat;
-        vec4 _e144 = baseReflectance(s_23, o_13, pick(pick(pick(_e138, _e139, false), o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e145 = partingOf(s_23, o_13, _e144);
-        lobe = (_e28 * pick(crossing_4, _e145.beyond, (_e145.toward * o_13.more)));
-        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e145.share), _e145.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
-        const bool _e168 = hasCoats;
-        if (!(_e168)) {
-            const bool _e171 = hasTransmission;
-            if (!(_e171)) {
-                intoBody = _e144.w;
+        ownWo_1 = wo_12;
+        ownWi = met_2;
+        ownH = h_11;
+        const bool _e109 = hasCoatNormals;
+        if (_e109) {
+            bool _e110 = isCoat;
+            if (_e110) {
+                vec3 _e112 = coatNormal(o_13.side);
+                Basis _e113 = basisAbout(_e112);
+                vec3 _e114 = toLocal(_e113, wo_12);
+                ownWo_1 = _e114;
+                vec3 _e115 = toLocal(_e113, met_2);
+                ownWi = _e115;
+                vec3 _e116 = toLocal(_e113, h_11);
+                ownH = _e116;
             }
         }
+        float _e118 = ownH.z;
+        float _e123 = ownH.z;
+        float _e126 = ownWi.z;
+        float _e132 = ownWi.z;
+        bool faces_2 = pick(pick(((oh_3 * _e118) >= 0.0), (((ih_1 * _e123) * _e126) >= 0.0), false), pick(bends, true, (_e132 >= 0.0)), false);
+        vec3 _e142 = ownH;
+        float _e143 = ellipticDensity(_e142, wide_2);
+        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e143), 0.0));
+        vec3 _e151 = ownWo_1;
+        float _e152 = ellipticStretched(_e151, wide_2);
+        float _e154 = ownWi.z;
+        float ownZi = abs(_e154);
+        float _e158 = ownWo_1.z;
+        vec3 _e159 = ownWi;
+        float _e160 = ellipticStretched(_e159, wide_2);
+        float masked_1 = (ownZi / max(((ownZi * _e152) + (_e158 * _e160)), 1e-20));
+        vec3 _e166 = ownWo_1;
+        float _e167 = ellipticBound(_e166, wide_2);
+        const bool _e169 = hasTransmission;
         bool _e174 = isCoat;
-        if (_e174) {
-            intoBody = _e144.w;
-            lobe = vec3(pick(crossing_4, 0.0, o_13.coat));
-            chosen_1 = pick(crossing_4, 0.0, o_13.ofCoat);
+        float bound_3 = pick(pick(pick(_e169, (l_5.solid > 0.0), false), !(_e174), false), 1.0, _e167);
+        float _e180 = ownWo_1.z;
+        float density_2 = (spread_1 / ((bound_3 * _e180) + _e152));
+        const bool _e189 = hasTransmission;
+        bool _e190 = isCoat;
+        vec4 _e195 = baseReflectance(s_23, o_13, pick(pick(pick(_e189, _e190, false), o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
+        Parting _e196 = partingOf(s_23, o_13, _e195);
+        lobe = (_e36 * pick(crossing_4, _e196.beyond, (_e196.toward * o_13.more)));
+        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e196.share), _e196.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
+        const bool _e219 = hasCoats;
+        if (!(_e219)) {
+            const bool _e222 = hasTransmission;
+            if (!(_e222)) {
+                intoBody = _e195.w;
+            }
         }
-        vec4 _e183 = sum_1;
-        vec3 _e184 = lobe;
-        float _e187 = chosen_1;
-        sum_1 = (_e183 + vec4((_e184 * (spread_1 * masked_1)), (_e187 * density_2)));
-        const bool _e192 = hasCoats;
-        if (!(_e192)) {
-            const bool _e195 = hasTransmission;
-            if (!(_e195)) {
+        bool _e225 = isCoat;
+        if (_e225) {
+            intoBody = _e195.w;
+            lobe = vec3(pick(coatEnds, 0.0, o_13.coat));
+            chosen_1 = pick(coatEnds, 0.0, o_13.ofCoat);
+        }
+        vec4 _e234 = sum_1;
+        vec3 _e235 = lobe;
+        float _e238 = chosen_1;
+        sum_1 = (_e234 + vec4((_e235 * (spread_1 * masked_1)), (_e238 * density_2)));
+        const bool _e243 = hasCoats;
+        if (!(_e243)) {
+            const bool _e246 = hasTransmission;
+            if (!(_e246)) {
                 break;
             }
         }
-        bool _e197 = isCoat;
-        if (!(_e197)) {
+        bool _e248 = isCoat;
+        if (!(_e248)) {
             break;
         }
         isCoat = false;
     }
-    const bool _e201 = hasSheen;
-    if (_e201) {
+    const bool _e252 = hasSheen;
+    if (_e252) {
         if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
-            float _e212 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-            float most_2 = max(max(o_13.sheen, _e212), 1.0);
-            float _e220 = sheenAlpha(l_5.sheenRoughness);
-            float _e221 = whiteSheen(wo_12, wi_4, _e220);
-            float fibres_1 = (((1.0 - o_13.coat) * _e221) / most_2);
-            vec4 _e224 = sum_1;
-            sum_1 = (_e224 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
+            float _e263 = sheenAlbedo(zi_2, l_5.sheenRoughness);
+            float most_2 = max(max(o_13.sheen, _e263), 1.0);
+            float _e271 = sheenAlpha(l_5.sheenRoughness);
+            float _e272 = whiteSheen(wo_12, wi_4, _e271);
+            float fibres_1 = (((1.0 - o_13.coat) * _e272) / most_2);
+            vec4 _e275 = sum_1;
+            sum_1 = (_e275 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
         }
     }
     vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_23.baseColor));
-    float _e241 = intoBody;
-    vec3 matte = (((_e28 * _e241) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e248 = sum_1;
-    float _e250 = ofBeyond(o_13);
-    vec4 all_1 = (_e248 + (vec4(matte, pick(crossing_4, _e250, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
+    float _e292 = intoBody;
+    vec3 matte = (((_e36 * _e292) * (1.0 - l_5.transmission)) * body_1);
+    vec4 _e299 = sum_1;
+    float _e301 = ofBeyond(o_13);
+    vec4 all_1 = (_e299 + (vec4(matte, pick(crossing_4, _e301, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
     return pick(dark_1, vec4(0.0), all_1);
 }
 
 Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
     Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
     bool isLight = false;
-    vec4 value_1 = vec4(0.0);
-    const bool _e6 = hasLayers;
-    if (_e6) {
-        uint _e9 = frame.emitterCount;
-        isLight = (_e9 > 0u);
-        while(true) {
-            bool _e13 = isLight;
-            vec3 wi_5 = pick(_e13, toLight_2, toSample);
-            vec4 _e15 = evaluateBsdf(s_24, o_14, wi_5);
-            value_1 = _e15;
-            bool _e21 = isLayered(uint(s_24.code), s_24.eta.x);
-            if (_e21) {
-                float _e23 = mirrorShare(s_24.reflectivity);
-                Stack _e27 = stackHere;
-                vec4 _e28 = evaluateLayered(s_24, _e27, wi_5);
-                value_1 = ((1.0 - _e23) * _e28);
+    vec4 _e4 = evaluateBsdf(s_24, o_14, toLight_2);
+    vec4 _e5 = evaluateBsdf(s_24, o_14, toSample);
+    pair_2 = Pair(_e4, _e5);
+    const bool _e9 = hasLayers;
+    if (_e9) {
+        bool _e14 = isLayered(uint(s_24.code), s_24.eta.x);
+        if (_e14) {
+            uint _e17 = frame.emitterCount;
+            isLight = (_e17 > 0u);
+            while(true) {
+                float _e22 = mirrorShare(s_24.reflectivity);
+                Stack _e26 = stackHere;
+                bool _e27 = isLight;
+                vec4 _e29 = evaluateLayered(s_24, _e26, pick(_e27, toLight_2, toSample));
+                vec4 value_2 = ((1.0 - _e22) * _e29);
+                bool _e31 = isLight;
+                if (_e31) {
+                    pair_2.toLight = value_2;
+                } else {
+                    pair_2.toSample = value_2;
+                }
+                bool _e34 = isLight;
+                if (!(_e34)) {
+                    break;
+                }
+                isLight = false;
             }
-            bool _e30 = isLight;
-            if (_e30) {
-                vec4 _e32 = value_1;
-                pair_2.toLight = _e32;
-            } else {
-                vec4 _e34 = value_1;
-                pair_2.toSample = _e34;
-            }
-            bool _e35 = isLight;
-            if (!(_e35)) {
-                break;
-            }
-            isLight = false;
         }
-    } else {
-        vec4 _e38 = evaluateBsdf(s_24, o_14, toLight_2);
-        vec4 _e39 = evaluateBsdf(s_24, o_14, toSample);
-        pair_2 = Pair(_e38, _e39);
     }
-    Pair _e41 = pair_2;
-    return _e41;
+    Pair _e37 = pair_2;
+    return _e37;
 }
 
-bool crosses(vec3 geometric_1, vec3 a_2, vec3 b_4) {
-    return ((dot(geometric_1, a_2) > 0.0) != (dot(geometric_1, b_4) > 0.0));
+bool crosses(vec3 geometric_2, vec3 a_2, vec3 b_5) {
+    return ((dot(geometric_2, a_2) > 0.0) != (dot(geometric_2, b_5) > 0.0));
 }
 
-BsdfSample completed(BsdfSample drawn_2, vec4 value_2) {
-    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_2.w);
-    vec3 weight_3 = pick((pdf_5 > 0.0), (value_2.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
-}
-
-vec3 toWorld(Basis b_5, vec3 v_9) {
-    return (((v_9.x * b_5.tangent) + (v_9.y * b_5.bitangent)) + (v_9.z * b_5.normal));
+BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
+    float pdf_6 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_3 = pick((pdf_6 > 0.0), (value_1.xyz / vec3(max(pdf_6, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
 float max3_(vec3 v_10) {
     return max(max(v_10.x, v_10.y), v_10.z);
 }
 
-bool isFlat(uint i_24) {
+bool isFlat(uint i_25) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_24 >= _e4);
+    return (i_25 >= _e4);
 }
 
 void meetSurface(inout Path p_12, PairHit hit_2) {
@@ -3994,94 +4181,105 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
         vec3 _e71 = surface_1.absorption;
         p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
     }
-    const bool _e80 = hasCoats;
+    const bool _e80 = hasCoatNormals;
     if (_e80) {
-        vec3 _e82 = surface_1.emission;
-        float _e85 = layersHere.coat;
-        float _e88 = coatReflectance(_e85, abs(_e50.z));
-        surface_1.emission = (_e82 * (1.0 - _e88));
+        vec3 _e82 = coatNormalHere;
+        bool away = pick((dot(_e82, rays_2.direction) > 0.0), !(_e19), false);
+        Basis _e90 = basis;
+        vec3 _e92 = coatNormalHere;
+        vec3 _e94 = coatNormalHere;
+        vec3 _e97 = toLocal(_e90, pick(away, -(_e94), _e92));
+        coatNormalHere = _e97;
     }
-    Emitter _e93 = fetchEmitter(0u);
-    vec3 _e95 = p_12.radiance;
-    vec3 _e97 = p_12.throughput;
-    Path _e98 = p_12;
-    Surface _e99 = surface_1;
-    vec3 _e101 = foundLight(_e98, hit_2, _e99, _e10.geometric, _e93);
-    p_12.radiance = (_e95 + (_e97 * _e101));
-    const bool _e105 = hasMeshes;
-    if (_e105) {
+    const bool _e99 = hasCoats;
+    if (_e99) {
+        vec3 _e101 = surface_1.emission;
+        float _e104 = layersHere.coat;
+        float _e106 = coatCosine(1.0, _e50);
+        float _e107 = coatReflectance(_e104, _e106);
+        surface_1.emission = (_e101 * (1.0 - _e107));
+    }
+    Emitter _e112 = fetchEmitter(0u);
+    vec3 _e114 = p_12.radiance;
+    vec3 _e116 = p_12.throughput;
+    Path _e117 = p_12;
+    Surface _e118 = surface_1;
+    vec3 _e120 = foundLight(_e117, hit_2, _e118, _e10.geometric, _e112);
+    p_12.radiance = (_e114 + (_e116 * _e120));
+    const bool _e124 = hasMeshes;
+    if (_e124) {
         if (escaped_1) {
             p_12.alive = false;
             return;
         }
     }
     vec3 litSide = pick(_e19, vec3(0.0), normal_16);
-    vec3 _e112 = next3d(p_12.sampler_);
-    vec3 _e114 = next3d(p_12.sampler_);
-    EmitterChoice _e116 = chooseEmitter(point_20, litSide, _e112.z);
-    Emitter _e118 = emitterAt(_e116.index, _e93);
-    LightSample _e120 = sampleEmitter(_e118, point_20, _e112.xy);
-    float lightPdf = (_e120.pdf * _e116.probability);
-    const bool _e128 = hasTransmission;
-    if (_e128) {
-        float _e131 = layersHere.dispersion;
-        if (pick(_e19, (_e131 > 0.0), false)) {
-            vec3 _e136 = p_12.throughput;
-            float _e138 = nextHash(p_12.sampler_);
-            vec3 _e139 = heroColor(_e136, _e138);
-            hero_3 = _e139;
+    vec3 _e131 = next3d(p_12.sampler_);
+    vec3 _e133 = next3d(p_12.sampler_);
+    EmitterChoice _e135 = chooseEmitter(point_20, litSide, _e131.z);
+    Emitter _e137 = emitterAt(_e135.index, _e112);
+    LightSample _e139 = sampleEmitter(_e137, point_20, _e131.xy);
+    float lightPdf = (_e139.pdf * _e135.probability);
+    const bool _e147 = hasTransmission;
+    if (_e147) {
+        float _e150 = layersHere.dispersion;
+        if (pick(_e19, (_e150 > 0.0), false)) {
+            vec3 _e155 = p_12.throughput;
+            float _e157 = nextHash(p_12.sampler_);
+            vec3 _e158 = heroColor(_e155, _e157);
+            hero_3 = _e158;
         }
     }
-    Surface _e140 = surface_1;
-    vec3 _e141 = hero_3;
-    Outgoing _e142 = outgoing(_e140, _e50, _e141);
-    Surface _e143 = surface_1;
-    BsdfSample _e144 = sampleLobe(_e143, _e142, _e114);
-    Surface _e145 = surface_1;
-    Basis _e146 = basis;
-    vec3 _e148 = toLocal(_e146, _e120.direction);
-    Pair _e150 = evaluatePair(_e145, _e142, _e148, _e144.direction);
-    const bool _e152 = hasMeshes;
-    bool opaque = pick(_e152, !(_e19), false);
-    bool _e159 = crosses(_e10.geometric, _e120.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e159, false);
-    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e150.toLight);
-    bool alone_1 = pick(_e120.delta, true, pick((_e118.shape < 0.0), (_e120.distance_ < 1e30), false));
-    float _e175 = misWeight(lightPdf, toLight_8.w);
-    float lightWeight = (pick(alone_1, 1.0, _e175) / lightPdf);
-    BsdfSample _e180 = completed(_e144, _e150.toSample);
-    Basis _e181 = basis;
-    vec3 _e183 = toWorld(_e181, _e180.direction);
-    bool _e187 = crosses(_e10.geometric, _e183, -(rays_2.direction));
-    bool leaks = pick(opaque, _e187, false);
-    uint _e191 = p_12.depth;
-    uint _e194 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e191 != _e194), false);
-    vec3 _e198 = p_12.throughput;
-    vec3 contribution = (((_e198 * toLight_8.xyz) * _e120.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e120.radiance), vec3(0.0))), false);
+    Surface _e159 = surface_1;
+    vec3 _e160 = hero_3;
+    Outgoing _e161 = outgoing(_e159, _e50, _e160);
+    Surface _e162 = surface_1;
+    BsdfSample _e163 = sampleLobe(_e162, _e161, _e133);
+    Surface _e164 = surface_1;
+    Basis _e165 = basis;
+    vec3 _e167 = toLocal(_e165, _e139.direction);
+    Pair _e169 = evaluatePair(_e164, _e161, _e167, _e163.direction);
+    const bool _e171 = hasMeshes;
+    bool opaque = pick(_e171, !(_e19), false);
+    bool _e178 = crosses(_e10.geometric, _e139.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e178, false);
+    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e169.toLight);
+    bool alone_1 = pick(_e139.delta, true, pick((_e137.shape < 0.0), (_e139.distance_ < 1e30), false));
+    float _e194 = misWeight(lightPdf, toLight_8.w);
+    float lightWeight = (pick(alone_1, 1.0, _e194) / lightPdf);
+    BsdfSample _e199 = completed(_e163, _e169.toSample);
+    Basis _e200 = basis;
+    vec3 _e202 = toWorld(_e200, _e199.direction);
+    bool _e206 = crosses(_e10.geometric, _e202, -(rays_2.direction));
+    bool leaks = pick(opaque, _e206, false);
+    uint _e210 = p_12.depth;
+    uint _e213 = frame.maxDepth;
+    bool goesOn_1 = pick(!(escaped_1), (_e210 != _e213), false);
+    vec3 _e217 = p_12.throughput;
+    vec3 contribution = (((_e217 * toLight_8.xyz) * _e139.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e139.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e220 = p_12.throughput;
-    vec3 throughput_1 = (_e220 * _e180.weight);
-    float _e223 = max3_(throughput_1);
-    uint _e229 = p_12.depth;
-    float survival = pick((_e229 < rouletteDepth), 1.0, min((_e223 / 0.33333334), 0.95));
-    float _e241 = max3_(throughput_1);
-    float _e246 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e180.pdf > 0.0), false), !(leaks), false), (_e241 > 0.0), false), (_e246 < survival), false);
+    vec3 _e239 = p_12.throughput;
+    vec3 throughput_1 = (_e239 * _e199.weight);
+    float _e242 = max3_(throughput_1);
+    uint _e248 = p_12.depth;
+    float survival = pick((_e248 < rouletteDepth), 1.0, min((_e242 / 0.33333334), 0.95));
+    float _e260 = max3_(throughput_1);
+    float _e265 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e199.pdf > 0.0), false), !(leaks), false), (_e260 > 0.0), false), (_e265 < survival), false);
     p_12.throughput = (throughput_1 / vec3(survival));
-    uint _e254 = p_12.depth;
-    p_12.depth = (_e254 + 1u);
-    p_12.pdf = pick(_e180.delta, 0.0, _e180.pdf);
+    uint _e273 = p_12.depth;
+    p_12.depth = (_e273 + 1u);
+    p_12.pdf = pick(_e199.delta, 0.0, _e199.pdf);
     p_12.litSide = litSide;
-    p_12.odds = _e116.odds;
-    bool _e264 = isFlat(shape_1);
-    bool solid = !(_e264);
-    uint lightShape = pick((_e118.shape >= 0.0), uint(max(_e118.shape, 0.0)), noShape);
-    bool _e281 = p_12.alive;
-    Sampler _e296 = p_12.sampler_;
-    uint _e297 = numberOfNext(_e296);
-    p_12.rays = RayPair(point_20, shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e281, _e183, pick(solid, (dot(_e183, outward_1) < 0.0), false), _e120.direction, pick(solid, (dot(_e120.direction, outward_1) < 0.0), false), pick(lit_2, _e120.distance_, -1.0), lightShape, _e297);
+    p_12.odds = _e135.odds;
+    bool _e283 = isFlat(shape_1);
+    bool solid = !(_e283);
+    uint lightShape = pick((_e137.shape >= 0.0), uint(max(_e137.shape, 0.0)), noShape);
+    bool _e300 = p_12.alive;
+    Sampler _e315 = p_12.sampler_;
+    uint _e316 = numberOfNext(_e315);
+    p_12.rays = RayPair(point_20, shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e300, _e202, pick(solid, (dot(_e202, outward_1) < 0.0), false), _e139.direction, pick(solid, (dot(_e139.direction, outward_1) < 0.0), false), pick(lit_2, _e139.distance_, -1.0), lightShape, _e316);
     return;
 }
 

@@ -277,8 +277,12 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
     let inside = isClear & !isThin(u32(surface.code)) & (wo.z < 0.0) & !escaped;
     (*p).throughput *= exp(-surface.absorption * select(0.0, hit.t, inside));
   }
+  if (hasCoatNormals) {
+    let away = (dot(coatNormalHere, rays.direction) > 0.0) & !isClear;
+    coatNormalHere = toLocal(basis, select(coatNormalHere, -coatNormalHere, away));
+  }
   if (hasCoats) {
-    surface.emission *= 1.0 - coatReflectance(layersHere.coat, abs(wo.z));
+    surface.emission *= 1.0 - coatReflectance(layersHere.coat, coatCosine(1.0, wo));
   }
   let only = fetchEmitter(0u);
   (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
@@ -339,12 +343,16 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
 // nothing that depends on the size of the scene.
 const noShape = 0xffffffffu;
 
-// In programs with layers it says those of the surface, and its grain, in layers/here.wesl.
+// In programs with layers it says those of the surface, and its grain, in layers/here.wesl; and the normal of its coat, in the world, in
+// layers/clearcoat.wesl.
 fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   let outward = normalAt(rays, hit.t, shape);
   var surface = fetchSurface(shape);
   if (hasLayers) {
     layersHere = layersOf(u32(surface.code), surface.eta.x);
+  }
+  if (hasCoatNormals) {
+    coatNormalHere = outward;
   }
   var normals = Normals(outward, outward);
   var tangent = vec3f(0.0);
@@ -354,16 +362,24 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
       let m = meshPoint(hit.triangle.instance, hit.triangle.triangle, hit.weights);
       normals = Normals(m.geometric, m.shading);
       if (hasTextures) {
-        let bump = takeUpTextures(&surface, m.uv, m.color.rgb);
+        let bumps = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
-        if (any(bump != vec3f(0.0, 0.0, 1.0))) {
-          normals.shading = validNormal(m.geometric, rays.direction, bump.x * m.tangent + bump.y * m.bitangent + bump.z * m.normal, m.shading);
+        if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
+          normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+        }
+        if (hasCoatNormals) {
+          coatNormalHere = m.shading;
+          if (any(bumps.coat != vec3f(0.0, 0.0, 1.0))) {
+            coatNormalHere = validNormal(m.geometric, rays.direction, bumps.coat.x * m.tangent + bumps.coat.y * m.bitangent + bumps.coat.z * m.normal, m.shading);
+          }
         }
       }
-      // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
-      let agree = (dot(normals.geometric, rays.direction) > 0.0) == (dot(normals.shading, rays.direction) > 0.0);
-      normals.shading = select(normals.shading, normals.geometric, letsThrough(u32(surface.code), surface.eta.x) & !agree);
+      let isClear = letsThrough(u32(surface.code), surface.eta.x);
+      normals.shading = agreed(normals.geometric, normals.shading, rays.direction, isClear);
+      if (hasCoatNormals) {
+        coatNormalHere = agreed(normals.geometric, coatNormalHere, rays.direction, isClear);
+      }
     }
   }
   if (hasGrain) {
@@ -396,6 +412,9 @@ fn toLocal(b: Basis, v: vec3f) -> vec3f {
 override hasGlass = false;
 
 override hasTransmission = false;
+
+// Clear coats that are bent by another normal map than their base, or by none where the base is.
+override hasCoatNormals = false;
 
 override hasCoats = false;
 
@@ -643,30 +662,26 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. With layers that is done in a loop, so that they stand
-// in the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
+// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
+// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
 fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair: Pair;
+  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
   if (hasLayers) {
-    var isLight = frame.emitterCount > 0u;
-    loop {
-      let wi = select(toSample, toLight, isLight);
-      var value = evaluateBsdf(s, o, wi);
-      if (isLayered(u32(s.code), s.eta.x)) {
-        value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, wi);
+    if (isLayered(u32(s.code), s.eta.x)) {
+      var isLight = frame.emitterCount > 0u;
+      loop {
+        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
+        if (isLight) {
+          pair.toLight = value;
+        } else {
+          pair.toSample = value;
+        }
+        if (!isLight) {
+          break;
+        }
+        isLight = false;
       }
-      if (isLight) {
-        pair.toLight = value;
-      } else {
-        pair.toSample = value;
-      }
-      if (!isLight) {
-        break;
-      }
-      isLight = false;
     }
-  } else {
-    pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
   }
   return pair;
 }
@@ -750,12 +765,25 @@ fn isThin(code: u32) -> bool {
   return hasGlass & ((code & 7u) == 7u);
 }
 
+// Its unit normal, a variable of the whole program as those of here.wesl: in the world until path.wesl has a frame for the base
+// (bsdf.wesl), in that frame from then on. The same as the base's where one normal map bends both, or none.
+var<private> coatNormalHere: vec3f;
+
 // Share of the light that a coat of this weight sends back.
 fn coatReflectance(coat: f32, cosine: f32) -> f32 {
   return coat * schlick(vec3f(coatF0), cosine).x;
 }
 
 var<private> layersHere: Layers;
+
+// Between the coat's normal and a direction in that frame.
+fn coatCosine(side: f32, w: vec3f) -> f32 {
+  var z = w.z;
+  if (hasCoatNormals) {
+    z = dot(coatNormal(side), w);
+  }
+  return abs(z);
+}
 
 // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994; f90 = 1.
 fn schlick(f0: vec3f, cosine: f32) -> vec3f {
@@ -811,6 +839,11 @@ struct Layers {
   spare2: f32,
 }
 
+
+// `side` -1: as it is in the frame that is mirrored, where the coat of the other side of a thin wall is above.
+fn coatNormal(side: f32) -> vec3f {
+  return vec3f(side * coatNormalHere.xy, coatNormalHere.z);
+}
 
 // One colour stands for all where colours go different ways. It is chosen as often as it carries light, and weighs the more the less often:
 // so the mean is right, and a path of one colour keeps it.
@@ -993,14 +1026,20 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
 // Textures, and colours at the vertices of meshes.
 override hasTextures = false;
 
-// `uv`: both sets of coordinates. Gives what the normal map says, in the frame of tangent, bitangent and normal; of any length.
-fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
+// Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
+fn agreed(geometric: vec3f, shading: vec3f, direction: vec3f, isClear: bool) -> vec3f {
+  let agree = (dot(geometric, direction) > 0.0) == (dot(shading, direction) > 0.0);
+  return select(shading, geometric, isClear & !agree);
+}
+
+// `uv`: both sets of coordinates.
+fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   let row = u32((*s).textures);
   let material = fetchMaterialTextures(row);
   let unlit = (material.flags & isUnlit) != 0u;
   (*s).baseColor *= color;
   (*s).emission *= select(vec3f(1.0), color, unlit);
-  var bump = vec3f(0.0, 0.0, 1.0);
+  var bumps = Bumps(vec3f(0.0, 0.0, 1.0), vec3f(0.0, 0.0, 1.0));
   var i = 0u;
   // One call for all textures: compilers write out each.
   if (material.count > 0u) {
@@ -1013,7 +1052,11 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       let rough = max((*s).alpha * share.x * share.x, leastAlpha);
       (*s).alpha = select(rough, (*s).alpha, isSmooth(u32((*s).code)));
       (*s).metallic *= share.y;
-      bump = select(bump, (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0), t.slot == normalSlot);
+      let bump = (2.0 * texel.xyz - 1.0) * vec3f(t.scale, t.scale, 1.0);
+      bumps.base = select(bumps.base, bump, t.slot == normalSlot);
+      if (hasCoatNormals) {
+        bumps.coat = select(bumps.coat, bump, t.slot == coatNormalSlot);
+      }
       if (hasLayers) {
         takeUpLayer(t.slot, texel);
       }
@@ -1023,7 +1066,7 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> vec3f {
       }
     }
   }
-  return bump;
+  return bumps;
 }
 
 // A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
@@ -1066,6 +1109,13 @@ fn fetchMaterialTextures(row: u32) -> MaterialTextures {
 }
 
 const isUnlit = 1u;
+
+// What the normal maps of base and coat say, in the frame of tangent, bitangent and normal; of any length.
+struct Bumps {
+  base: vec3f,
+  coat: vec3f,
+}
+
 
 struct Surface {
   // Lambert albedo; glTF base colour; constant Fresnel reflectance of a conductor without eta and k
@@ -1136,6 +1186,8 @@ fn isSmooth(code: u32) -> bool {
 }
 
 const normalSlot = 3u;
+
+const coatNormalSlot = 16u;
 
 fn takeUpLayer(slot: u32, texel: vec4f) {
   layersHere.specularWeight *= select(1.0, texel.a, slot == specularWeightSlot);
@@ -1563,7 +1615,7 @@ struct Emitter {
   position: vec3f,
   // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals, in y 1 where its material says how much of the radiance there is at a point
   u: vec3f,
   // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,
@@ -2133,7 +2185,7 @@ struct BoxView {
 
 fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
   let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
-  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
+  return areaPdf(e.area, distance * abs(dot(direction, normal)), distance) * fetchLampTriangle(row).density;
 }
 
 fn fetchLampTriangle(row: u32) -> LampTriangle {
@@ -2379,11 +2431,19 @@ fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
   let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
   let distance = length(toLight);
-  let pdf = areaPdf(e.area / chosen.density, abs(height), distance);
+  let pdf = areaPdf(e.area, abs(height), distance) * chosen.density;
   let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
   // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
   let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
-  return LightSample(toLight / max(distance, 1e-30), reached, e.radiance, select(0.0, pdf, lit), false);
+  var radiance = e.radiance;
+  if (hasVariedLamps) {
+    if (e.u.y > 0.0) {
+      let rows = instance.vertices + vec3u(t.vertexA, t.vertexB, t.vertexC) * instance.vertexRows;
+      let c = coverAt(rows, instance.vertexRows, weights);
+      radiance *= radianceShare(u32(fetchSurface(u32(e.shape)).textures), c, (instance.cover & coverRow) != 0u);
+    }
+  }
+  return LightSample(toLight / max(distance, 1e-30), reached, radiance, select(0.0, pdf, lit), false);
 }
 
 fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
@@ -2416,6 +2476,63 @@ fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
   let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
   return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
 }
+
+// Such whose emission a texture varies, or that have holes.
+override hasVariedLamps = false;
+
+// `rows`: of its three vertices, which are `each` rows long. `weights`: of the second and third.
+fn coverAt(rows: vec3u, each: u32, weights: vec2f) -> Cover {
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  var c = Cover(vec4f(0.0), 1.0);
+  if (each != 0u) {
+    c.uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (each > vertexRows) {
+    let more = rows + vertexRows;
+    let a = fetchVertexMore(more.x);
+    let b = fetchVertexMore(more.y);
+    let d = fetchVertexMore(more.z);
+    c.uv = vec4f(c.uv.xy, share.x * a.uv + share.y * b.uv + share.z * d.uv);
+    c.opacity = dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(d.blueAlpha).y));
+  }
+  return c;
+}
+
+// Share of a lamp's radiance that there is at a point of it: by the texture of its emission, and, where `missing` says that it may not be there,
+// as often as it is. `row`: of its MaterialTextures; the use whose alpha is opacity comes first, and that of the emission next to it.
+fn radianceShare(row: u32, c: Cover, missing: bool) -> vec3f {
+  let material = fetchMaterialTextures(row);
+  let hasFirst = (material.flags & hasOpacityTexture) != 0u;
+  let wanted = min(material.count, select(1u, 2u, hasFirst));
+  var share = vec3f(1.0);
+  var opacity = material.opacity * c.opacity;
+  var i = 0u;
+  if (wanted > 0u) {
+    loop {
+      let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
+      let texel = lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u));
+      share *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
+      opacity *= select(1.0, texel.a, hasFirst & (i == 0u));
+      i++;
+      if (i >= wanted) {
+        break;
+      }
+    }
+  }
+  let there = select(select(0.0, 1.0, opacity >= material.cutoff), opacity, material.cutoff < 0.0);
+  return share * select(1.0, there, missing);
+}
+
+const coverRow = 2147483647u;
+
+// What the vertices of a triangle say at a point of it: both sets of coordinates, and opacity.
+struct Cover {
+  uv: vec4f,
+  opacity: f32,
+}
+
+
+const hasOpacityTexture = 2u;
 
 struct ChosenTriangle {
   place: u32,
@@ -2604,7 +2721,7 @@ fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
   }
   var coat = 0.0;
   if (hasCoats) {
-    coat = select(coatReflectance(l.coat, wo.z), 0.0, inside);
+    coat = select(coatReflectance(l.coat, coatCosine(side, wo)), 0.0, inside);
   }
   let coatAlpha = l.coatRoughness * l.coatRoughness;
   var sheenColor = 0.0;
@@ -2999,9 +3116,22 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
   let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
   let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
   let wide = max(alpha, vec2f(leastAlpha));
-  let bound = select(ellipticBound(wo, wide), 1.0, isSolid & !isCoat);
-  let rough = sampleEllipticNormal(wo, wide, bound, u.xy);
-  let h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  var frame = Basis(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
+  if (hasCoatNormals) {
+    if (isCoat) {
+      frame = basisAbout(coatNormal(o.side));
+    }
+  }
+  var ownWo = wo;
+  if (hasCoatNormals) {
+    ownWo = toLocal(frame, wo);
+  }
+  let bound = select(ellipticBound(ownWo, wide), 1.0, isSolid & !isCoat);
+  let rough = sampleEllipticNormal(ownWo, wide, bound, u.xy);
+  var h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
+  if (hasCoatNormals) {
+    h = toWorld(frame, h);
+  }
   let oh = max(dot(wo, h), 0.0);
   let p = partingOf(s, o, baseReflectance(s, o, oh));
   // What is left of u.z is uniform again.
@@ -3013,8 +3143,13 @@ fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
     let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
     met = select(reflected, beyond, crossing);
   }
-  let lost = !isSmooth & (crossing != (met.z < 0.0));
-  let weight = throughCover(o, abs(met.z), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
+  var lost = !isSmooth & (crossing != (met.z < 0.0));
+  if (hasCoatNormals) {
+    if (isCoat) {
+      lost = (dot(frame.normal, met) <= 0.0) | ((met.z < 0.0) & (s.eta.x < 0.0));
+    }
+  }
+  let weight = throughCover(o, abs(met.z), coatCosine(o.side, met), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
   var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
   drawn.pdf = select(drawn.pdf, 0.0, lost);
   if (!isFacet) {
@@ -3061,14 +3196,14 @@ fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
   return parting;
 }
 
-// What of the light between wo and a direction of cosine zi is left by coat and sheen. Light that crosses a solid's boundary meets them
-// once, outside.
-fn throughCover(o: Stack, zi: f32, crossing: bool) -> f32 {
+// What of the light between wo and another direction is left by coat and sheen; zi and coatZi: cosines of that one to the normals of base and
+// coat. Light that crosses a solid's boundary meets them once, outside.
+fn throughCover(o: Stack, zi: f32, coatZi: f32, crossing: bool) -> f32 {
   let l = o.layers;
   var left = 1.0;
   if (hasCoats) {
     let entersHere = o.inside & crossing;
-    left = 1.0 - select(o.coat, coatReflectance(l.coat, zi), entersHere);
+    left = 1.0 - select(o.coat, coatReflectance(l.coat, coatZi), entersHere);
   }
   if (hasSheen) {
     var sheen = o.sheen;
@@ -3138,35 +3273,51 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
   let l = o.layers;
   let wo = o.wo;
   let wi = vec3f(given.xy, given.z * o.side);
-  let crossing = hasTransmission & (wi.z < 0.0);
-  let dark = !hasTransmission & (wi.z < 0.0);
+  // Below the horizon there is light of what lets some through, and of coats with normals of their own.
+  let crossing = (hasTransmission | hasCoatNormals) & (wi.z < 0.0);
+  let dark = !(hasTransmission | hasCoatNormals) & (wi.z < 0.0);
   // Through a thin wall light goes as if it were reflected and then mirrored.
   let facing = vec3f(wi.xy, abs(wi.z));
   let zi = facing.z;
-  let under = throughCover(o, zi, crossing);
+  let under = throughCover(o, zi, coatCosine(o.side, wi), crossing);
   var sum = vec4f(0.0);
   var intoBody = 0.0;
   // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
   // whose length is known is written out by Windows' compiler.
   // Without coats in the scene, and without anything that light goes through, the base's facets are met alike and show it themselves.
   var isCoat = (hasCoats | hasTransmission) & ((o.coat > 0.0) | (s.metallic < 1.0));
+  // A coat may be bent towards what lies below the base's horizon; where light goes through that is the other side.
+  let coatEnds = crossing & !(hasCoatNormals & (s.eta.x >= 0.0));
   loop {
     let bends = hasTransmission & crossing & !isCoat & (l.solid > 0.0);
     let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
     let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
     let wide = max(alpha, vec2f(leastAlpha));
-    let met = select(facing, wi, bends);
+    let met = select(facing, wi, bends | (isCoat & !coatEnds));
     let m = wo + met * select(1.0, o.ratio, bends);
     let m2 = max(dot(m, m), 1e-20);
     let h = m * inverseSqrt(m2);
     let oh = dot(wo, h);
     let ih = dot(met, h);
-    let faces = (oh * h.z >= 0.0) & (ih * h.z * met.z >= 0.0);
-    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(h, wide), faces & !isSmooth);
-    let ownStretched = ellipticStretched(wo, wide);
-    let masked = zi / max(zi * ownStretched + wo.z * ellipticStretched(facing, wide), 1e-20);
-    let bound = select(ellipticBound(wo, wide), 1.0, hasTransmission & (l.solid > 0.0) & !isCoat);
-    let density = spread / (bound * wo.z + ownStretched);
+    // The same three in the frame of the layer whose facets are meant.
+    var ownWo = wo;
+    var ownWi = met;
+    var ownH = h;
+    if (hasCoatNormals) {
+      if (isCoat) {
+        let frame = basisAbout(coatNormal(o.side));
+        ownWo = toLocal(frame, wo);
+        ownWi = toLocal(frame, met);
+        ownH = toLocal(frame, h);
+      }
+    }
+    let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
+    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & !isSmooth);
+    let ownStretched = ellipticStretched(ownWo, wide);
+    let ownZi = abs(ownWi.z);
+    let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
+    let bound = select(ellipticBound(ownWo, wide), 1.0, hasTransmission & (l.solid > 0.0) & !isCoat);
+    let density = spread / (bound * ownWo.z + ownStretched);
     // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
     let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, hasTransmission & isCoat & o.inside));
     let p = partingOf(s, o, reflectance);
@@ -3179,8 +3330,8 @@ fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
     }
     if (isCoat) {
       intoBody = reflectance.a;
-      lobe = vec3f(select(o.coat, 0.0, crossing));
-      chosen = select(o.ofCoat, 0.0, crossing);
+      lobe = vec3f(select(o.coat, 0.0, coatEnds));
+      chosen = select(o.ofCoat, 0.0, coatEnds);
     }
     sum += vec4f(lobe * (spread * masked), chosen * density);
     if (!hasCoats) {
@@ -3654,23 +3805,11 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
   let row = i.cover & coverRow;
   let material = fetchMaterialTextures(row);
-  let share = vec3f(1.0 - weights.x - weights.y, weights);
-  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
-  var uv = vec4f(0.0);
-  var opacity = material.opacity;
-  if (i.vertexRows != 0u) {
-    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
-  }
-  if (i.vertexRows > vertexRows) {
-    let a = fetchVertexMore(rows.x + vertexRows);
-    let b = fetchVertexMore(rows.y + vertexRows);
-    let c = fetchVertexMore(rows.z + vertexRows);
-    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
-    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
-  }
+  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
+  var opacity = material.opacity * c.opacity;
   if ((material.flags & hasOpacityTexture) != 0u) {
     let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
   }
   let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
@@ -3727,8 +3866,6 @@ const isOneSided = 2147483648u;
 
 override hasCutouts = false;
 
-const coverRow = 2147483647u;
-
 // The axis comes last.
 fn turnedTo(axis: u32, v: vec3f) -> vec3f {
   return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
@@ -3767,8 +3904,6 @@ fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
 }
 
 const leaving = 0x8ffffffeu;
-
-const hasOpacityTexture = 2u;
 
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
 // GPU Rendering", JCGT 9(3), 2020.
