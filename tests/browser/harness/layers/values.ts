@@ -150,7 +150,7 @@ export async function probeLayersAlone(backend: Backend, seed: number): Promise<
     const materials = someLayers(random, 40)
       .map((m) => withOnly(m, kind))
       .filter((m) => isLayered(materialOf(m)));
-    const report = { ...newReport(), asked: 1024, examples: [] };
+    const report = { ...newReport(), asked: 512, examples: [] };
     await probe(device, materials, report, random, switchesOf(materials));
     reports.push(report);
   }
