@@ -1,5 +1,6 @@
 import {
   checkFilmSize,
+  DATA_COLUMNS,
   type DataBuffer,
   type Device,
   type DeviceCounts,
@@ -14,6 +15,7 @@ import {
   type Resource,
   type TableTexture,
   type UniformBuffer,
+  writeLines,
 } from '../device.ts';
 
 const FILM_FORMAT = 'rgba32float';
@@ -34,7 +36,10 @@ const READ_BYTES = 64 * 1024 * 1024;
 export interface WebGpuOptions {
   /** Default: the browser's; another such as Dawn's in Node. */
   readonly gpu?: GPU | undefined;
-  /** Whether passes compute that could draw too. Default: on GPUs; an adapter that is software draws as fast. */
+  /**
+   * Whether passes compute that could draw too, and data lie in storage buffers. Default: on GPUs; an adapter that is software draws as
+   * fast, and reads textures faster.
+   */
   readonly computes?: boolean | undefined;
 }
 
@@ -69,11 +74,15 @@ function switchesIn(wgsl: string, { switches = {} }: PassSource): Record<string,
   return Object.fromEntries(there.map(([name, on]) => [name, on ? 1 : 0]));
 }
 
-function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBindGroupLayoutDescriptor {
+/** `inBuffers`: whether data lie in storage buffers. */
+function layoutOf(
+  { label, bindings, compute, layers = 1 }: PassSource,
+  inBuffers: boolean,
+): GPUBindGroupLayoutDescriptor {
   const visibility = compute ? GPUShaderStage.COMPUTE : GPUShaderStage.FRAGMENT;
   const inputs: Omit<GPUBindGroupLayoutEntry, 'binding' | 'visibility'>[] = bindings.map((b) => {
     if ('block' in b) return { buffer: {} };
-    if ('data' in b) return { buffer: { type: 'read-only-storage' } };
+    if ('data' in b && inBuffers) return { buffer: { type: 'read-only-storage' } };
     return { texture: { sampleType: 'unfilterable-float' } };
   });
   if (compute) {
@@ -81,15 +90,24 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
     for (let i = 0; i < layers; i++) inputs.push({ storageTexture: { format: FILM_FORMAT } });
   }
   const entries: GPUBindGroupLayoutEntry[] = inputs.map((entry, binding) => ({ binding, visibility, ...entry }));
-  for (const binding of samplersOf(bindings)) entries.push({ binding, visibility, sampler: { type: 'non-filtering' } });
+  for (const binding of samplersOf(bindings, inBuffers))
+    entries.push({ binding, visibility, sampler: { type: 'non-filtering' } });
   return { label, entries };
 }
 
-const samplersOf = (bindings: readonly PassBinding[]): number[] =>
-  bindings.flatMap((b) => ('texture' in b && b.nearest !== undefined ? [b.nearest] : []));
+function samplersOf(bindings: readonly PassBinding[], inBuffers: boolean): ReadonlySet<number> {
+  const read = bindings.filter((b) => 'texture' in b || ('data' in b && !inBuffers));
+  return new Set(read.flatMap((b) => ('nearest' in b && b.nearest !== undefined ? [b.nearest] : [])));
+}
 
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
   film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
+
+const asSoftware = (source: PassSource): PassSource => ({
+  ...source,
+  compute: undefined,
+  wgsl: { ...source.wgsl, fragment: source.wgsl.sampled ?? source.wgsl.fragment },
+});
 
 class WebGpuDevice implements Device {
   readonly backend = 'webgpu';
@@ -129,8 +147,9 @@ class WebGpuDevice implements Device {
   }
 
   async createPass(given: PassSource): Promise<Pass> {
-    const source = this.#options.computes ? given : { ...given, compute: undefined };
-    const layout = this.#device.createBindGroupLayout(layoutOf(source));
+    const { computes } = this.#options;
+    const source = computes ? given : asSoftware(given);
+    const layout = this.#device.createBindGroupLayout(layoutOf(source, computes));
     this.counts.programsMade++;
     try {
       const pipeline = await (source.compute
@@ -223,12 +242,18 @@ class WebGpuDevice implements Device {
 
   checkData(rows: number, what: string): void {
     const size = rows * 16;
+    if (!this.#options.computes) {
+      const most = this.maxTextureSize * DATA_COLUMNS * 16;
+      if (size > most) throw noRoom(what, 'maxTextureSize', most, size);
+      return;
+    }
     for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
       if (size > this.#device.limits[limit]) throw noRoom(what, limit, this.#device.limits[limit], size);
   }
 
   createData(rows: number, what: string): DataBuffer {
     this.checkData(rows, what);
+    if (!this.#options.computes) return this.#dataTexture(rows);
     const size = rows * 16;
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
@@ -240,6 +265,25 @@ class WebGpuDevice implements Device {
         this.counts.buffers--;
         buffer.destroy();
       },
+    };
+    return data;
+  }
+
+  #dataTexture(rows: number): DataBuffer {
+    const lines = Math.ceil(rows / DATA_COLUMNS);
+    const base = this.#texture(DATA_COLUMNS, lines, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
+    const { texture, binding, destroy } = base;
+    const data: DataBuffer & GpuResource = {
+      rows,
+      binding,
+      write: (firstRow, words) =>
+        writeLines(firstRow, words, (x, y, width, height, part) =>
+          this.#device.queue.writeTexture({ texture, origin: [x, y] }, part, { bytesPerRow: width * 16 }, [
+            width,
+            height,
+          ]),
+        ),
+      destroy,
     };
     return data;
   }
@@ -296,7 +340,7 @@ class WebGpuDevice implements Device {
 
   #group({ label, bindings, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
     const entries = inputs.map((resource, binding) => ({ binding, resource }));
-    for (const binding of samplersOf(bindings)) {
+    for (const binding of samplersOf(bindings, this.#options.computes)) {
       this.#nearest ??= this.#device.createSampler({ label: 'nearest' });
       entries.push({ binding, resource: this.#nearest });
     }
