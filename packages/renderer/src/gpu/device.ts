@@ -40,8 +40,8 @@ export type PassBinding =
 export interface PassSource {
   readonly label: string;
   /**
-   * WGSL of the vertex and of the fragment entry; the same text when one module holds both. `sampled`: the fragment entry for devices that
-   * are software, where data are textures of floats that a sampler reads; needed if it reads data.
+   * WGSL of the vertex and of the fragment entry; the same text when one module holds both. `sampled`: the fragment entry for devices
+   * whose data are textures of floats that a sampler reads; needed if it reads data.
    */
   readonly wgsl: { readonly vertex: string; readonly fragment: string; readonly sampled?: string };
   readonly entries: { readonly vertex: string; readonly fragment: string };

@@ -528,7 +528,7 @@ struct LightNode {
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
-// How the scene table is read: table_texel.wesl; and, `sampled`, where WebGPU draws in software, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
 @group(0) @binding(15) var nearest: sampler;
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
@@ -919,7 +919,7 @@ fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
 
 // The same where programs draw, for a software rasteriser, which goes through both sides of every `if` and skips only loops and, where no
 // ray asks, fetches. So what happens among the instances stands outside of the loop over nodes and triangles, what a triangle changes is
-// selected, and the stack is read once a turn. All that was 1.7 times as fast; on a GPU the other one is.
+// selected, and the stack is read once a turn: docs/bvh.md. The other one is made for GPUs.
 fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
   var toLight = !(rays.most > 0.0);

@@ -108,7 +108,7 @@ fn texelRow(i: u32) -> vec4u {
 
 @group(0) @binding(6) var texels: texture_2d<f32>;
 
-// How the scene table is read: table_texel.wesl; and, `sampled`, where WebGPU draws in software, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
 @group(0) @binding(15) var nearest0: sampler;
 
 struct Frame {

@@ -36,11 +36,13 @@ const READ_BYTES = 64 * 1024 * 1024;
 export interface WebGpuOptions {
   /** Default: the browser's; another such as Dawn's in Node. */
   readonly gpu?: GPU | undefined;
-  /**
-   * Whether passes compute that could draw too, and data lie in storage buffers. Default: on GPUs; an adapter that is software draws as
-   * fast, and reads textures faster.
-   */
+  /** Whether passes compute that could draw too. Default: on GPUs; an adapter that is software draws as fast. */
   readonly computes?: boolean | undefined;
+  /**
+   * Whether data lie in textures of floats instead of storage buffers, for passes that draw. Default: on SwiftShader, which reads them faster
+   * and hands every bit through; other software may take small numbers for 0.
+   */
+  readonly samplesData?: boolean | undefined;
 }
 
 /** Opens a WebGPU device that presents on the canvas; null: on none. Throws `DeviceError` when there is none. */
@@ -60,7 +62,8 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null, options: WebG
     .requestDevice({ requiredLimits: { maxTextureDimension2D, maxStorageBufferBindingSize, maxBufferSize } })
     .catch(refuse('WebGPU gives no device'));
   const { computes = !adapter.info.isFallbackAdapter } = options;
-  return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes });
+  const { samplesData = !computes && adapter.info.architecture === 'swiftshader' } = options;
+  return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes, samplesData });
 }
 
 const browserGpu = (): GPU | undefined => (typeof navigator === 'undefined' ? undefined : navigator.gpu);
@@ -103,9 +106,8 @@ function samplersOf(bindings: readonly PassBinding[], inBuffers: boolean): Reado
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
   film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
 
-const asSoftware = (source: PassSource): PassSource => ({
+const asSampled = (source: PassSource): PassSource => ({
   ...source,
-  compute: undefined,
   wgsl: { ...source.wgsl, fragment: source.wgsl.sampled ?? source.wgsl.fragment },
 });
 
@@ -131,7 +133,7 @@ class WebGpuDevice implements Device {
     device: GPUDevice,
     canvas: HTMLCanvasElement | null,
     description: string,
-    options: { gpu: GPU; computes: boolean },
+    options: { gpu: GPU; computes: boolean; samplesData: boolean },
   ) {
     this.#options = options;
     this.#canvas = canvas;
@@ -147,9 +149,10 @@ class WebGpuDevice implements Device {
   }
 
   async createPass(given: PassSource): Promise<Pass> {
-    const { computes } = this.#options;
-    const source = computes ? given : asSoftware(given);
-    const layout = this.#device.createBindGroupLayout(layoutOf(source, computes));
+    const { computes, samplesData } = this.#options;
+    const drawn = computes ? given : { ...given, compute: undefined };
+    const source = samplesData ? asSampled(drawn) : drawn;
+    const layout = this.#device.createBindGroupLayout(layoutOf(source, !samplesData));
     this.counts.programsMade++;
     try {
       const pipeline = await (source.compute
@@ -242,7 +245,7 @@ class WebGpuDevice implements Device {
 
   checkData(rows: number, what: string): void {
     const size = rows * 16;
-    if (!this.#options.computes) {
+    if (this.#options.samplesData) {
       const most = this.maxTextureSize * DATA_COLUMNS * 16;
       if (size > most) throw noRoom(what, 'maxTextureSize', most, size);
       return;
@@ -253,7 +256,7 @@ class WebGpuDevice implements Device {
 
   createData(rows: number, what: string): DataBuffer {
     this.checkData(rows, what);
-    if (!this.#options.computes) return this.#dataTexture(rows);
+    if (this.#options.samplesData) return this.#dataTexture(rows);
     const size = rows * 16;
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
@@ -340,7 +343,7 @@ class WebGpuDevice implements Device {
 
   #group({ label, bindings, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
     const entries = inputs.map((resource, binding) => ({ binding, resource }));
-    for (const binding of samplersOf(bindings, this.#options.computes)) {
+    for (const binding of samplersOf(bindings, !this.#options.samplesData)) {
       this.#nearest ??= this.#device.createSampler({ label: 'nearest' });
       entries.push({ binding, resource: this.#nearest });
     }

@@ -546,7 +546,7 @@ struct Bounds {
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
-// How the scene table is read: table_texel.wesl; and, `sampled`, where WebGPU draws in software, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
 @group(0) @binding(15) var nearest: sampler;
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
