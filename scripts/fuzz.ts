@@ -3,15 +3,19 @@
  * `npm run fuzz -- --scenes 10000 --seed 1` takes WebGPU and WebGL2 of a headless Chromium; `--backend webgpu` only one, `--backend dawn`
  * this machine's GPU without a browser. `--first 5000` begins later. Bad scenes go to `--keep` (test-results/fuzz), as they were
  * drawn and with all left out that can be.
+ *
+ * `npm run fuzz -- --files 20000 --seed 1` breaks files of all kinds instead and opens them: see fuzz/break-files.ts.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { keepScene } from '../tests/browser/kept-scenes.ts';
+import { breakFiles } from './fuzz/break-files.ts';
 import { FUZZ_BACKENDS, type FuzzBackend, openFuzzer } from './fuzz/fuzzers.ts';
 
 const { values } = parseArgs({
   options: {
+    files: { type: 'string' },
     scenes: { type: 'string', default: '1000' },
     first: { type: 'string', default: '0' },
     seed: { type: 'string', default: '1' },
@@ -19,7 +23,7 @@ const { values } = parseArgs({
     keep: { type: 'string', default: 'test-results/fuzz' },
   },
 });
-function whole(name: 'scenes' | 'first' | 'seed'): number {
+function whole(name: 'files' | 'scenes' | 'first' | 'seed'): number {
   const number = Number(values[name]);
   if (!Number.isInteger(number) || number < 0)
     throw new Error(`--${name} is ${values[name]}, and has to be a whole number.`);
@@ -65,6 +69,10 @@ async function fuzz(backend: FuzzBackend): Promise<number> {
   return bad;
 }
 
+if (values.files !== undefined) {
+  const found = await breakFiles(whole('files'), first, seed, join(values.keep, 'files'));
+  process.exit(found > 0 ? 1 : 0);
+}
 let bad = 0;
 for (const backend of backends) bad += await fuzz(backend);
 process.exit(bad > 0 ? 1 : 0); // Dawn keeps threads

@@ -91,9 +91,15 @@ const PARTS = [
   },
   {
     name: 'mesh-files',
-    importer: join(source, 'open/mesh-scene.ts'),
+    importer: join(source, 'mesh-model/mesh-scene.ts'),
     asked: '../mesh-file/mesh-file.ts',
     entry: join(source, 'mesh-file/mesh-file.ts'),
+  },
+  {
+    name: 'mesh-models',
+    importer: join(source, 'scene-file/load-models.ts'),
+    asked: '../mesh-model/mesh-scene.ts',
+    entry: join(source, 'mesh-model/mesh-scene.ts'),
   },
   {
     name: 'gltf',

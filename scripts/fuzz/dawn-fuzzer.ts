@@ -1,18 +1,8 @@
-import { fileURLToPath } from 'node:url';
-import { createServer } from 'vite';
 import type { Fuzzer } from './fuzzers.ts';
+import { viteServer } from './vite-server.ts';
 
-/** Vite brings the shaders, which Node alone cannot import. */
 export async function openDawnFuzzer(): Promise<Fuzzer> {
-  const root = fileURLToPath(new URL('../..', import.meta.url));
-  const server = await createServer({
-    root,
-    configFile: false,
-    logLevel: 'warn',
-    appType: 'custom',
-    server: { middlewareMode: true, ws: false },
-    optimizeDeps: { noDiscovery: true },
-  });
+  const server = await viteServer();
   const { openDawnTracer } = (await server.ssrLoadModule(
     '/scripts/fuzz/dawn-tracer.ts',
   )) as typeof import('./dawn-tracer.ts');

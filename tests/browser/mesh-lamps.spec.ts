@@ -2,7 +2,16 @@ import type { Page } from '@playwright/test';
 import { IDENTITY, transformPoint } from '../../packages/renderer/src/scene/affine.ts';
 import type { Mesh } from '../../packages/renderer/src/scene/mesh.ts';
 import { meshMatrices } from '../../packages/renderer/src/scene/placed.ts';
-import type { Camera, Light, MeshShape, Quad, Scene, Shape, Vec3 } from '../../packages/renderer/src/scene/scene.ts';
+import type {
+  Camera,
+  Light,
+  Material,
+  MeshShape,
+  Quad,
+  Scene,
+  Shape,
+  Vec3,
+} from '../../packages/renderer/src/scene/scene.ts';
 import { dot, length, normalize, scale, subtract } from '../../packages/renderer/src/scene/vec3.ts';
 import { polygonIrradiance } from '../fixtures/lights/closed-forms.ts';
 import { meshLamp, unevenSquare } from '../fixtures/lights/mesh-cases.ts';
@@ -64,7 +73,93 @@ const roomWith = (lamp: Shape, mesh?: Mesh): Scene =>
     },
   );
 
+/** Linear greys and alphas of 4 × 4 texels; most of them are dark. */
+const FIELDS = { greys: [0, 0, 255, 0, 0, 60, 0, 0, 0, 0, 0, 200, 120, 0, 0, 0], alphas: [255, 0, 255, 255, 128, 90, 255, 0, 255, 255, 60, 220, 255, 128, 0, 255] }; // biome-ignore format: rows of four
+const linear = (byte: number): number =>
+  byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4;
+
+/** A square meter whose second coordinates run over it: of its picture, turned by 90° and moved by a texel, one and a half are on it. */
+const fieldMesh = (): Mesh => {
+  const square = unevenSquare(12);
+  const at = (i: number) => square.positions[3 * (i >> 1) + (i % 2)]!;
+  const uv = Float32Array.from({ length: (2 * square.positions.length) / 3 }, (_, i) => at(i));
+  return { ...square, uvs: [new Float32Array(uv.length), uv] };
+};
+const use = { texture: 'fields', uvSet: 1, offset: [0.25, 1], rotation: 90, scale: [1, 1.5] } as const;
+
+/** What of the lamp there is at a place of the square, and what of that shines. */
+const fieldAt = (x: number, y: number) => {
+  const wrap = (u: number) => u - Math.floor(u);
+  const texel = 4 * Math.floor(4 * wrap(1 - x)) + Math.floor(4 * wrap(0.25 + 1.5 * y));
+  return { light: linear(FIELDS.greys[texel]!), alpha: FIELDS.alphas[texel]! / 255 };
+};
+
+const fieldScene = (material: Partial<Material>, at: Vec3): Scene => ({
+  ...testScene(
+    { floor, lamp: meshLamp({ translation: [-0.5, 1.5, 0.5], rotation: [-90, 0, 0] }) },
+    {},
+    {
+      camera: lookingAt(at),
+      materials: { ...materials, glow: testMaterial({ baseColor: [0, 0, 0], ...material }) },
+      render: DIRECT,
+      meshes: { lamp: { data: fieldMesh() } } as unknown as NonNullable<Scene['meshes']>,
+    },
+  ),
+  images: { fields: { data: { width: 4, height: 4, rgba: Uint8Array.from(FIELDS.greys.flatMap((grey, k) => [grey, grey, grey, FIELDS.alphas[k]!])) } } }, // biome-ignore format: an image
+  textures: { fields: { image: 'fields', filter: 'nearest' } },
+});
+
+/** Radiance of the white floor below fields of 1/24 m, each as bright as its middle: texels end where they do. */
+function underFields(at: Vec3, share: (alpha: number) => number): number {
+  const side = 24;
+  let sum = 0;
+  for (let j = 0; j < side; j++)
+    for (let i = 0; i < side; i++) {
+      const { light, alpha } = fieldAt((i + 0.5) / side, (j + 0.5) / side);
+      if (light * share(alpha) === 0) continue;
+      // The lamp's y runs to −z.
+      const corner = (x: number, y: number): Vec3 => subtract([-0.5 + (i + x) / side, 1.5, 0.5 - (j + y) / side], at);
+      const irradiance = polygonIrradiance([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)], [0, 1, 0]);
+      sum += (light * share(alpha) * Math.abs(irradiance)) / Math.PI;
+    }
+  return sum;
+}
+
 for (const backend of backends) {
+  test(`${backend}: a lamp that a texture varies, with holes or without, gives Lambert's formula for its fields, with less noise than by chance (${seeds})`, async ({
+    harness,
+  }) => {
+    const at: Vec3 = [0.2, 0, 0.1];
+    const lamp = { emission: [1, 1, 1], emissionTexture: use } as const;
+    const holes = { baseColorTexture: use };
+    // Each kind of hole on one backend.
+    const withHoles: readonly [Partial<Material>, (alpha: number) => number] =
+      backend === 'webgpu'
+        ? [{ ...lamp, ...holes, alphaMode: 'mask', alphaCutoff: 0.6 }, (alpha) => (alpha >= 0.6 ? 1 : 0)]
+        : [{ ...lamp, ...holes, alphaMode: 'blend', opacity: 0.7 }, (alpha) => 0.7 * alpha];
+    const cases = [[lamp, () => 1], withHoles] as const;
+    let plain = 0;
+    for (const [material, share] of cases) {
+      const exact = underFields(at, share);
+      const { mean, error } = await red(harness, backend, fieldScene(material, at), 8);
+      plain ||= error;
+      expect.soft(error / exact, 'noise').toBeLessThan(0.004);
+      expect
+        .soft(Math.abs(mean - exact), `${mean} for ${exact}, in standard errors of ${error}`)
+        .toBeLessThan(3.5 * error);
+    }
+    if (backend === 'webgpu') return;
+    // Unlit surfaces shine alike, and only rays find them.
+    const found = await red(
+      harness,
+      backend,
+      fieldScene({ unlit: true, baseColor: [1, 1, 1], baseColorTexture: use }, at),
+      8,
+    );
+    expect(Math.abs(found.mean - underFields(at, () => 1))).toBeLessThan(3.5 * found.error);
+    expect((found.error / plain) ** 2, 'variance by chance').toBeGreaterThan(10);
+  });
+
   test(`${backend}: a quad that shines is the same as a mesh of 2 triangles, and of 2048 (${seeds})`, async ({
     harness,
   }) => {

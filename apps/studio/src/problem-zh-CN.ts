@@ -67,6 +67,10 @@ const allowedForms: readonly Form[] = [
     (what, endings, last, models) =>
       `${{ triangles: '三角形网格', 'an image': '图片', 'a model': '模型' }[what]}的文件名（${endings.replaceAll(', ', '、')} 或 ${last}），路径相对于场景所在的文件夹，用 "/" 分隔${models === '' ? '' : '（.glb 和 .gltf 请写在 "models" 里）'}`,
   ],
+  [
+    /^the name of a material; a mesh that is all of a file/,
+    () => '材质的名称；只有取用整个文件、只放置一次且不用矩阵放置的网格，才可省略而使用文件自带的材质',
+  ],
   [/: the name of its file, or an object with (.*)$/, (name) => `文件名，或含有 ${name} 的对象`],
   [
     /^a texture: its name, the name of an image or of its file, or an object with (.*)$/,

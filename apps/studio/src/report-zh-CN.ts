@@ -50,9 +50,13 @@ const forms: readonly Form[] = [
   [/^A morph target bends normals that its mesh does not have\.$/, () => '有变形目标改变法线，但网格没有法线。'],
   [/^Several files could be opened; this is (".*")\. The others are left out: (.*)\.$/, (file, others) => `有多个文件可以打开，当前显示 ${file}，其余未打开：${others}。`], // biome-ignore format: one line each
   [/^The file of materials (".*") cannot be read, so that what it describes is grey: .*$/, (file) => `找不到材质文件 ${file}，其描述的材质显示为灰色。请把它和模型一起打开。`], // biome-ignore format: one line each
+  [
+    /^The materials are those of (".*"), which is called like the model\.$/,
+    (file) => `材质取自与模型同名的文件 ${file}。`,
+  ],
   [/^No file describes the material (".*"); it is grey\.$/, (name) => `没有文件描述材质 ${name}，显示为灰色。`],
   [/^Nothing is made of (.*) of the material (".*")\.$/, (words, name) => `材质 ${name} 的 ${words} 未被采用。`],
-  [/^The image (".*") cannot be read, so that what it covers is plain: .*$/, (file) => `找不到图像 ${file}，用到它的表面没有贴图。请把它和模型一起打开。`], // biome-ignore format: one line each
+  [/^The image (".*") cannot be read, so that what it covers is plain: .*$/, (file) => `无法读取图像 ${file}，用到它的表面没有贴图。请确认它完好，并和模型一起打开。`], // biome-ignore format: one line each
   [/^The material (".*") has textures, and its triangles have no texture coordinates\.$/, (name) => `材质 ${name} 有贴图，但它的三角形没有纹理坐标。`], // biome-ignore format: one line each
   [/^The same is true of (\d+) more materials\.$/, (count) => `还有 ${count} 种材质也是如此。`],
   [/^Nothing is made of its lines (.*)\.$/, (lines) => `文件中的 ${lines} 行未被采用。`],

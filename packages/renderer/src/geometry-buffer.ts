@@ -11,6 +11,9 @@ interface HeldMesh {
   revision: number;
 }
 
+/** So many rows are written at once sooner than in two pieces. */
+const FEW_ROWS = 1024;
+
 const equal = <T>(a: readonly T[], b: readonly T[]): boolean => a.length === b.length && a.every((x, i) => x === b[i]);
 
 export class GeometryBuffer {
@@ -73,9 +76,12 @@ export class GeometryBuffer {
     const write = (begin: number, end: number) => {
       if (end > begin) this.#buffer!.write(begin, moving.u32.subarray(begin * GEOMETRY_ROW, end * GEOMETRY_ROW));
     };
-    write(0, treeRows);
-    if (held === revision - 1) write(...changedInstances);
-    else if (instanceCount > 0) write(instances, movingRows);
+    if (movingRows <= FEW_ROWS) write(0, movingRows);
+    else {
+      write(0, treeRows);
+      if (held === revision - 1) write(...changedInstances);
+      else if (instanceCount > 0) write(instances, movingRows);
+    }
     this.#moving = { geometry, revision };
   }
 

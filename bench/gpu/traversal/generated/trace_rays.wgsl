@@ -259,23 +259,11 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
   let row = i.cover & coverRow;
   let material = fetchMaterialTextures(row);
-  let share = vec3f(1.0 - weights.x - weights.y, weights);
-  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
-  var uv = vec4f(0.0);
-  var opacity = material.opacity;
-  if (i.vertexRows != 0u) {
-    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
-  }
-  if (i.vertexRows > vertexRows) {
-    let a = fetchVertexMore(rows.x + vertexRows);
-    let b = fetchVertexMore(rows.y + vertexRows);
-    let c = fetchVertexMore(rows.z + vertexRows);
-    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
-    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
-  }
+  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
+  var opacity = material.opacity * c.opacity;
   if ((material.flags & hasOpacityTexture) != 0u) {
     let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
   }
   let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
@@ -447,7 +435,23 @@ fn fetchMaterialTextures(row: u32) -> MaterialTextures {
   return MaterialTextures(r0.x, r0.y, bitcast<f32>(r0.z), bitcast<f32>(r0.w));
 }
 
-const vertexRows = 1u;
+// `rows`: of its three vertices, which are `each` rows long. `weights`: of the second and third.
+fn coverAt(rows: vec3u, each: u32, weights: vec2f) -> Cover {
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  var c = Cover(vec4f(0.0), 1.0);
+  if (each != 0u) {
+    c.uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (each > vertexRows) {
+    let more = rows + vertexRows;
+    let a = fetchVertexMore(more.x);
+    let b = fetchVertexMore(more.y);
+    let d = fetchVertexMore(more.z);
+    c.uv = vec4f(c.uv.xy, share.x * a.uv + share.y * b.uv + share.z * d.uv);
+    c.opacity = dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(d.blueAlpha).y));
+  }
+  return c;
+}
 
 const hasOpacityTexture = 2u;
 
@@ -463,41 +467,6 @@ fn pcg(x: u32) -> u32 {
   let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
   return (w >> 22u) ^ w;
 }
-
-fn fetchVertex(row: u32) -> Vertex {
-  let r0 = geometryRow(row + 0u);
-  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
-}
-
-struct Vertex {
-  // shading normal, octahedral, 16 bits each
-  normal: u32,
-  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
-  tangent: u32,
-  // texture coordinates of set 0
-  uv: vec2f,
-}
-
-
-fn fetchVertexMore(row: u32) -> VertexMore {
-  let r0 = geometryRow(row + 0u);
-  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
-}
-
-// Two numbers of 16 bits.
-fn pairOf(word: u32) -> vec2f {
-  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
-}
-
-struct VertexMore {
-  // linear colour, 16 bits each
-  redGreen: u32,
-  // and opacity
-  blueAlpha: u32,
-  // texture coordinates of set 1
-  uv: vec2f,
-}
-
 
 fn fetchTextureUse(row: u32) -> TextureUse {
   let r0 = texelRow(row + 0u);
@@ -612,6 +581,50 @@ struct MaterialTextures {
   opacity: f32,
   // opacity below which it is not there; negative: it is there as often as the opacity says
   cutoff: f32,
+}
+
+
+// What the vertices of a triangle say at a point of it: both sets of coordinates, and opacity.
+struct Cover {
+  uv: vec4f,
+  opacity: f32,
+}
+
+
+const vertexRows = 1u;
+
+fn fetchVertex(row: u32) -> Vertex {
+  let r0 = geometryRow(row + 0u);
+  return Vertex(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+struct Vertex {
+  // shading normal, octahedral, 16 bits each
+  normal: u32,
+  // likewise; of the second number the lowest bit is 1 where the bitangent is -cross(normal, tangent)
+  tangent: u32,
+  // texture coordinates of set 0
+  uv: vec2f,
+}
+
+
+fn fetchVertexMore(row: u32) -> VertexMore {
+  let r0 = geometryRow(row + 0u);
+  return VertexMore(r0.x, r0.y, bitcast<vec2f>(r0.zw));
+}
+
+// Two numbers of 16 bits.
+fn pairOf(word: u32) -> vec2f {
+  return vec2f(f32(word & 0xffffu), f32(word >> 16u)) / 65535.0;
+}
+
+struct VertexMore {
+  // linear colour, 16 bits each
+  redGreen: u32,
+  // and opacity
+  blueAlpha: u32,
+  // texture coordinates of set 1
+  uv: vec2f,
 }
 
 

@@ -5,6 +5,7 @@ import type { Camera, Light, Material } from '../scene/scene.ts';
 import { quote } from '../scene-file/problem.ts';
 import { floatsOf } from './accessors.ts';
 import { extensionOf, lightsOf } from './json.ts';
+import { GLTF_LIMITS } from './limits.ts';
 import {
   cameraTargets,
   DEFAULTS,
@@ -213,9 +214,14 @@ export class ClipReader {
     const known = this.#floats.get(accessor);
     if (known !== undefined) return known;
     const floats = floatsOf(this.#reading.columns[accessor]!);
-    const bad = floats.findIndex((value) => !Number.isFinite(value));
+    const bad = floats.findIndex((value) => !(Math.abs(value) <= GLTF_LIMITS.farthest));
     if (bad >= 0)
-      addProblem(this.#reading.problems, ['accessors', accessor], `the number ${floats[bad]}`, 'finite numbers');
+      addProblem(
+        this.#reading.problems,
+        ['accessors', accessor],
+        `the number ${floats[bad]}`,
+        'numbers from -1e9 to 1e9',
+      );
     this.#floats.set(accessor, bad >= 0 ? null : floats);
     return bad >= 0 ? null : floats;
   }

@@ -90,6 +90,27 @@ const BROKEN: readonly (readonly [string, (file: GltfFile) => void, string, stri
     '1e9',
   ],
   [
+    'a node farther than any scene',
+    (f) => Object.assign(f.json.nodes[0], { translation: [0, 1e300, 0] }),
+    '/nodes/0/translation/1',
+    'from -1000000000 to 1000000000',
+  ],
+  [
+    'nodes that enlarge each other',
+    (f) => {
+      Object.assign(f.json.nodes[0], { scale: [1e9, 1e9, 1e9], children: [1] });
+      f.json.nodes.push({ scale: [1e9, 1e9, 1e9], mesh: 0 });
+    },
+    '/nodes',
+    'farther than 1e9 metres',
+  ],
+  [
+    'texture coordinates without end',
+    (f) => Object.assign(primitive(f).attributes, { TEXCOORD_0: f.floats('VEC2', 0, 0, 1e30, 0, 0, 1) }),
+    '/accessors/2',
+    '1e9',
+  ],
+  [
     'a thousand million vertices without content',
     (f) =>
       Object.assign(primitive(f).attributes, {

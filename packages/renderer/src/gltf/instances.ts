@@ -2,6 +2,7 @@
 import { AFFINE_LENGTH, composeAffine } from '../scene/affine.ts';
 import { floatsOf } from './accessors.ts';
 import { extensionOf } from './json.ts';
+import { GLTF_LIMITS } from './limits.ts';
 import { addProblem } from './problems.ts';
 import type { Reading } from './reading.ts';
 
@@ -25,8 +26,13 @@ export function readInstances(reading: Reading, node: number): Float32Array | un
   const [t, r, s] = [numbers('TRANSLATION', [0, 0, 0]), numbers('ROTATION', [0, 0, 0, 1]), numbers('SCALE', [1, 1, 1])];
   const out = new Float32Array(count * AFFINE_LENGTH);
   for (let i = 0; i < count; i++) composeAffine(out, i * AFFINE_LENGTH, t, 3 * i, r, 4 * i, s, 3 * i);
-  const bad = out.findIndex((value) => !Number.isFinite(value));
+  const bad = out.findIndex((value) => !(Math.abs(value) <= GLTF_LIMITS.farthest));
   if (bad < 0) return out;
-  addProblem(problems, path, `no number in instance ${Math.floor(bad / AFFINE_LENGTH)}`, 'finite numbers');
+  addProblem(
+    problems,
+    path,
+    `the number ${out[bad]} in instance ${Math.floor(bad / AFFINE_LENGTH)}`,
+    'places from -1e9 to 1e9',
+  );
   return undefined;
 }

@@ -2,6 +2,7 @@
 import { countsOf } from '../scene/counts.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import type { Scene } from '../scene/scene.ts';
+import { boundsAt } from '../scene/scene-bounds.ts';
 import { ProblemList } from '../scene-file/problem.ts';
 import { readAccessors } from './accessors.ts';
 import { assemble } from './assemble.ts';
@@ -14,6 +15,7 @@ import { readContainer } from './container.ts';
 import { defaultDecoder } from './images/decoder.ts';
 import type { Gltf } from './json.ts';
 import { readLights } from './lights.ts';
+import { GLTF_LIMITS } from './limits.ts';
 import { texturesNamedBy } from './materials.ts';
 import { readNodes } from './nodes.ts';
 import { addProblem } from './problems.ts';
@@ -94,7 +96,7 @@ async function read(
   sure(json);
   reportUnused(reading, { materials: shapes.materials, skins, meshes: meshesShown(reading, nodes) });
   const name = json.scenes?.[json.scene ?? 0]?.name;
-  return assemble(
+  const scene = assemble(
     {
       ...shapes,
       name: options.name ?? (name || 'model'),
@@ -108,6 +110,17 @@ async function read(
     },
     options,
   );
+  checkReach(scene, problems);
+  return sure(scene);
+}
+
+/** Nodes may enlarge and move what is small and near: farther out than numbers of 32 bits can tell, squared, nothing can be traced. */
+function checkReach(scene: Scene, problems: ProblemList): void {
+  const bounds = boundsAt(scene, 0);
+  const farthest = bounds && Math.max(...[...bounds.min, ...bounds.max].map(Math.abs));
+  // What is no number is beyond too.
+  if (farthest === null || farthest <= GLTF_LIMITS.farthest) return;
+  addProblem(problems, ['nodes'], 'nodes that carry things farther than 1e9 metres from the origin', 'things within 1e9 metres of it'); // biome-ignore format: one problem
 }
 
 /** Adds a problem for each file of an image that cannot be read. */

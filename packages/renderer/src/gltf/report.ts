@@ -1,7 +1,8 @@
 /** What of a file was not taken as it stands: nothing is left out in silence. */
 import type { SceneCounts } from '../scene/counts.ts';
 import { formatPointer } from '../scene/pointer.ts';
-import type { Path } from '../scene-file/problem.ts';
+
+import { clip, type Path, visible } from '../scene-file/problem.ts';
 
 export interface ReportEntry {
   /** `unsupported`: left out. `changed`: taken in another form. `unused`: in the file, but nothing of the scene shown uses it. */
@@ -23,6 +24,7 @@ export interface ImportReport {
 }
 
 export const MOST_PLACES = 20;
+const MOST_LETTERS = 1000;
 
 /** Collects entries; what is said of several places is one entry. */
 export class ReportList {
@@ -31,7 +33,9 @@ export class ReportList {
     { kind: ReportEntry['kind']; what: string; message: string; places: string[]; count: number }
   >();
 
-  add(kind: ReportEntry['kind'], what: string, path: Path, message: string): void {
+  /** `said`: may have names of the file in it as they are. */
+  add(kind: ReportEntry['kind'], what: string, path: Path, said: string): void {
+    const message = clip(visible(said), MOST_LETTERS);
     const key = `${kind} ${what} ${message}`;
     let entry = this.#entries.get(key);
     if (entry === undefined) {

@@ -2,6 +2,7 @@
 
 import { AFFINE_LENGTH } from '../scene/affine.ts';
 import type { Skin } from '../scene/nodes.ts';
+import { GLTF_LIMITS } from './limits.ts';
 import { type NodesInScene, rowsOf } from './nodes.ts';
 import { addProblem } from './problems.ts';
 import { NamedThings, type Reading } from './reading.ts';
@@ -28,13 +29,13 @@ function readMatrices({ columns, problems }: Reading, accessor: number, count: n
   const { numbers } = columns[accessor]!;
   const matrices = new Float32Array(count * AFFINE_LENGTH);
   for (let joint = 0; joint < count; joint++) matrices.set(rowsOf(numbers, joint * 16), joint * AFFINE_LENGTH);
-  const bad = matrices.findIndex((value) => !Number.isFinite(value));
+  const bad = matrices.findIndex((value) => !(Math.abs(value) <= GLTF_LIMITS.farthest));
   if (bad < 0) return matrices;
   addProblem(
     problems,
     ['accessors', accessor],
     `the number ${matrices[bad]} in element ${Math.floor(bad / AFFINE_LENGTH)}`,
-    'finite numbers',
+    'numbers from -1e9 to 1e9',
   );
   return null;
 }

@@ -17,8 +17,14 @@ const withJpeg: ImageDecoder = {
       throw new Error('it has too few bytes for as many pixels as it claims');
     const { decode } = await import('jpeg-js');
     const options = { useTArray: true, formatAsRGBA: true, tolerantDecoding: false, ...JPEG_LIMITS } as const;
-    const { width, height, data } = decode(bytes, options);
-    return { width, height, rgba: data };
+    try {
+      const { width, height, data } = decode(bytes, options);
+      return { width, height, rgba: data };
+    } catch (error) {
+      // It stumbles over what is not there, and says so in words of its code.
+      const says = error instanceof Error && !(error instanceof TypeError || error instanceof RangeError);
+      throw new Error(says ? error.message : 'it is damaged', { cause: error });
+    }
   },
 };
 

@@ -117,7 +117,7 @@ test('what no reader knows, by name or by what is in it', () => {
   }
 });
 
-const MTL = encode('newmtl a\nKd 0.5 0.25 0.1\nKs 0.5 0.5 0.5\nNs 100\nd 1\nillum 2\nnewmtl b\nPr 0.3\nPm 1\nKe 1 2 3\nNi 1.5\nTf 1 1 1\nmap_Kd -s 1 1 1 a.png\n'); // biome-ignore format: long
+const MTL = encode('newmtl a\nKd 0.5 0.25 0.1\nKs 0.5 0.5 0.5\nNs 100\nd 1\nillum 2\nnewmtl b\nPr 0.3\nPm 1\nKe 1 2 3\nNi 1.5\nTf 1 1 1\nmap_Kd -s 1 1 1 a.png\nmap_d b.png\nbump -bm 0.5 -mm 0 1 -clamp on c.png\nmap_Pm -imfchan r d.png\n'); // biome-ignore format: long
 test('materials, cut off and changed: what is read of them a scene can have (seed 84)', () => {
   const random = seededRandom(84);
   const camera = { eye: [0, 0, 5], target: [0, 0, 0] };
@@ -133,7 +133,10 @@ test('materials, cut off and changed: what is read of them a scene can have (see
     good++;
     // Names are the file's; what a scene may call its materials is another matter.
     const materials = Object.fromEntries(Object.values(file.materials).map((material, k) => [`m${k}`, material]));
-    expect(parseScene({ version: 1, name: 'm', camera, lights, materials })).toMatchObject({ ok: true });
+    const images = Object.fromEntries(Object.keys(file.images).map((name) => [name, { file: 'a.png' }]));
+    const { textures } = file;
+    const scene = { version: 1, name: 'm', camera, lights, materials, textures, images };
+    expect(parseScene(scene)).toMatchObject({ ok: true });
   }
   expect(good).toBeGreaterThan(200);
 });

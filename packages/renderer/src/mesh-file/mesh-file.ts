@@ -6,6 +6,7 @@ import { readPly } from './ply/read-ply.ts';
 import { readStl } from './stl/read-stl.ts';
 
 // With the meshes' readers, as both are loaded when they are needed.
+export { type MadeImage, makeImage, sizeOf, sourcesOf } from './obj/made-images.ts';
 export { readMtl } from './obj/read-mtl.ts';
 
 /** A part of a file with one material. */

@@ -1,5 +1,7 @@
 /** Files that come together: dropped on a page, chosen in a dialog, in a zip archive. Known by their paths, of which none may be trusted. */
 
+import { clip, visible } from '../scene-file/problem.ts';
+
 export interface GivenFile {
   /** With "/" or "\" between names; a browser gives no more than the name unless a whole folder comes. */
   readonly path: string;
@@ -46,7 +48,9 @@ export class FileSet {
       if (found && more.length === 0) return found;
       if (found) throw new Error(`there are ${more.length + 1} files of this name, and none at this place`);
     }
-    throw new Error(`it is missing: open ${last} together with ${nameOf(from)}`);
+    throw new Error(
+      `it is missing: open ${clip(visible(last), 200)} together with ${clip(visible(nameOf(from)), 200)}`,
+    );
   }
 
   /** `beside`, and its content. */

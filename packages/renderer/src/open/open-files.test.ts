@@ -92,8 +92,56 @@ test('textures of an .mtl file are read, normal maps get tangents; what is not t
   expect(scene.materials.b!.baseColorTexture).toBeUndefined();
   const told = report.entries.map(({ message }) => message);
   expect(told).toHaveLength(2);
-  expect(told[0]).toMatch(/^The image "m\/away.png" cannot be read, so that what it covers is plain: /);
-  expect(told[1]).toBe('The material "b" has textures, and its triangles have no texture coordinates.');
+  expect(told[1]).toMatch(/^The image "m\/away.png" cannot be read, so that what it covers is plain: /);
+  expect(told[0]).toBe('The material "b" has textures, and its triangles have no texture coordinates.');
+});
+
+const TRIANGLE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n';
+
+test('images that are made: opacity into the alpha of colours, metallic without roughness; a damaged one is told', async () => {
+  const grey = encode({ width: 2, height: 1, data: new Uint8Array([0, 128]), channels: 1 });
+  const obj = `mtllib q.mtl\n${TRIANGLE}usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 2/2\nusemtl c\nf 1/1 3/3 2/2\n`;
+  const mtl = 'newmtl a\nmap_Kd c.png\nmap_d g.png\nnewmtl b\nmap_Pm g.png\nnewmtl c\nmap_Pm bad.png\nmap_Kd c.png';
+  const { scene, report } = good(
+    await open({ 'q.obj': obj, 'q.mtl': mtl, 'c.png': pixel(), 'g.png': grey, 'bad.png': 'x' }),
+  );
+  const pixels = (texture: string) => [...scene.images![scene.textures![texture]!.image]!.data!.rgba];
+  expect(pixels(scene.materials.a!.baseColorTexture!.texture)).toEqual([255, 255, 255, 0, 255, 255, 255, 128]);
+  expect(pixels(scene.materials.b!.metallicRoughnessTexture!.texture)).toEqual([255, 255, 0, 255, 255, 255, 128, 255]);
+  expect(scene.materials.c).toMatchObject({ metallic: 0, baseColorTexture: { texture: 'c.png' } });
+  expect(report.entries.map(({ message }) => message)).toEqual([
+    'The image "bad.png" cannot be read, so that what it covers is plain: it is no image.',
+  ]);
+  expect(Object.keys(scene.images!)).not.toContain('g.png');
+});
+
+const utf16 = (text: string, littleEndian: boolean) => {
+  const view = new DataView(new ArrayBuffer(2 + 2 * text.length));
+  for (const [k, letter] of [...`\ufeff${text}`].entries()) view.setUint16(2 * k, letter.charCodeAt(0), littleEndian);
+  return new Uint8Array(view.buffer);
+};
+
+test.each([
+  ['UTF-16, either order of bytes', { 'cube.obj': utf16(OBJ, true), 'cube.mtl': utf16(MTL, false) }],
+  ['UTF-8 with its mark', { 'cube.obj': `\ufeff${OBJ}`, 'cube.mtl': `\ufeff${MTL}` }],
+  ['a path of another machine', { 'cube.obj': OBJ.replace('cube.mtl', 'C:\\work\\my files\\cube.mtl'), 'cube.mtl': MTL }],
+  ['back slashes and quotes', { 'cube.obj': OBJ.replace('cube.mtl', '".\\m\\my cube.mtl"'), 'm/my cube.mtl': MTL }],
+  ['several files, in one line and in two', { 'cube.obj': `mtllib a.mtl b c.mtl\n${OBJ}`, 'a.mtl': 'newmtl z', 'b c.mtl': 'newmtl red\nKd 1 0 0', 'cube.mtl': 'newmtl blue\nKd 0 0 1' }],
+  ['faces before any mtllib', { 'cube.obj': `${OBJ.replace('mtllib cube.mtl\n', '')}mtllib cube.mtl`, 'cube.mtl': MTL }],
+  ['lines that go on, and numbers that count back', { 'cube.obj': OBJ.replace('f 1 2 3', 'f -4 \\\n -3 -2'), 'cube.mtl': MTL }],
+])('materials of an .obj file: %s', async (_, files) => {
+  const { scene, report } = good(await open(files));
+  expect(scene.materials.red!.baseColor).toEqual([1, 0, 0]);
+  expect(scene.materials.blue!.baseColor).toEqual([0, 0, 1]);
+  expect(report.entries).toEqual([]);
+}); // biome-ignore format: table
+
+test('a file of materials that is called like the model stands in for one that is not there', async () => {
+  const { scene, report } = good(await open({ 'x.obj': OBJ, 'x.mtl': MTL }));
+  expect(scene.materials.red!.baseColor).toEqual([1, 0, 0]);
+  expect(report.entries.map(({ message }) => message)[1]).toBe(
+    'The materials are those of "x.mtl", which is called like the model.',
+  );
 });
 
 test('without its .mtl file it is grey and that is told; a broken one is a problem', async () => {

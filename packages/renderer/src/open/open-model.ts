@@ -2,6 +2,7 @@
 import { importGltf } from '../gltf/index.ts';
 import type { ImportReport, ReportEntry } from '../gltf/report.ts';
 import type { GltfOptions } from '../gltf/types.ts';
+import { meshScene } from '../mesh-model/mesh-scene.ts';
 import { countsOf } from '../scene/counts.ts';
 import { MESH_ENDINGS } from '../scene/mesh.ts';
 import type { Scene } from '../scene/scene.ts';
@@ -9,7 +10,6 @@ import { loadFiles } from '../scene-file/load-files.ts';
 import { parseScene } from '../scene-file/parse-scene.ts';
 import type { Problem } from '../scene-file/problem.ts';
 import { endingOf, nameOf } from './file-set.ts';
-import { meshScene } from './mesh-scene.ts';
 
 /** What `readFile` is given: paths from the folder of the file on. */
 export type OpenOptions = Omit<GltfOptions, 'name'>;

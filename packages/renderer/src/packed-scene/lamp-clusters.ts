@@ -7,9 +7,10 @@ import { meshBounds } from '../scene/bounds.ts';
 import { emissionOf } from '../scene/lamps.ts';
 import { hasCoat } from '../scene/layered.ts';
 import { type Mesh, triangleCount } from '../scene/mesh.ts';
-import type { Color, MeshShape, Scene } from '../scene/scene.ts';
+import type { Color, Material, MeshShape, Scene } from '../scene/scene.ts';
+import type { ImagePixels } from '../scene/textures.ts';
 import { length, subtract } from '../scene/vec3.ts';
-import { mayBeMissing } from './texture-slots.ts';
+import type { GlowTexture } from './lamp-brightness.ts';
 
 /** Runs are no shorter than 2^this. */
 const LEAST_BITS = 3;
@@ -37,6 +38,10 @@ export interface MeshGlow extends LampClusters {
   readonly radiance: Color;
   /** Only the front of its triangles shines. */
   readonly oneSided: boolean;
+  /** What its emission is multiplied by. */
+  readonly texture: GlowTexture | null;
+  /** It may have holes, or be there by chance. */
+  readonly mayBeMissing: boolean;
 }
 
 export function cutLamp(triangles: number, instances: number, sparse: boolean): LampClusters {
@@ -72,15 +77,39 @@ function areaOf({ positions: p, indices }: Mesh): number {
   return area;
 }
 
+/** Of the texture that varies a material's emission; null without one. */
+export function glowTextureOf({ textures, images }: Scene, { emissionTexture: use }: Material): GlowTexture | null {
+  if (!use) return null;
+  const { image, wrapU = 'repeat', wrapV = 'repeat' } = textures![use.texture]!;
+  const pixels = images?.[image]?.data;
+  return pixels ? { pixels, use, wrapU, wrapV } : null;
+}
+
+const blackImages = new WeakMap<ImagePixels, boolean>();
+
+function isBlack(pixels: ImagePixels): boolean {
+  let black = blackImages.get(pixels);
+  if (black === undefined) {
+    const { rgba } = pixels;
+    black = true;
+    for (let at = 0; at < rgba.length && black; at++) black = at % 4 === 3 || rgba[at] === 0;
+    blackImages.set(pixels, black);
+  }
+  return black;
+}
+
 /**
- * How a mesh is cut whose light is sampled; null for others. What shines by a texture, through a coat or through holes, and unlit surfaces, whose light is
- * meant for the eye, are found by rays that happen to meet them.
+ * How a mesh is cut whose light is sampled; null for others. What shines through a coat, and unlit surfaces, whose light is meant for the eye,
+ * are found by rays that happen to meet them.
  */
-export function clustersOf({ materials, meshes = {} }: Scene, shape: MeshShape): LampClusters | null {
+export function clustersOf(scene: Scene, shape: MeshShape): LampClusters | null {
+  const { materials, meshes = {} } = scene;
   const mesh = meshes[shape.mesh]?.data;
   const material = materials[shape.material]!;
   if (!mesh || Math.max(...emissionOf(material)) <= 0) return null;
-  if (material.unlit || material.emissionTexture || hasCoat(material) || mayBeMissing(material, mesh)) return null;
+  if (material.unlit || hasCoat(material)) return null;
+  const texture = glowTextureOf(scene, material);
+  if (material.emissionTexture && (!texture || isBlack(texture.pixels))) return null;
   const instances = shape.instances ? shape.instances.length / AFFINE_LENGTH : 1;
   return cutLamp(triangleCount(mesh), instances, isSparse(mesh));
 }

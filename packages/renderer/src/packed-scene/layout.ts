@@ -107,7 +107,7 @@ export const STRUCTS = {
     kind: field('f32', '0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh'),
     u: field(
       'vec3f',
-      'edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals',
+      'edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals, in y 1 where its material says how much of the radiance there is at a point',
     ),
     radius: field(
       'f32',

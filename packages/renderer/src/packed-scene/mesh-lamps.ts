@@ -43,7 +43,7 @@ export class MeshLamps {
         const instance = slot++;
         if (!glow) continue;
         const placement = matrices.subarray(i * AFFINE_LENGTH, (i + 1) * AFFINE_LENGTH);
-        const table = lampTable(body, mesh, placement, glow.bits);
+        const table = lampTable(body, mesh, placement, glow);
         emitters.push(...meshEmitters(glow, table, placement, { instance, table: this.#start(starts, table), row: firstRow + k })); // biome-ignore format: one thought
       }
       while (emitters.length < end) emitters.push(NO_EMITTER);

@@ -9,6 +9,7 @@ import type {
   DirectionalLight,
   LampShape,
   Light,
+  MeshShape,
   QuadLight,
   Scene,
   Sky,
@@ -17,9 +18,9 @@ import type {
 } from '../scene/scene.ts';
 import { add, cross, length, normalize, subtract } from '../scene/vec3.ts';
 import { EMITTER_KIND, type EmitterValues, NO_EMITTER as NOTHING } from './emitter-values.ts';
-import { clustersOf, type MeshGlow } from './lamp-clusters.ts';
+import { clustersOf, glowTextureOf, type MeshGlow } from './lamp-clusters.ts';
 import { packEnvironment } from './pack-environment.ts';
-import { isOneSided } from './texture-slots.ts';
+import { isOneSided, mayBeMissing } from './texture-slots.ts';
 
 /** What `frame.emitterCount` may be: a table of so many rows is a texture that every device has. */
 export const MOST_EMITTERS = 8192;
@@ -195,7 +196,13 @@ export function meshGlows({ scene }: SceneWithLamps, room: number): Map<string, 
     emitters -= cut.instances * cut.clusters;
     triangles -= cut.triangles;
     const material = scene.materials[shape.material]!;
-    glows.set(name, { ...cut, radiance: emissionOf(material), oneSided: isOneSided(material) });
+    glows.set(name, {
+      ...cut,
+      radiance: emissionOf(material),
+      oneSided: isOneSided(material),
+      texture: glowTextureOf(scene, material),
+      mayBeMissing: mayBeMissing(material, scene.meshes?.[(shape as MeshShape).mesh]?.data),
+    });
   }
   return glows;
 }

@@ -68,14 +68,21 @@ function trianglesOf({ positions, indices }: Mesh, order: Uint32Array): Uint32Ar
 
 /** The places of all corners, by the vertices that the triangles name already. `floats`: the same memory as `words`. */
 export function writePlaces(words: Uint32Array, floats: Float32Array, positions: Float32Array): void {
-  for (let corner = 0; corner < 3; corner++) {
-    const from = NUMBERS[corner]!;
-    const to = PLACES[corner]!;
-    for (let at = 0; at < words.length; at += TRIANGLE_WORDS) {
-      const vertex = 3 * words[at + from]!;
-      floats[at + to] = positions[vertex]!;
-      floats[at + to + 1] = positions[vertex + 1]!;
-      floats[at + to + 2] = positions[vertex + 2]!;
-    }
+  // Numbers of this function, whose values the engine knows.
+  const [numberA, numberB, numberC] = [NUMBERS[0]! | 0, NUMBERS[1]! | 0, NUMBERS[2]! | 0];
+  const [placeA, placeB, placeC] = [PLACES[0]! | 0, PLACES[1]! | 0, PLACES[2]! | 0];
+  for (let at = 0; at < words.length; at += TRIANGLE_WORDS | 0) {
+    const a = 3 * words[at + numberA]!;
+    const b = 3 * words[at + numberB]!;
+    const c = 3 * words[at + numberC]!;
+    floats[at + placeA] = positions[a]!;
+    floats[at + placeA + 1] = positions[a + 1]!;
+    floats[at + placeA + 2] = positions[a + 2]!;
+    floats[at + placeB] = positions[b]!;
+    floats[at + placeB + 1] = positions[b + 1]!;
+    floats[at + placeB + 2] = positions[b + 2]!;
+    floats[at + placeC] = positions[c]!;
+    floats[at + placeC + 1] = positions[c + 1]!;
+    floats[at + placeC + 2] = positions[c + 2]!;
   }
 }

@@ -12,7 +12,7 @@ import { type DecodedBvh, decodeWideBvh } from './decode-wide-bvh.ts';
 import { writeBoxes } from './encode-wide-bvh.ts';
 import { packInSteps, packMesh, writePlaces } from './pack-mesh.ts';
 import { type PackedVertices, writeForm } from './pack-vertices.ts';
-import type { PackedMesh } from './packed-mesh.ts';
+import { floatsOf, type PackedMesh, wordsOf } from './packed-mesh.ts';
 
 /** A tree is built anew when it costs so many times what it did at first: docs/motion.md says what meshes come to. */
 const WORN = 2;
@@ -35,7 +35,23 @@ function planOf(packed: PackedMesh, mesh: Mesh): Plan {
   return plan;
 }
 
+type Words = Uint32Array<ArrayBuffer>;
+
+/** Copies of them in one piece of memory. */
+function joined(from: readonly Words[]): { readonly whole: Words; readonly parts: readonly Words[] } {
+  const whole = new Uint32Array(from.reduce((sum, { length }) => sum + length, 0));
+  let end = 0;
+  const parts = from.map((words) => {
+    const part = whole.subarray(end, end + words.length);
+    part.set(words);
+    end += words.length;
+    return part;
+  });
+  return { whole, parts };
+}
+
 export class PosedMesh implements PackedMesh {
+  readonly whole: Uint32Array<ArrayBuffer>;
   readonly nodes: Uint32Array<ArrayBuffer>;
   readonly triangles: Uint32Array<ArrayBuffer>;
   readonly vertices: PackedVertices;
@@ -59,14 +75,17 @@ export class PosedMesh implements PackedMesh {
   constructor(mesh: Mesh, packed = packMesh(mesh), positions = mesh.positions) {
     this.#mesh = mesh;
     this.#plan = planOf(packed, mesh);
-    this.nodes = packed.nodes.slice();
-    this.triangles = packed.triangles.slice();
-    this.vertices = { ...packed.vertices, words: packed.vertices.words.slice() };
+    const { whole, parts } = joined(wordsOf(packed));
+    const [nodes, triangles, vertices] = parts as [Words, Words, Words];
+    this.whole = whole;
+    this.nodes = nodes;
+    this.triangles = triangles;
+    this.vertices = { ...packed.vertices, words: vertices };
     this.order = packed.order;
     this.stackNeed = packed.stackNeed;
     this.bvh = { ...this.#plan.bvh, bounds: this.#plan.bvh.bounds.slice() };
-    this.#nodeFloats = new Float32Array(this.nodes.buffer);
-    this.#triangleFloats = new Float32Array(this.triangles.buffer);
+    this.#nodeFloats = floatsOf(nodes);
+    this.#triangleFloats = floatsOf(triangles);
     refit(this.bvh, positions, this.#plan.vertices);
     this.#firstCost = sahCost(this.bvh);
   }

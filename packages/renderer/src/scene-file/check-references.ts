@@ -71,6 +71,11 @@ export function checkReferences(scene: Sections, faulty: FaultyPlaces, problems:
     references.check([...path, 'material'], who, 'materials', shape.material);
     carried(path, who, shape);
     if (shape.type !== 'mesh') return;
+    if (shape.material === undefined && !faulty.isAt([...path, 'material'])) {
+      const allowed =
+        'the name of a material; a mesh that is all of a file has its own, when it stands there once and by no matrix';
+      problems.add([...path, 'material'], 'nothing', allowed);
+    }
     references.check([...path, 'mesh'], who, 'meshes', shape.mesh);
     references.check([...path, 'skin'], who, 'skins', shape.skin);
   });

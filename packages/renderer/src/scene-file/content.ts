@@ -59,7 +59,7 @@ export function withContent(scene: Scene, given: Scene): Scene {
   const drawn = hasContent(given.images)
     ? withThings(mapped, { images: imagesOf(mapped.images!, given.images!) }, true)
     : mapped;
-  return hasContent(given.meshes) ? withMeshes(drawn, meshesOf(drawn.meshes!, given.meshes!), true) : drawn;
+  return hasContent(given.meshes) ? withMeshes(drawn, meshesOf(drawn.meshes ?? {}, given.meshes!), true) : drawn;
 }
 
 const hasContent = (things: Readonly<Record<string, { readonly data?: unknown }>> = {}): boolean =>

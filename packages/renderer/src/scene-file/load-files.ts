@@ -1,6 +1,5 @@
 /** The second step of reading a scene: the files that it names. */
 import type { ImageDecoder } from '../gltf/images/decoder.ts';
-import { importGltf } from '../gltf/index.ts';
 import { lacksMap } from '../scene/environment.ts';
 import { lacksData } from '../scene/mesh.ts';
 import { lacksModel } from '../scene/models.ts';
@@ -49,7 +48,7 @@ export async function loadFiles(scene: Scene, readFile: ReadFile, options: LoadO
   }
   if (Object.values(models).some(lacksModel)) {
     const { loadModels } = await import('./load-models.ts');
-    const whole = await loadModels(loaded, importGltf, readFile, problems, notes, options);
+    const whole = await loadModels(loaded, readFile, problems, notes, options);
     checkPlaying(whole, new FaultyPlaces(), problems, true);
     loaded = withThings(whole, {}, isParsedScene(loaded));
   }

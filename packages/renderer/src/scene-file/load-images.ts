@@ -58,7 +58,7 @@ export async function loadImages(
 }
 
 /** What is known before decoding; throws an Error for what will not be decoded. */
-function headOf(bytes: Uint8Array, decoder: ImageDecoder): ImageHead {
+export function headOf(bytes: Uint8Array, decoder: ImageDecoder): ImageHead {
   const head = readImageHead(bytes);
   if (head === null) throw new Error('it is no image');
   if (!decoder.canDecode(head.type)) throw new Error(`files of the kind ${head.type} cannot be decoded here`);

@@ -132,3 +132,50 @@ describe('models in a scene', () => {
     expect(asked).toContain('animals/fur.png');
   });
 });
+
+describe('mesh files with their own materials', () => {
+  const obj = 'mtllib c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\nusemtl cloth\nf 3 2 1\n';
+  const files: Record<string, string> = {
+    'm/c.obj': obj,
+    'm/c.mtl': 'newmtl wood\nKd 1 0 0\nnewmtl cloth\nKd 0 0 1\n',
+  };
+  const read = async (name: string) => {
+    if (files[name] === undefined) throw new Error(`no ${name}`);
+    return new TextEncoder().encode(files[name]);
+  };
+  const scene = (more: object) =>
+    JSON.stringify({ version: 1, name: 'Chairs', camera: { eye: [0, 0, 5], target: [0, 0, 0] }, ...more });
+  const placed = { translation: [1, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1] };
+
+  test('as a model, and as a shape that names no material', async () => {
+    const shapes = { b: { type: 'mesh', mesh: 'm/c.obj' }, c: { type: 'mesh', mesh: 'named', translation: [1, 0, 0] } };
+    const text = scene({ models: { a: { file: 'm/c.obj' } }, shapes, meshes: { named: { file: 'm/c.obj' } } });
+    const { parsed, loaded } = await load(text, read);
+    expect(parsed.models!.c).toEqual({ file: 'm/c.obj', ...placed });
+    expect(parsed.meshes).toBeUndefined();
+    if (!loaded.ok) throw new Error(loaded.problems[0]!.message);
+    for (const name of ['a', 'b', 'c']) {
+      expect(loaded.scene.materials[`${name}/wood`]!.baseColor).toEqual([1, 0, 0]);
+      expect(loaded.scene.shapes[`${name}/cloth`]).toMatchObject({ material: `${name}/cloth`, node: name });
+    }
+    expect(writeScene(loaded.scene)).not.toContain('wood');
+    expect(parseScene(writeScene(loaded.scene))).toEqual({ ok: true, scene: parsed });
+  });
+
+  test('the material of a shape goes before those of its file', async () => {
+    const shapes = { a: { type: 'mesh', mesh: 'm/c.obj', material: 'grey' }, b: { type: 'mesh', mesh: 'm/c.obj' } };
+    const { loaded } = await load(scene({ materials: { grey: {} }, shapes }), read);
+    if (!loaded.ok) throw new Error(loaded.problems[0]!.message);
+    expect(Object.keys(loaded.scene.shapes)).toEqual(['a', 'b/wood', 'b/cloth']);
+    expect(loaded.scene.meshes!['m/c.obj']!.data!.indices).toHaveLength(6);
+  });
+
+  test.each([
+    ['a part', { meshes: { p: { file: 'm/c.obj', part: 'wood' } }, shapes: { s: { type: 'mesh', mesh: 'p' } } }],
+    ['many places', { shapes: { s: { type: 'mesh', mesh: 'm/c.obj', instances: [{}] } } }],
+    ['a sphere', { shapes: { s: { type: 'sphere', center: [0, 0, 0], radius: 1 } } }],
+  ])('%s without a material is a mistake', (_, more) => {
+    const parsed = parseScene(scene(more));
+    expect(parsed).toMatchObject({ ok: false, problems: [{ path: '/shapes/s/material' }] });
+  });
+});

@@ -1,22 +1,35 @@
 /** The models of a scene: what their files have becomes part of it. */
-import type { GltfImport, GltfOptions } from '../gltf/types.ts';
+import { importGltf } from '../gltf/index.ts';
+import type { GltfOptions } from '../gltf/types.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
-import type { LoadedMesh } from '../scene/mesh.ts';
+import { type LoadedMesh, MESH_ENDINGS } from '../scene/mesh.ts';
 import { crowdFault } from '../scene/mesh-fault.ts';
 import { lacksModel, type ModelSource } from '../scene/models.ts';
 import type { Scene } from '../scene/scene.ts';
 import { withVariant } from '../scene/variants.ts';
 import { listOfNames } from './check-references.ts';
 import { mergeModel } from './merge-model.ts';
-import { nearest, type ProblemList, quote, sentence } from './problem.ts';
+import { nearest, type Problem, type ProblemList, quote, sentence } from './problem.ts';
 import type { ReadFile } from './read-file.ts';
 
-export type ImportModel = (bytes: Uint8Array, options: GltfOptions) => Promise<GltfImport>;
+type ImportedModel =
+  | { readonly ok: true; readonly scene: Scene; readonly notes: readonly string[] }
+  | { readonly ok: false; readonly problems: readonly Problem[] };
+
+/** By the ending of the file's name. */
+async function importModel(bytes: Uint8Array, file: string, options: GltfOptions): Promise<ImportedModel> {
+  if (MESH_FILE.test(file)) {
+    const { meshScene } = await import('../mesh-model/mesh-scene.ts');
+    return meshScene(bytes, file, options.readFile, options.decoder);
+  }
+  const imported = await importGltf(bytes, options);
+  return imported.ok ? { ...imported, notes: imported.report.entries.map(({ message }) => message) } : imported;
+}
+const MESH_FILE = new RegExp(`\\.(${MESH_ENDINGS.join('|')})$`, 'i');
 
 /** The scene with all that its models have; those that cannot be had are left out, with problems. Adds to `notes` what was changed. */
 export async function loadModels(
   scene: Scene,
-  importModel: ImportModel,
   readFile: ReadFile,
   problems: ProblemList,
   notes: string[],
@@ -25,7 +38,7 @@ export async function loadModels(
   let whole = scene;
   for (const [name, source] of Object.entries(scene.models ?? {})) {
     if (!lacksModel(source)) continue;
-    const model = await readModel(name, source, importModel, readFile, problems, notes, options);
+    const model = await readModel(name, source, readFile, problems, notes, options);
     if (model) whole = mergeModel(whole, name, source, model);
   }
   checkCrowd(whole, problems);
@@ -35,16 +48,15 @@ export async function loadModels(
 async function readModel(
   name: string,
   { file, variant }: ModelSource,
-  importModel: ImportModel,
   readFile: ReadFile,
   problems: ProblemList,
   notes: string[],
   options: Pick<GltfOptions, 'decoder'>,
 ): Promise<Scene | null> {
   const refuse = (reason: string, message: string) =>
-    problems.add(['models', name, 'file'], `the file ${quote(file)}, which cannot be used (${reason.replace(/\.$/, '')})`, 'a glTF 2.0 file that can be read', message); // biome-ignore format: one sentence
+    problems.add(['models', name, 'file'], `the file ${quote(file)}, which cannot be used (${reason.replace(/\.$/, '')})`, 'a model that can be read', message); // biome-ignore format: one sentence
   try {
-    const result = await importModel(await readFile(file), {
+    const result = await importModel(await readFile(file), file, {
       ...options,
       name,
       camera: 'frame',
@@ -56,7 +68,7 @@ async function readModel(
         refuse(`${path === '' ? '' : `${path}: `}${found}`, `The model ${quote(name)} cannot be used. ${message}`);
       return null;
     }
-    notes.push(...result.report.entries.map(({ message }) => `The model ${quote(name)}: ${message}`));
+    notes.push(...result.notes.map((message) => `The model ${quote(name)}: ${message}`));
     return variant === undefined ? result.scene : chooseVariant(name, result.scene, variant, problems);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);

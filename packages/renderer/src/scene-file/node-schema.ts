@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import { AFFINE_LENGTH, composeAffine, type Numbers, toQuaternion } from '../scene/affine.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
+import { MODEL_ENDINGS } from '../scene/models.ts';
 import type { Quaternion } from '../scene/nodes.ts';
 import type { Vec3 } from '../scene/scene.ts';
 import { quaternionOf } from '../scene/vec3.ts';
@@ -120,9 +121,9 @@ const name = text('the name of a material of this scene', SCENE_LIMITS.nameLengt
 export const variant = v.record(v.string(), name, 'a variant: an object with materials by the names of shapes');
 
 export const modelFileRule =
-  'the name of a file with a model, .glb or .gltf, relative to the scene\'s folder, with "/" between folders';
+  'the name of a file with a model, .glb, .gltf, .obj, .ply or .stl, relative to the scene\'s folder, with "/" between folders';
 export const model = object('a model: an object with "file"', {
-  file: fileName(modelFileRule, ['glb', 'gltf']),
+  file: fileName(modelFileRule, MODEL_ENDINGS),
   ...placement,
   node: v.optional(nameOf('a node')),
   variant: v.optional(text('the name of one of the variants of the file', SCENE_LIMITS.nameLength)),

@@ -57,7 +57,8 @@ export const shape = v.variant(
     object('a mesh that is placed: an object', {
       type: kind('mesh'),
       mesh: meshName,
-      material: materialName,
+      // Without one a mesh file's own count: `completeNames` makes a model of such a shape.
+      material: v.optional(materialName),
       ...placement,
       matrix: v.optional(numbers('the placement, four rows of a matrix', 16, -LARGEST, LARGEST)),
       skin: v.optional(nameOf('a skin')),

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { testScene } from '../../../../tests/fixtures/scenes.ts';
 import { cameraAxes } from './camera.ts';
 import { environmentFault } from './environment.ts';
-import { frameScene } from './framing.ts';
+import { cameraAround, frameScene } from './framing.ts';
 import type { Mesh } from './mesh.ts';
 import type { SceneNode } from './nodes.ts';
 import type { MeshShape, Scene, Shape, Vec3 } from './scene.ts';
@@ -125,4 +125,14 @@ test('the studio is an environment that can be used, the same each time', () => 
   const map = studioEnvironment();
   expect(environmentFault(map)).toBeNull();
   expect(studioEnvironment().data).toEqual(map.data);
+});
+
+test.each([0, 1e8, 9.99e8, 1e9, -1e9])('a ball about %d stays in sight of an eye that a scene may have', (place) => {
+  for (const radius of [1e-4, 1, 1e6, 1e9]) {
+    const target = [place, place, place] as const;
+    const { eye } = cameraAround(target, radius);
+    for (const x of eye) expect(Math.abs(x)).toBeLessThanOrEqual(1e9);
+    const distance = Math.hypot(...eye.map((x, k) => x - target[k]!));
+    expect(distance).toBeGreaterThan(Math.min(0.1 * radius, 1e7));
+  }
 });

@@ -2,6 +2,7 @@
 
 import type { Camera, Scene, Vec3 } from './scene.ts';
 import { boundsAt, visitPoints } from './scene-bounds.ts';
+import { addScaled, scale } from './vec3.ts';
 
 export interface FramingOptions {
   /** Full vertical field of view, degrees. Default: 30. */
@@ -13,6 +14,9 @@ export interface FramingOptions {
   /** What is left free: the distance at which a ball around everything just fits the picture, times this. Default: 1.05. */
   readonly margin?: number;
 }
+
+/** Of an eye's coordinates, metres. */
+const FARTHEST = 1e9;
 
 /** What a scene without extent is framed as: a thing of this radius. */
 const SMALLEST_RADIUS = 1e-6;
@@ -40,10 +44,14 @@ export function cameraAround(target: Vec3, radius: number, options: FramingOptio
   // Far from the origin a step must not be lost in the rounding of the place itself.
   const least = Math.max(SMALLEST_RADIUS, Math.hypot(...target) * 1e-6);
   const distance = (margin * Math.max(radius, least)) / Math.sin((verticalFov * Math.PI) / 360);
-  const eye: Vec3 = [
-    target[0] + distance * Math.cos(e) * Math.sin(a),
-    target[1] + distance * Math.sin(e),
-    target[2] + distance * Math.cos(e) * Math.cos(a),
-  ];
-  return { eye, target, up: [0, 1, 0], verticalFov };
+  const offset: Vec3 = scale([Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)], distance);
+  return { eye: addScaled(target, offset, roomFor(target, offset)), target, up: [0, 1, 0], verticalFov };
+}
+
+/** How much of the way there is before the end of the world: all, but for things nearly as large as it; there from the other side. */
+function roomFor(target: Vec3, offset: Vec3): number {
+  const share = (sign: number): number =>
+    Math.min(1, ...offset.map((x, k) => (x === 0 ? 1 : Math.max(FARTHEST - sign * Math.sign(x) * target[k]!, 0) / Math.abs(x)))); // biome-ignore format: one formula
+  const [here, there] = [share(1), share(-1)];
+  return here >= 0.01 || here >= there ? here : -there;
 }

@@ -1,8 +1,12 @@
 /** Models of other programs that stand in a scene: a file each, with all that it holds. */
+import { MESH_ENDINGS } from './mesh.ts';
 import type { Vec3 } from './scene.ts';
 
+/** What the names of files with models end in. */
+export const MODEL_ENDINGS = ['glb', 'gltf', ...MESH_ENDINGS] as const;
+
 /**
- * A .glb or .gltf file and where it stands. Loading puts what the file has among the scene's own things: nodes, meshes, shapes, materials
+ * A .glb, .gltf or mesh file and where it stands. Loading puts what the file has among the scene's own things: nodes, meshes, shapes, materials
  * and so on by the name of the model, a slash, and their names in the file ("fox/Walk"); a node of the model's own name carries all of it.
  */
 export interface ModelSource {

@@ -19,6 +19,7 @@ export const FEATURES = [
   'hasManyLights',
   'hasMeshLamps',
   'hasLightTree',
+  'hasVariedLamps',
   'hasMirrorLayers',
   'hasMetallicRoughness',
   'hasConductors',
@@ -47,6 +48,7 @@ export const MODEL_FEATURES: readonly Feature[] = [
   'hasCoatNormals',
   'hasMeshLamps',
   'hasLightTree',
+  'hasVariedLamps',
 ];
 
 export const drawsModels = (features: ReadonlySet<Feature>): boolean =>

@@ -4,7 +4,7 @@
  */
 import { fieldOffset, GEOMETRY_ROW, geometryRows } from '../packed-scene/layout.ts';
 import type { PackedGeometry } from '../packed-scene/pack-geometry.ts';
-import { type PackedMesh, wordsOf } from '../packed-scene/packed-mesh.ts';
+import { floatsOf, type PackedMesh, wordsOf } from '../packed-scene/packed-mesh.ts';
 
 const NODE = geometryRows('WideNode') * GEOMETRY_ROW;
 const MIN = fieldOffset('WideNode', 'minX') / 4;
@@ -69,8 +69,7 @@ export class GeometryWalk {
     this.#geometry = geometry;
     let row = geometry.movingRows;
     for (const mesh of geometry.meshes) {
-      const [nodes, triangles] = [mesh.nodes, mesh.triangles].map(({ buffer }) => new Float32Array(buffer)) as [Float32Array<ArrayBuffer>, Float32Array<ArrayBuffer>]; // biome-ignore format: two views
-      this.#meshes.set(row, { mesh, nodes, triangles });
+      this.#meshes.set(row, { mesh, nodes: floatsOf(mesh.nodes), triangles: floatsOf(mesh.triangles) });
       row += wordsOf(mesh).reduce((sum, { length }) => sum + length, 0) / GEOMETRY_ROW;
     }
   }

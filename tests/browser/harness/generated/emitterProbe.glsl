@@ -179,6 +179,53 @@ struct Triangle {
     vec3 c;
     uint vertexC;
 };
+struct Cover {
+    vec4 uv;
+    float opacity;
+};
+struct Vertex {
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
+struct VertexMore {
+    uint redGreen;
+    uint blueAlpha;
+    vec2 uv;
+};
+struct MaterialTextures {
+    uint count;
+    uint flags;
+    float opacity;
+    float cutoff;
+};
+struct TextureUse {
+    vec3 toU;
+    uint slot;
+    vec3 toV;
+    uint flags;
+    uint first;
+    uint width;
+    uint height;
+    float scale;
+};
+struct Neighbours {
+    uint first;
+    uint second;
+    float share;
+};
+struct Surface {
+    vec3 baseColor;
+    float code;
+    vec3 emission;
+    float reflectivity;
+    vec3 eta;
+    float alpha;
+    vec3 k;
+    float metallic;
+    vec3 absorption;
+    float textures;
+};
 struct EnvironmentLight {
     vec3 radiance;
     float pdf;
@@ -267,37 +314,6 @@ struct Crossing {
     vec2 weights;
     bool front;
 };
-struct MaterialTextures {
-    uint count;
-    uint flags;
-    float opacity;
-    float cutoff;
-};
-struct Vertex {
-    uint normal;
-    uint tangent;
-    vec2 uv;
-};
-struct VertexMore {
-    uint redGreen;
-    uint blueAlpha;
-    vec2 uv;
-};
-struct TextureUse {
-    vec3 toU;
-    uint slot;
-    vec3 toV;
-    uint flags;
-    uint first;
-    uint width;
-    uint height;
-    float scale;
-};
-struct Neighbours {
-    uint first;
-    uint second;
-    float share;
-};
 struct MeshPoint {
     vec3 geometric;
     vec3 shading;
@@ -327,6 +343,19 @@ const uint pdfOfSample = 2u;
 const uint choice_2 = 4u;
 const uint instanceRows = 5u;
 const uint triangleRows = 3u;
+const uint vertexRows = 1u;
+const uint hasOpacityTexture = 2u;
+const uint materialTexturesRows = 1u;
+const uint textureUseRows = 3u;
+const uint isNearest = 4u;
+const uint clampsU = 8u;
+const uint mirrorsU = 16u;
+const uint clampsV = 32u;
+const uint mirrorsV = 64u;
+const uint isColor = 2u;
+const uint usesSecondSet = 1u;
+const uint emissionSlot = 1u;
+const uint coverRow = 2147483647u;
 const EnvironmentLight white = EnvironmentLight(vec3(1.0), 0.07957747);
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
@@ -342,18 +371,7 @@ const uint leastToGreatest = 3u;
 const uint leaves = 2415919104u;
 const uint countShift = 28u;
 const uint isOneSided = 2147483648u;
-const uint coverRow = 2147483647u;
 const uint leaving = 2415919102u;
-const uint vertexRows = 1u;
-const uint hasOpacityTexture = 2u;
-const uint materialTexturesRows = 1u;
-const uint isNearest = 4u;
-const uint clampsU = 8u;
-const uint mirrorsU = 16u;
-const uint clampsV = 32u;
-const uint mirrorsV = 64u;
-const uint isColor = 2u;
-const uint usesSecondSet = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
 
@@ -383,6 +401,10 @@ const bool hasBoxLights = false;
 
 uniform highp usampler2D geometry;
 
+const bool hasVariedLamps = false;
+
+uniform highp usampler2D texels;
+
 const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
@@ -405,15 +427,13 @@ const bool hasOneSided = false;
 
 const bool hasCutouts = false;
 
-uniform highp usampler2D texels;
-
 const bool hasTextures = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
 float spotFalloff(Emitter e, vec3 toLight) {
-    float share = clamp(((-(dot(toLight, e.u)) - e.radius) / (e.cosInner - e.radius)), 0.0, 1.0);
-    return (share * share);
+    float share_1 = clamp(((-(dot(toLight, e.u)) - e.radius) / (e.cosInner - e.radius)), 0.0, 1.0);
+    return (share_1 * share_1);
 }
 
 float estimatedIrradiance(Emitter e_1, vec3 point, vec3 normal_1) {
@@ -531,8 +551,8 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_1, vec3 normal_2) {
 }
 
 float shareOfTree(float total, float far) {
-    float share_1 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_1));
+    float share_2 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_2));
 }
 
 TreeChoice descend(vec3 point_2, vec3 normal_3, float u, int leaf, float far_1) {
@@ -621,9 +641,9 @@ EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
                 float _e55 = total_1;
                 total_1 = (_e55 + weight);
                 float _e57 = total_1;
-                float share_2 = (weight / max(_e57, 1e-37));
+                float share_3 = (weight / max(_e57, 1e-37));
                 float _e61 = rest_1;
-                bool take = (_e61 < share_2);
+                bool take = (_e61 < share_3);
                 uint _e63 = chosen;
                 uint _e64 = i_2;
                 chosen = pick(take, _e64, _e63);
@@ -631,7 +651,7 @@ EmitterChoice chooseEmitter(vec3 point_3, vec3 normal_4, float u_1) {
                 chosenWeight = pick(take, weight, _e66);
                 float _e68 = rest_1;
                 float _e75 = rest_1;
-                rest_1 = pick(take, (_e75 / max(share_2, 1e-37)), ((_e68 - share_2) / max((1.0 - share_2), 1e-7)));
+                rest_1 = pick(take, (_e75 / max(share_3, 1e-37)), ((_e68 - share_3) / max((1.0 - share_3), 1e-7)));
                 uint _e81 = i_2;
                 i_2 = (_e81 + 1u);
                 uint _e83 = i_2;
@@ -953,7 +973,156 @@ vec3 outOfMesh(Instance i_5, vec3 p) {
     return ((((q_6.x * x_11) + (q_6.y * y_7)) + (q_6.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_11)));
 }
 
+Vertex fetchVertex(uint row_4) {
+    uvec4 _e3 = geometryRow((row_4 + 0u));
+    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+VertexMore fetchVertexMore(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
+    return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
+}
+
+vec2 pairOf(uint word) {
+    return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
+}
+
+Cover coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover c = Cover(vec4(0.0), 1.0);
+    vec3 share_4 = vec3(((1.0 - weights.x) - weights.y), weights);
+    if ((each != 0u)) {
+        Vertex _e19 = fetchVertex(rows.x);
+        Vertex _e24 = fetchVertex(rows.y);
+        Vertex _e30 = fetchVertex(rows.z);
+        c.uv = vec4((((share_4.x * _e19.uv) + (share_4.y * _e24.uv)) + (share_4.z * _e30.uv)), 0.0, 0.0);
+    }
+    if ((each > vertexRows)) {
+        uvec3 more = (rows + uvec3(1u));
+        VertexMore _e43 = fetchVertexMore(more.x);
+        VertexMore _e45 = fetchVertexMore(more.y);
+        VertexMore _e47 = fetchVertexMore(more.z);
+        vec4 _e50 = c.uv;
+        c.uv = vec4(_e50.xy, (((share_4.x * _e43.uv) + (share_4.y * _e45.uv)) + (share_4.z * _e47.uv)));
+        vec2 _e66 = pairOf(_e43.blueAlpha);
+        vec2 _e69 = pairOf(_e45.blueAlpha);
+        vec2 _e72 = pairOf(_e47.blueAlpha);
+        c.opacity = dot(share_4, vec3(_e66.y, _e69.y, _e72.y));
+    }
+    Cover _e76 = c;
+    return _e76;
+}
+
+uvec4 texelRow(uint i_6) {
+    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_6 & 2047u), (i_6 >> 11u))), 0);
+    return _e8;
+}
+
+MaterialTextures fetchMaterialTextures(uint row_6) {
+    uvec4 _e3 = texelRow((row_6 + 0u));
+    return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
+}
+
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
+    return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
+}
+
+Neighbours neighbours(float x_4, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside_2 = pick(clamps, clamp(x_4, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_4))) - 1.0))), fract(x_4)));
+    float at_3 = ((inside_2 * float(size)) - pick(nearest, 0.0, 0.5));
+    float low_4 = floor(at_3);
+    int last = (int(size) - 1);
+    int first_1 = int(low_4);
+    int second = (first_1 + 1);
+    bool repeats = !(pick(clamps, true, mirrors));
+    int before_1 = pick(repeats, last, 0);
+    int after = pick(repeats, 0, last);
+    return Neighbours(uint(pick((first_1 < 0), before_1, min(max(first_1, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_3 - low_4)));
+}
+
+vec3 linearFromSrgb(vec3 c_1) {
+    return mix(pow(((c_1 + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c_1 / vec3(12.92)), lessThanEqual(c_1, vec3(0.04045)));
+}
+
+vec4 decoded(uint texel, bool colored) {
+    vec4 c_3 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_3.xyz);
+    return vec4(pick(colored, _e18, c_3.xyz), c_3.w);
+}
+
+uint texelAt(uint i_7) {
+    uvec4 _e3 = texelRow((i_7 >> 2u));
+    uvec2 pair_2 = pick(((i_7 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_7 & 1u) != 0u), pair_2.y, pair_2.x);
+}
+
+vec4 lookUp(TextureUse t_1, vec2 uv) {
+    vec3 place_5 = vec3(uv, 1.0);
+    bool nearest_1 = ((t_1.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_1.toU, place_5), t_1.width, ((t_1.flags & clampsU) != 0u), ((t_1.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_1.toV, place_5), t_1.height, ((t_1.flags & clampsV) != 0u), ((t_1.flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_1.first + (_e36.first * t_1.width));
+    uint lower = (t_1.first + (_e36.second * t_1.width));
+    bool colored_1 = ((t_1.flags & isColor) != 0u);
+    uint _e54 = texelAt((upper + _e22.first));
+    vec4 _e55 = decoded(_e54, colored_1);
+    uint _e58 = texelAt((upper + _e22.second));
+    vec4 _e59 = decoded(_e58, colored_1);
+    vec4 above_2 = mix(_e55, _e59, _e22.share);
+    uint _e64 = texelAt((lower + _e22.first));
+    vec4 _e65 = decoded(_e64, colored_1);
+    uint _e68 = texelAt((lower + _e22.second));
+    vec4 _e69 = decoded(_e68, colored_1);
+    vec4 below = mix(_e65, _e69, _e22.share);
+    return mix(above_2, below, _e36.share);
+}
+
+vec3 radianceShare(uint row_8, Cover c_2, bool missing) {
+    vec3 share = vec3(1.0);
+    float opacity = 0.0;
+    uint i_8 = 0u;
+    MaterialTextures _e3 = fetchMaterialTextures(row_8);
+    bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
+    uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
+    opacity = (_e3.opacity * c_2.opacity);
+    if ((wanted > 0u)) {
+        while(true) {
+            uint _e27 = i_8;
+            TextureUse _e31 = fetchTextureUse(((row_8 + materialTexturesRows) + (_e27 * textureUseRows)));
+            vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
+            vec3 _e43 = share;
+            share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
+            float _e52 = opacity;
+            uint _e54 = i_8;
+            opacity = (_e52 * pick(pick(hasFirst, (_e54 == 0u), false), _e42.w, 1.0));
+            uint _e62 = i_8;
+            i_8 = (_e62 + 1u);
+            uint _e64 = i_8;
+            if ((_e64 >= wanted)) {
+                break;
+            }
+        }
+    }
+    float _e66 = opacity;
+    float _e72 = opacity;
+    float there = pick((_e3.cutoff < 0.0), _e72, pick((_e66 >= _e3.cutoff), 1.0, 0.0));
+    vec3 _e77 = share;
+    return (_e77 * pick(missing, there, 1.0));
+}
+
+Surface fetchSurface(uint i_9) {
+    vec4 _e2 = tableTexel(9u, i_9);
+    vec4 _e4 = tableTexel(10u, i_9);
+    vec4 _e6 = tableTexel(11u, i_9);
+    vec4 _e8 = tableTexel(12u, i_9);
+    vec4 _e10 = tableTexel(13u, i_9);
+    return Surface(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xyz, _e8.w, _e10.xyz, _e10.w);
+}
+
 LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
+    vec3 radiance = vec3(0.0);
     ChosenTriangle _e3 = chooseTriangle(e_11, u_10);
     uint _e6 = frame.instances;
     Instance _e12 = fetchInstance((_e6 + (uint(e_11.instance) * instanceRows)));
@@ -964,10 +1133,24 @@ LightSample sampleMesh(Emitter e_11, vec3 point_11, vec2 u_10) {
     vec3 across_2 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
     float height_3 = (dot(across_2, toLight_5) * inversesqrt(max(dot(across_2, across_2), 1e-37)));
     float distance_10 = length(toLight_5);
-    float _e62 = areaPdf((e_11.area / _e3.density), abs(height_3), distance_10);
+    float _e60 = areaPdf(e_11.area, abs(height_3), distance_10);
+    float pdf_4 = (_e60 * _e3.density);
     bool lit_1 = pick((height_3 < 0.0), true, pick((e_11.oneSided == 0.0), (height_3 > 0.0), false));
     float reached = max((distance_10 - (1e-5 * (length(point_11) + distance_10))), 0.0);
-    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, e_11.radiance, pick(lit_1, _e62, 0.0), false);
+    radiance = e_11.radiance;
+    const bool _e82 = hasVariedLamps;
+    if (_e82) {
+        if ((e_11.u.y > 0.0)) {
+            uvec3 rows_1 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
+            Cover _e97 = coverAt(rows_1, _e12.vertexRows, _e20);
+            vec3 _e98 = radiance;
+            Surface _e101 = fetchSurface(uint(e_11.shape));
+            vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
+            radiance = (_e98 * _e109);
+        }
+    }
+    vec3 _e115 = radiance;
+    return LightSample((toLight_5 / vec3(max(distance_10, 1e-30))), reached, _e115, pick(lit_1, pdf_4, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_12, vec3 point_12) {
@@ -997,12 +1180,12 @@ LightSample sampleDirectional(Emitter e_14, vec2 u_11) {
     return LightSample(_e10.direction, 1e30, e_14.radiance, pick(delta, 1.0, (1.0 / max(e_14.area, 1e-31))), delta);
 }
 
-vec4 fetchEntries(Table t_1, uint pair) {
+vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
-    uint i_26 = (t_1.first + pair);
-    uint row_9 = (i_26 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_9 * width_2)), row_9)), 0);
+    uint i_28 = (t_2.first + pair);
+    uint row_10 = (i_28 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_28 - (row_10 * width_2)), row_10)), 0);
     return _e15;
 }
 
@@ -1011,14 +1194,14 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-Choice chooseEntry(Table t_2, uint digits_1, uint fine_1) {
+Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
     uint low = 0u;
     uint high = 0u;
     vec2 ends = vec2(1.0);
     uint step_ = 0u;
-    uint pairs = ((t_2.entries + 1u) / 2u);
-    uint part = ((((digits_1 >> 12u) * t_2.entries) + (((digits_1 & 4095u) * t_2.entries) >> 12u)) >> 12u);
-    vec4 _e23 = fetchEntries(t_2, (part / 2u));
+    uint pairs = ((t_3.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_3.entries) + (((digits_1 & 4095u) * t_3.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_3, (part / 2u));
     low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
     high = pairs;
     while(true) {
@@ -1028,7 +1211,7 @@ Choice chooseEntry(Table t_2, uint digits_1, uint fine_1) {
         uint _e48 = high;
         uint _e52 = high;
         uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
-        vec4 _e55 = fetchEntries(t_2, next);
+        vec4 _e55 = fetchEntries(t_3, next);
         vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
         bool found_8 = (_e56.y > 0.0);
         vec2 _e60 = ends;
@@ -1046,19 +1229,19 @@ Choice chooseEntry(Table t_2, uint digits_1, uint fine_1) {
         }
     }
     uint _e76 = high;
-    uint pair_2 = min(_e76, (pairs - 1u));
-    vec4 _e84 = fetchEntries(t_2, (max(pair_2, 1u) - 1u));
+    uint pair_3 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_3, (max(pair_3, 1u) - 1u));
     vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
-    float before_1 = _e85.y;
+    float before_2 = _e85.y;
     float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
     float _e94 = ends.x;
     bool isFirst = (_e94 > 0.0);
     float _e98 = ends.x;
-    float start = pick(isFirst, pick((pair_2 == 0u), none, before_1), _e98);
+    float start = pick(isFirst, pick((pair_3 == 0u), none, before_2), _e98);
     float _e104 = ends.y;
     float _e106 = ends.x;
     float end = pick(isFirst, _e106, _e104);
-    return Choice(min(((2u * pair_2) + pick(isFirst, 0u, 1u)), (t_2.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+    return Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (t_3.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
 }
 
 ChosenCell chooseCell(vec2 u_12) {
@@ -1078,15 +1261,15 @@ Corners environmentCorners(uvec2 cell) {
     uvec2 size_2 = uvec2(_e3);
     uint left_1 = (pick((cell.x == 0u), size_2.x, cell.x) - 1u);
     uint right = pick((cell.x == size_2.x), 0u, cell.x);
-    uint upper = (max(cell.y, 1u) - 1u);
-    uint lower = min(cell.y, (size_2.y - 1u));
-    vec4 above_2 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
-    return Corners((above_2 * _e52), (above_2 * _e57), (below * _e62), (below * _e67));
+    uint upper_1 = (max(cell.y, 1u) - 1u);
+    uint lower_1 = min(cell.y, (size_2.y - 1u));
+    vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
+    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
+    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
+    return Corners((above_3 * _e52), (above_3 * _e57), (below_1 * _e62), (below_1 * _e67));
 }
 
 float linearSample(float u_13, float a, float b_1) {
@@ -1113,9 +1296,9 @@ EnvironmentSample sampleEnvironment(vec2 u_14) {
     vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_3.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_1.x + (_e55 - 0.5)) / size_3.x) - _e85));
-    float nearest_1 = floor((halfTurns + 0.5));
-    bool back = (fract((0.5 * nearest_1)) > 0.0);
-    vec2 _e100 = cosineAndSine(((halfTurns - nearest_1) * 3.1415927));
+    float nearest_2 = floor((halfTurns + 0.5));
+    bool back = (fract((0.5 * nearest_2)) > 0.0);
+    vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_4 = max(_e76.y, 1e-9);
     vec3 direction_21 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
@@ -1211,8 +1394,8 @@ LightSample sampleEmitter(Emitter e_15, vec3 point_14, vec2 u_16) {
     return _e73;
 }
 
-Bounds fetchBounds(uint i_6) {
-    vec4 _e2 = tableTexel(0u, i_6);
+Bounds fetchBounds(uint i_10) {
+    vec4 _e2 = tableTexel(0u, i_10);
     return Bounds(_e2.xyz, _e2.w);
 }
 
@@ -1228,20 +1411,20 @@ float intersectSphere(vec3 origin_2, vec3 direction_2, vec3 center, float radius
     return pick(startsInside, max(far_3, 0.0), pick(pick((discriminant >= 0.0), (t_10 > tMin), false), t_10, 1e30));
 }
 
-PairHit meet(PairHit found, RayPair p_1, uint i_7, vec2 t_3) {
-    bool own_3 = (i_7 == p_1.shape);
-    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t_3.x);
-    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_7 == p_1.lightShape)), 1e30, t_3.y);
+PairHit meet(PairHit found, RayPair p_1, uint i_11, vec2 t_4) {
+    bool own_3 = (i_11 == p_1.shape);
+    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t_4.x);
+    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_11 == p_1.lightShape)), 1e30, t_4.y);
     bool nearer_1 = (pathT < found.t);
-    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_7, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
+    return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_11, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
-PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_8) {
-    Bounds _e3 = fetchBounds(i_8);
-    bool own_4 = (i_8 == p_2.shape);
+PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_12) {
+    Bounds _e3 = fetchBounds(i_12);
+    bool own_4 = (i_12 == p_2.shape);
     float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
     float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
-    PairHit _e23 = meet(found_1, p_2, i_8, vec2(_e13, _e21));
+    PairHit _e23 = meet(found_1, p_2, i_12, vec2(_e13, _e21));
     return _e23;
 }
 
@@ -1263,16 +1446,16 @@ float intersectBox(vec3 origin_3, vec3 direction_3, vec3 halfSize_1, float tMin_
     return pick(startsInside_1, max(_e5.far, 0.0), pick(pick((_e5.near <= _e5.far), (t_11 > tMin_1), false), t_11, 1e30));
 }
 
-PairHit meetBox(PairHit found_2, RayPair p_3, uint i_9) {
-    Bounds _e3 = fetchBounds(i_9);
-    Extent _e4 = fetchExtent(i_9);
-    bool own_5 = (i_9 == p_3.shape);
+PairHit meetBox(PairHit found_2, RayPair p_3, uint i_13) {
+    Bounds _e3 = fetchBounds(i_13);
+    Extent _e4 = fetchExtent(i_13);
+    bool own_5 = (i_13 == p_3.shape);
     vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_3.direction);
     float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
     vec3 _e23 = turned(_e4.a, p_3.lightDirection);
     float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
-    PairHit _e31 = meet(found_2, p_3, i_9, vec2(_e20, _e29));
+    PairHit _e31 = meet(found_2, p_3, i_13, vec2(_e20, _e29));
     return _e31;
 }
 
@@ -1286,12 +1469,12 @@ float intersectQuad(vec3 origin_4, vec3 direction_4, vec3 center_1, vec3 recipro
     return pick(pick(pick((t_12 > tMin_2), (t_12 < 1e30), false), within_1, false), t_12, 1e30);
 }
 
-PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_10) {
-    Bounds _e3 = fetchBounds(i_10);
-    Extent _e4 = fetchExtent(i_10);
+PairHit meetQuad(PairHit found_3, RayPair p_4, uint i_14) {
+    Bounds _e3 = fetchBounds(i_14);
+    Extent _e4 = fetchExtent(i_14);
     float _e13 = intersectQuad(p_4.point, p_4.direction, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
     float _e22 = intersectQuad(p_4.point, p_4.lightDirection, _e3.center, _e4.a.xyz, _e4.b.xyz, p_4.tMin);
-    PairHit _e24 = meet(found_3, p_4, i_10, vec2(_e13, _e22));
+    PairHit _e24 = meet(found_3, p_4, i_14, vec2(_e13, _e22));
     return _e24;
 }
 
@@ -1304,20 +1487,20 @@ float intersectPlane(vec3 origin_5, vec3 direction_5, vec3 normal_6, float offse
     return pick(pick(pick((offset == 0.0), true, (_e30 != 0u)), eitherWay, (speedAway > 1e-12)), max(t_13, 0.0), 1e30);
 }
 
-PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_11) {
-    Bounds _e3 = fetchBounds(i_11);
+PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_15) {
+    Bounds _e3 = fetchBounds(i_15);
     float _e9 = intersectPlane(p_5.point, p_5.direction, _e3.center, _e3.radius, p_5.tMin);
     float _e15 = intersectPlane(p_5.point, p_5.lightDirection, _e3.center, _e3.radius, p_5.tMin);
-    PairHit _e17 = meet(found_4, p_5, i_11, vec2(_e9, _e15));
+    PairHit _e17 = meet(found_4, p_5, i_15, vec2(_e9, _e15));
     return _e17;
 }
 
-vec4 planes(uint row_4, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_4);
+vec4 planes(uint row_9, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_9);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
-vec4 enterChildren(uint node_1, SlabRay r, float t_4) {
+vec4 enterChildren(uint node_1, SlabRay r, float t_5) {
     uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
@@ -1327,7 +1510,7 @@ vec4 enterChildren(uint node_1, SlabRay r, float t_4) {
     vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
     vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
     vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_4))));
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_5))));
 }
 
 vec3 turnedTo(uint axis_2, vec3 v_4) {
@@ -1369,87 +1552,6 @@ MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
     return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
-uvec4 texelRow(uint i_12) {
-    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_12 & 2047u), (i_12 >> 11u))), 0);
-    return _e8;
-}
-
-MaterialTextures fetchMaterialTextures(uint row_5) {
-    uvec4 _e3 = texelRow((row_5 + 0u));
-    return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
-}
-
-Vertex fetchVertex(uint row_6) {
-    uvec4 _e3 = geometryRow((row_6 + 0u));
-    return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
-}
-
-VertexMore fetchVertexMore(uint row_7) {
-    uvec4 _e3 = geometryRow((row_7 + 0u));
-    return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
-}
-
-vec2 pairOf(uint word) {
-    return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
-}
-
-TextureUse fetchTextureUse(uint row_8) {
-    uvec4 _e3 = texelRow((row_8 + 0u));
-    uvec4 _e6 = texelRow((row_8 + 1u));
-    uvec4 _e9 = texelRow((row_8 + 2u));
-    return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
-}
-
-Neighbours neighbours(float x_4, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside_2 = pick(clamps, clamp(x_4, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_4))) - 1.0))), fract(x_4)));
-    float at_3 = ((inside_2 * float(size)) - pick(nearest, 0.0, 0.5));
-    float low_4 = floor(at_3);
-    int last = (int(size) - 1);
-    int first_1 = int(low_4);
-    int second = (first_1 + 1);
-    bool repeats = !(pick(clamps, true, mirrors));
-    int before_2 = pick(repeats, last, 0);
-    int after = pick(repeats, 0, last);
-    return Neighbours(uint(pick((first_1 < 0), before_2, min(max(first_1, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_3 - low_4)));
-}
-
-vec3 linearFromSrgb(vec3 c) {
-    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
-}
-
-vec4 decoded(uint texel, bool colored) {
-    vec4 c_1 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
-    vec3 _e18 = linearFromSrgb(c_1.xyz);
-    return vec4(pick(colored, _e18, c_1.xyz), c_1.w);
-}
-
-uint texelAt(uint i_13) {
-    uvec4 _e3 = texelRow((i_13 >> 2u));
-    uvec2 pair_3 = pick(((i_13 & 2u) != 0u), _e3.zw, _e3.xy);
-    return pick(((i_13 & 1u) != 0u), pair_3.y, pair_3.x);
-}
-
-vec4 lookUp(TextureUse t_5, vec2 uv) {
-    vec3 place_5 = vec3(uv, 1.0);
-    bool nearest_2 = ((t_5.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_5.toU, place_5), t_5.width, ((t_5.flags & clampsU) != 0u), ((t_5.flags & mirrorsU) != 0u), nearest_2);
-    Neighbours _e36 = neighbours(dot(t_5.toV, place_5), t_5.height, ((t_5.flags & clampsV) != 0u), ((t_5.flags & mirrorsV) != 0u), nearest_2);
-    uint upper_1 = (t_5.first + (_e36.first * t_5.width));
-    uint lower_1 = (t_5.first + (_e36.second * t_5.width));
-    bool colored_1 = ((t_5.flags & isColor) != 0u);
-    uint _e54 = texelAt((upper_1 + _e22.first));
-    vec4 _e55 = decoded(_e54, colored_1);
-    uint _e58 = texelAt((upper_1 + _e22.second));
-    vec4 _e59 = decoded(_e58, colored_1);
-    vec4 above_3 = mix(_e55, _e59, _e22.share);
-    uint _e64 = texelAt((lower_1 + _e22.first));
-    vec4 _e65 = decoded(_e64, colored_1);
-    uint _e68 = texelAt((lower_1 + _e22.second));
-    vec4 _e69 = decoded(_e68, colored_1);
-    vec4 below_1 = mix(_e65, _e69, _e22.share);
-    return mix(above_3, below_1, _e36.share);
-}
-
 float unitFloat(uint h_1) {
     return (float((h_1 >> 8u)) * 5.9604645e-8);
 }
@@ -1460,50 +1562,28 @@ uint pcg(uint x_5) {
     return ((w_2 >> 22u) ^ w_2);
 }
 
-bool isThere(uint instance, uint place, vec2 weights, uint number) {
-    vec4 uv_1 = vec4(0.0);
-    float opacity = 0.0;
+bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
+    float opacity_1 = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_10 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_10);
-    vec3 share_3 = vec3(((1.0 - weights.x) - weights.y), weights);
-    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
-    opacity = _e19.opacity;
-    if ((_e10.vertexRows != 0u)) {
-        Vertex _e45 = fetchVertex(rows.x);
-        Vertex _e50 = fetchVertex(rows.y);
-        Vertex _e56 = fetchVertex(rows.z);
-        uv_1 = vec4((((share_3.x * _e45.uv) + (share_3.y * _e50.uv)) + (share_3.z * _e56.uv)), 0.0, 0.0);
-    }
-    if ((_e10.vertexRows > vertexRows)) {
-        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
-        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
-        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
-        vec4 _e78 = uv_1;
-        uv_1 = vec4(_e78.xy, (((share_3.x * _e69.uv) + (share_3.y * _e73.uv)) + (share_3.z * _e77.uv)));
-        float _e92 = opacity;
-        vec2 _e94 = pairOf(_e69.blueAlpha);
-        vec2 _e97 = pairOf(_e73.blueAlpha);
-        vec2 _e100 = pairOf(_e77.blueAlpha);
-        opacity = (_e92 * dot(share_3, vec3(_e94.y, _e97.y, _e100.y)));
-    }
+    uint row_11 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_11);
+    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    opacity_1 = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_10 + materialTexturesRows));
-        float _e113 = opacity;
-        vec4 _e114 = uv_1;
-        vec4 _e116 = uv_1;
-        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
-        opacity = (_e113 * _e124.w);
+        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
+        float _e43 = opacity_1;
+        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
+        opacity_1 = (_e43 * _e54.w);
     }
-    uint _e127 = pcg(number);
-    uint _e129 = pcg((instance + _e127));
-    uint _e131 = pcg((place + _e129));
-    float _e132 = unitFloat(_e131);
-    float _e133 = opacity;
-    float _e136 = opacity;
-    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+    uint _e57 = pcg(number);
+    uint _e59 = pcg((instance + _e57));
+    uint _e61 = pcg((place + _e59));
+    float _e62 = unitFloat(_e61);
+    float _e63 = opacity_1;
+    float _e66 = opacity_1;
+    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1558,10 +1638,10 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 r0_ = pick(a_4, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
                 vec2 t1_ = pick(b_4, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_4, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_2 = (t0_.x < t1_.x);
+                bool c_4 = (t0_.x < t1_.x);
                 bool d_3 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_2, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_2, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 ta = pick(c_4, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
+                uvec2 ra = pick(c_4, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_3, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_3, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e_25 = (ta.y < tb.x);
@@ -1768,20 +1848,20 @@ PairHit meetMeshes(PairHit found_6, RayPair p_6) {
 
 PairHit tracePair(RayPair p_7) {
     PairHit found_7 = PairHit(1e30, 4294967295u, false, LeftTriangle(4294967295u, 0u), vec2(0.0));
-    uint i_14 = 0u;
+    uint i_16 = 0u;
     uvec4 ends_3 = frame.shapeEnds;
     const bool _e17 = hasSpheres;
     if (_e17) {
-        uint _e18 = i_14;
+        uint _e18 = i_16;
         if ((_e18 < ends_3.x)) {
             while(true) {
                 PairHit _e21 = found_7;
-                uint _e22 = i_14;
+                uint _e22 = i_16;
                 PairHit _e23 = meetSphere(_e21, p_7, _e22);
                 found_7 = _e23;
-                uint _e25 = i_14;
-                i_14 = (_e25 + 1u);
-                uint _e27 = i_14;
+                uint _e25 = i_16;
+                i_16 = (_e25 + 1u);
+                uint _e27 = i_16;
                 if ((_e27 >= ends_3.x)) {
                     break;
                 }
@@ -1790,16 +1870,16 @@ PairHit tracePair(RayPair p_7) {
     }
     const bool _e31 = hasBoxes;
     if (_e31) {
-        uint _e32 = i_14;
+        uint _e32 = i_16;
         if ((_e32 < ends_3.y)) {
             while(true) {
                 PairHit _e35 = found_7;
-                uint _e36 = i_14;
+                uint _e36 = i_16;
                 PairHit _e37 = meetBox(_e35, p_7, _e36);
                 found_7 = _e37;
-                uint _e39 = i_14;
-                i_14 = (_e39 + 1u);
-                uint _e41 = i_14;
+                uint _e39 = i_16;
+                i_16 = (_e39 + 1u);
+                uint _e41 = i_16;
                 if ((_e41 >= ends_3.y)) {
                     break;
                 }
@@ -1808,16 +1888,16 @@ PairHit tracePair(RayPair p_7) {
     }
     const bool _e45 = hasQuads;
     if (_e45) {
-        uint _e46 = i_14;
+        uint _e46 = i_16;
         if ((_e46 < ends_3.z)) {
             while(true) {
                 PairHit _e49 = found_7;
-                uint _e50 = i_14;
+                uint _e50 = i_16;
                 PairHit _e51 = meetQuad(_e49, p_7, _e50);
                 found_7 = _e51;
-                uint _e53 = i_14;
-                i_14 = (_e53 + 1u);
-                uint _e55 = i_14;
+                uint _e53 = i_16;
+                i_16 = (_e53 + 1u);
+                uint _e55 = i_16;
                 if ((_e55 >= ends_3.z)) {
                     break;
                 }
@@ -1826,16 +1906,16 @@ PairHit tracePair(RayPair p_7) {
     }
     const bool _e59 = hasPlanes;
     if (_e59) {
-        uint _e60 = i_14;
+        uint _e60 = i_16;
         if ((_e60 < ends_3.w)) {
             while(true) {
                 PairHit _e63 = found_7;
-                uint _e64 = i_14;
+                uint _e64 = i_16;
                 PairHit _e65 = meetPlane(_e63, p_7, _e64);
                 found_7 = _e65;
-                uint _e67 = i_14;
-                i_14 = (_e67 + 1u);
-                uint _e69 = i_14;
+                uint _e67 = i_16;
+                i_16 = (_e67 + 1u);
+                uint _e69 = i_16;
                 if ((_e69 >= ends_3.w)) {
                     break;
                 }
@@ -1863,7 +1943,7 @@ vec3 fromOctahedral(uint code) {
     return normalize(vec3(pick((z_4 < 0.0), folded, p_13), z_4));
 }
 
-MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
     MeshPoint p_8 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
@@ -1872,15 +1952,15 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
     vec3 geometric = normalize((turn_1 * cross((_e14.b - _e14.a), (_e14.c - _e14.a))));
     p_8 = MeshPoint(geometric, geometric, vec3(0.0), vec3(0.0), geometric, vec4(0.0), vec4(1.0));
     if ((_e9.vertexRows != 0u)) {
-        uvec3 rows_1 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
-        Vertex _e54 = fetchVertex(rows_1.x);
-        Vertex _e56 = fetchVertex(rows_1.y);
-        Vertex _e58 = fetchVertex(rows_1.z);
-        vec3 share_4 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        uvec3 rows_2 = (uvec3(_e9.vertices) + (uvec3(_e14.vertexA, _e14.vertexB, _e14.vertexC) * _e9.vertexRows));
+        Vertex _e54 = fetchVertex(rows_2.x);
+        Vertex _e56 = fetchVertex(rows_2.y);
+        Vertex _e58 = fetchVertex(rows_2.z);
+        vec3 share_5 = vec3(((1.0 - weights_2.x) - weights_2.y), weights_2);
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_12 = (((share_4.x * _e67) + (share_4.y * _e71)) + (share_4.z * _e76));
+        vec3 normal_12 = (((share_5.x * _e67) + (share_5.y * _e71)) + (share_5.z * _e76));
         vec3 smoothed = (turn_1 * normal_12);
         float size_5 = dot(smoothed, smoothed);
         float side_3 = pick((dot(smoothed, geometric) < 0.0), -1.0, 1.0);
@@ -1888,28 +1968,28 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         p_8.shading = pick(useful, (smoothed * (side_3 * inversesqrt(max(size_5, 1e-37)))), geometric);
         const bool _e103 = hasTextures;
         if (_e103) {
-            p_8.uv = vec4((((share_4.x * _e54.uv) + (share_4.y * _e56.uv)) + (share_4.z * _e58.uv)), 0.0, 0.0);
+            p_8.uv = vec4((((share_5.x * _e54.uv) + (share_5.y * _e56.uv)) + (share_5.z * _e58.uv)), 0.0, 0.0);
             if ((_e9.vertexRows > vertexRows)) {
-                VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
-                VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
-                VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
+                VertexMore _e125 = fetchVertexMore((rows_2.x + vertexRows));
+                VertexMore _e129 = fetchVertexMore((rows_2.y + vertexRows));
+                VertexMore _e133 = fetchVertexMore((rows_2.z + vertexRows));
                 vec4 _e136 = p_8.uv;
-                p_8.uv = vec4(_e136.xy, (((share_4.x * _e125.uv) + (share_4.y * _e129.uv)) + (share_4.z * _e133.uv)));
+                p_8.uv = vec4(_e136.xy, (((share_5.x * _e125.uv) + (share_5.y * _e129.uv)) + (share_5.z * _e133.uv)));
                 vec2 _e152 = pairOf(_e125.redGreen);
                 vec2 _e156 = pairOf(_e129.redGreen);
                 vec2 _e161 = pairOf(_e133.redGreen);
-                vec2 redGreen = (((share_4.x * _e152) + (share_4.y * _e156)) + (share_4.z * _e161));
+                vec2 redGreen = (((share_5.x * _e152) + (share_5.y * _e156)) + (share_5.z * _e161));
                 vec2 _e166 = pairOf(_e125.blueAlpha);
                 vec2 _e170 = pairOf(_e129.blueAlpha);
                 vec2 _e175 = pairOf(_e133.blueAlpha);
-                vec2 blueAlpha = (((share_4.x * _e166) + (share_4.y * _e170)) + (share_4.z * _e175));
+                vec2 blueAlpha = (((share_5.x * _e166) + (share_5.y * _e170)) + (share_5.z * _e175));
                 p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
             }
             if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
                 vec3 _e193 = fromOctahedral(_e54.tangent);
                 vec3 _e197 = fromOctahedral(_e56.tangent);
                 vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent = (((share_4.x * _e193) + (share_4.y * _e197)) + (share_4.z * _e202));
+                vec3 tangent = (((share_5.x * _e193) + (share_5.y * _e197)) + (share_5.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_8.normal = (smoothed * side_3);
                 p_8.tangent = ((turn_1 * tangent) * side_3);
@@ -1947,10 +2027,10 @@ float boxPdf(Emitter e_19, vec3 point_17, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_20, vec3 direction_11, float distance_4, vec3 normal_8, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_11 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_11);
-    float _e26 = areaPdf((e_20.area / _e20.density), (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
-    return _e26;
+    uint row_12 = ((_e7 + uint(e_20.table)) + (place_2 & ((1u << uint(e_20.radius)) - 1u)));
+    float _e23 = areaPdf(e_20.area, (distance_4 * abs(dot(direction_11, normal_8))), distance_4);
+    LampTriangle _e24 = fetchLampTriangle(row_12);
+    return (_e23 * _e24.density);
 }
 
 float shapePdf(Emitter e_21, vec3 point_18, vec3 direction_12, float distance_5, vec3 normal_9, uint place_3) {
@@ -1991,30 +2071,30 @@ Start onSurface(vec3 point_19, uint shape, bool seenFromInside) {
     return Start(point_19, pick(seenFromInside, noShape, shape), pick(seenFromInside, shape, noShape), (1e-5 * length(point_19)));
 }
 
-bool isSphere(uint i_15) {
+bool isSphere(uint i_17) {
     uint _e4 = frame.shapeEnds.x;
-    return (i_15 < _e4);
+    return (i_17 < _e4);
 }
 
-float hitSphere(uint i_16, Bounds bounds, Ray ray_2) {
-    float _e13 = intersectSphere(ray_2.start.point, ray_2.direction, bounds.center, bounds.radius, ray_2.start.tMin, (i_16 == ray_2.start.inside));
-    return pick((i_16 == ray_2.start.leaves), 1e30, _e13);
+float hitSphere(uint i_18, Bounds bounds, Ray ray_2) {
+    float _e13 = intersectSphere(ray_2.start.point, ray_2.direction, bounds.center, bounds.radius, ray_2.start.tMin, (i_18 == ray_2.start.inside));
+    return pick((i_18 == ray_2.start.leaves), 1e30, _e13);
 }
 
-bool isBox(uint i_17) {
+bool isBox(uint i_19) {
     uint _e4 = frame.shapeEnds.x;
     uint _e9 = frame.shapeEnds.y;
-    return pick((i_17 >= _e4), (i_17 < _e9), false);
+    return pick((i_19 >= _e4), (i_19 < _e9), false);
 }
 
 bool isTurned(vec4 q_5) {
     return any(notEqual(q_5.xyz, vec3(0.0)));
 }
 
-float hitBox(uint i_18, Bounds bounds_1, Ray ray_3) {
+float hitBox(uint i_20, Bounds bounds_1, Ray ray_3) {
     vec3 origin_9 = vec3(0.0);
     vec3 direction_13 = vec3(0.0);
-    Extent _e3 = fetchExtent(i_18);
+    Extent _e3 = fetchExtent(i_20);
     origin_9 = (ray_3.start.point - bounds_1.center);
     direction_13 = ray_3.direction;
     bool _e12 = isTurned(_e3.a);
@@ -2028,55 +2108,55 @@ float hitBox(uint i_18, Bounds bounds_1, Ray ray_3) {
     }
     vec3 _e19 = origin_9;
     vec3 _e20 = direction_13;
-    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_18 == ray_3.start.inside));
-    return pick((i_18 == ray_3.start.leaves), 1e30, _e28);
+    float _e28 = intersectBox(_e19, _e20, _e3.b.xyz, ray_3.start.tMin, (i_20 == ray_3.start.inside));
+    return pick((i_20 == ray_3.start.leaves), 1e30, _e28);
 }
 
-bool isQuad0_(uint i_19) {
+bool isQuad0_(uint i_21) {
     uint _e4 = frame.shapeEnds.z;
-    return (i_19 < _e4);
+    return (i_21 < _e4);
 }
 
-float hitQuad(uint i_20, Bounds bounds_2, Ray ray_4) {
-    Extent _e3 = fetchExtent(i_20);
+float hitQuad(uint i_22, Bounds bounds_2, Ray ray_4) {
+    Extent _e3 = fetchExtent(i_22);
     float _e14 = intersectQuad(ray_4.start.point, ray_4.direction, bounds_2.center, _e3.a.xyz, _e3.b.xyz, ray_4.start.tMin);
-    return pick((i_20 == ray_4.start.leaves), 1e30, _e14);
+    return pick((i_22 == ray_4.start.leaves), 1e30, _e14);
 }
 
-float hitPlane(uint i_21, Bounds bounds_3, Ray ray_5) {
+float hitPlane(uint i_23, Bounds bounds_3, Ray ray_5) {
     float _e10 = intersectPlane(ray_5.start.point, ray_5.direction, bounds_3.center, bounds_3.radius, ray_5.start.tMin);
-    return pick((i_21 == ray_5.start.leaves), 1e30, _e10);
+    return pick((i_23 == ray_5.start.leaves), 1e30, _e10);
 }
 
-float hitShape(uint i_22, Bounds bounds_4, Ray ray_6) {
-    bool _e3 = isSphere(i_22);
+float hitShape(uint i_24, Bounds bounds_4, Ray ray_6) {
+    bool _e3 = isSphere(i_24);
     if (_e3) {
-        float _e4 = hitSphere(i_22, bounds_4, ray_6);
+        float _e4 = hitSphere(i_24, bounds_4, ray_6);
         return _e4;
     }
-    bool _e5 = isBox(i_22);
+    bool _e5 = isBox(i_24);
     if (_e5) {
-        float _e6 = hitBox(i_22, bounds_4, ray_6);
+        float _e6 = hitBox(i_24, bounds_4, ray_6);
         return _e6;
     }
-    bool _e7 = isQuad0_(i_22);
+    bool _e7 = isQuad0_(i_24);
     if (_e7) {
-        float _e8 = hitQuad(i_22, bounds_4, ray_6);
+        float _e8 = hitQuad(i_24, bounds_4, ray_6);
         return _e8;
     }
-    float _e9 = hitPlane(i_22, bounds_4, ray_6);
+    float _e9 = hitPlane(i_24, bounds_4, ray_6);
     return _e9;
 }
 
-bool isPlane(uint i_23) {
+bool isPlane(uint i_25) {
     uint _e4 = frame.shapeEnds.z;
     uint _e9 = frame.shapeEnds.w;
-    return pick((i_23 >= _e4), (i_23 < _e9), false);
+    return pick((i_25 >= _e4), (i_25 < _e9), false);
 }
 
-bool isFlat(uint i_24) {
+bool isFlat(uint i_26) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_24 >= _e4);
+    return (i_26 >= _e4);
 }
 
 vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4, bool startsInside_2) {
@@ -2090,23 +2170,23 @@ vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4,
     return (side_4 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
-vec3 outwardNormal(uint i_25, Ray ray_7, float t_7) {
-    Bounds _e3 = fetchBounds(i_25);
+vec3 outwardNormal(uint i_27, Ray ray_7, float t_7) {
+    Bounds _e3 = fetchBounds(i_27);
     vec3 origin_11 = (ray_7.start.point - _e3.center);
-    bool _e8 = isSphere(i_25);
+    bool _e8 = isSphere(i_27);
     if (_e8) {
         return normalize((origin_11 + (t_7 * ray_7.direction)));
     }
-    bool _e13 = isPlane(i_25);
+    bool _e13 = isPlane(i_27);
     if (_e13) {
         return _e3.center;
     }
-    Extent _e15 = fetchExtent(i_25);
-    bool _e16 = isFlat(i_25);
+    Extent _e15 = fetchExtent(i_27);
+    bool _e16 = isFlat(i_27);
     if (_e16) {
         return normalize(cross(_e15.a.xyz, _e15.b.xyz));
     }
-    bool inside_3 = (i_25 == ray_7.start.inside);
+    bool inside_3 = (i_27 == ray_7.start.inside);
     vec3 _e27 = rotate(_e15.a, origin_11);
     vec3 _e30 = rotate(_e15.a, ray_7.direction);
     vec3 _e35 = boxNormal(_e27, _e30, _e15.b.xyz, ray_7.start.tMin, inside_3);
@@ -2143,10 +2223,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_17) {
     float _e35 = frame.environmentTurn;
     float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_12 = floor(fromPole_1);
+    float row_13 = floor(fromPole_1);
     bool isLower_1 = (direction_17.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_12), row_12));
-    float within_3 = (fromPole_1 - row_12);
+    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_13), row_13));
+    float within_3 = (fromPole_1 - row_13);
     vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
@@ -2193,15 +2273,15 @@ void main() {
     uvec2 pixel = uvec2(fragment.xy);
     vec4 a_5 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
     vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
-    vec4 c_3 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    vec4 c_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
     uint question = uint(b_5.w);
     uint index = uint(a_5.w);
     if ((question == choice_2)) {
-        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_3.xyz, b_5.x);
+        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_5.xyz, b_5.x);
         Emitter _e42 = fetchEmitter(_e40.index);
-        float _e46 = probabilityOf(_e42, a_5.xyz, c_3.xyz, _e40.odds);
+        float _e46 = probabilityOf(_e42, a_5.xyz, c_5.xyz, _e40.odds);
         Emitter _e50 = fetchEmitter(index);
-        float _e54 = probabilityOf(_e50, a_5.xyz, c_3.xyz, _e40.odds);
+        float _e54 = probabilityOf(_e50, a_5.xyz, c_5.xyz, _e40.odds);
         _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
@@ -2215,7 +2295,7 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_3.xyz);
+    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_5.xyz);
     if ((_e56.kind == 7.0)) {
         RayPair _e85 = oneRay(a_5.xyz, direction_22, 0u);
         PairHit _e86 = tracePair(_e85);

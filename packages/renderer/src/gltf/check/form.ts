@@ -69,8 +69,8 @@ export const choice = (...options: readonly (string | number)[]): Form => {
 };
 
 /** A list of so many finite numbers. */
-export const numbers = (length: number): Form => {
-  const item = number();
+export const numbers = (length: number, most = Number.MAX_VALUE): Form => {
+  const item = number(-most, most);
   return (value, path, check) => {
     if (!Array.isArray(value) || value.length !== length) refuse(check, path, value, `a list of ${length} numbers`);
     else for (let i = 0; i < length; i++) item(value[i], [...path, i], check);

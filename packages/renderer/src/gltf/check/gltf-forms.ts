@@ -1,4 +1,5 @@
 /** The JSON of glTF 2.0: chapter 5 of its specification, less what nobody here reads. */
+import { GLTF_LIMITS } from '../limits.ts';
 import { bufferViewExtensions, materialExtensions, meshExtensions, nodeExtensions, primitiveExtensions, rootExtensions, textureExtensions } from './extension-forms.ts'; // biome-ignore format: one list
 import { both, choice, type Form, flag, index, integer, list, map, number, numbers, object, text } from './form.ts';
 import { normalTexture, occlusionTexture, textureInfo } from './texture-forms.ts';
@@ -103,11 +104,11 @@ const node = object(
     camera: index('cameras'),
     children: list(index('nodes')),
     skin: index('skins'),
-    matrix: numbers(16),
+    matrix: numbers(16, GLTF_LIMITS.farthest),
     mesh: index('meshes'),
     rotation: numbers(4),
-    scale: numbers(3),
-    translation: numbers(3),
+    scale: numbers(3, GLTF_LIMITS.farthest),
+    translation: numbers(3, GLTF_LIMITS.farthest),
     weights: list(number()),
     extensions: nodeExtensions,
   },

@@ -74,11 +74,11 @@ export class PrimitiveReader {
   /** `source`: the vertices that are taken, or null for all. */
   #assemble(primitive: PrimitiveJson, indices: Uint32Array, source: Uint32Array | null, path: Path): Mesh | null {
     const { attributes } = primitive;
-    const take: Take = (accessor, most = Number.MAX_VALUE) => {
+    const take: Take = (accessor, most = GLTF_LIMITS.farthest) => {
       const floats = this.#numbers(accessor, most);
       return floats && source ? picked(floats, this.#reading.columns[accessor]!.width, source) : floats;
     };
-    const positions = take(attributes.POSITION!, GLTF_LIMITS.farthest);
+    const positions = take(attributes.POSITION!);
     if (positions === null) return null;
     const normals = this.#normals(attributes.NORMAL, take, positions, indices, path);
     const mesh: Mesh = {

@@ -4,7 +4,7 @@
  */
 import type { Mesh } from '../../scene/mesh.ts';
 import { type TextureUse, textureTransform } from '../../scene/textures.ts';
-import { blendedNormals } from './normals.ts';
+import { across, blendedNormals } from './normals.ts';
 import { rearranged, unshared } from './rearrange.ts';
 
 /** Four numbers for each corner of each triangle. */
@@ -31,7 +31,15 @@ export function withTangents(mesh: Mesh, use: TextureUse | null, make: TangentMa
   const whole = flat ? unshared(mesh) : mesh;
   const normals = whole.normals ?? blendedNormals(whole.positions, whole.indices);
   const coordinates = transformed(whole.uvs![use?.uvSet ?? 0]!, use);
-  return split({ ...whole, normals }, make({ ...whole, normals }, coordinates));
+  return split({ ...whole, normals }, finite(make({ ...whole, normals }, coordinates), whole.indices, normals));
+}
+
+/** Coordinates of 1e30 overflow on the way: some direction across the normal stands for what is no number. */
+function finite(corners: Float32Array, indices: Uint32Array, normals: Float32Array): Float32Array {
+  for (let i = 0; i < indices.length; i++)
+    if (!corners.subarray(4 * i, 4 * i + 4).every(Number.isFinite))
+      corners.set([...across(normals, indices[i]!), 1], 4 * i);
+  return corners;
 }
 
 function transformed(uv: Float32Array, use: TextureUse | null): Float32Array {

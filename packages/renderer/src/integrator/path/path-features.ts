@@ -73,7 +73,7 @@ function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [strin
 
 const hasGrain = (material: Material): boolean => isLayered(material) && (material.anisotropy?.strength ?? 0) > 0;
 
-function lightFeatures({ kinds, far, near }: EmitterPlan) {
+function lightFeatures({ kinds, far, near, glows }: EmitterPlan) {
   const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));
   return {
     hasSphereLights: has(EMITTER_KIND.sphere),
@@ -85,6 +85,7 @@ function lightFeatures({ kinds, far, near }: EmitterPlan) {
     hasManyLights: far + near > 1,
     hasMeshLamps: has(EMITTER_KIND.mesh),
     hasLightTree: near > LISTED_EMITTERS,
+    hasVariedLamps: [...glows.values()].some(({ texture, mayBeMissing }) => texture !== null || mayBeMissing),
   };
 }
 

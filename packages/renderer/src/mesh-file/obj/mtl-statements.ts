@@ -2,7 +2,7 @@
 import { quote } from '../../scene-file/problem.ts';
 import type { FileProblems } from '../file-problems.ts';
 import { LineScanner } from '../line-scanner.ts';
-import { type MtlTexture, readTexture, TEXTURES, type TextureWord } from './mtl-textures.ts';
+import { type MtlTexture, readTexture, type TextureWord, textureWord } from './mtl-textures.ts';
 
 export type Rgb = [red: number, green: number, blue: number];
 
@@ -21,15 +21,16 @@ export type ColorWord = (typeof COLORS)[number];
 const COLORS = ['Kd', 'Ks', 'Ka', 'Ke', 'Tf'] as const;
 /**
  * Exponent of the highlight, index of refraction, opacity, 1 − opacity, kind of illumination; and of the extension for physically based
- * rendering roughness and metallic.
+ * rendering roughness, metallic, sheen, clear coat and its roughness, anisotropy and its rotation (1: once around).
  */
 export type NumberWord = (typeof NUMBERS)[number];
-const NUMBERS = ['Ns', 'Ni', 'd', 'Tr', 'illum', 'Pr', 'Pm'] as const;
+const NUMBERS = ['Ns', 'Ni', 'd', 'Tr', 'illum', 'Pr', 'Pm', 'Ps', 'Pc', 'Pcr', 'aniso', 'anisor'] as const;
 
 const MOST_MATERIALS = 4096;
 const MOST_OTHERS = 40;
 
-export function readMtlStatements(bytes: Uint8Array, problems: FileProblems): MtlMaterial[] {
+/** `folder`: of the file, with a "/" at its end; names of textures count from there. */
+export function readMtlStatements(bytes: Uint8Array, folder: string, problems: FileProblems): MtlMaterial[] {
   const scan = new LineScanner(bytes, { continues: true });
   const materials = new Map<string, MtlMaterial>();
   let current: MtlMaterial | null = null;
@@ -37,7 +38,7 @@ export function readMtlStatements(bytes: Uint8Array, problems: FileProblems): Mt
     const { line } = scan;
     const word = scan.word();
     if (word === 'newmtl') current = begin(scan.rest(), line, materials, problems);
-    else if (current && !word.startsWith('#')) readStatement(word, line, scan, current, problems);
+    else if (current && !word.startsWith('#')) readStatement(word, line, scan, current, folder, problems);
     else if (!word.startsWith('#'))
       problems.add({ line }, `${quote(word)} before any material`, 'a line "newmtl" first');
     scan.endLine();
@@ -45,9 +46,8 @@ export function readMtlStatements(bytes: Uint8Array, problems: FileProblems): Mt
   return [...materials.values()];
 }
 
-/** The last of two with the same name counts. */
+/** The last of two with the same name counts. One without a name is that of faces that name none. */
 function begin(name: string, line: number, materials: Map<string, MtlMaterial>, problems: FileProblems): MtlMaterial {
-  if (name === '') problems.add({ line }, 'a material without a name', 'a name');
   if (materials.size >= MOST_MATERIALS) problems.fail({ line }, 'one material more', `at most ${MOST_MATERIALS}`);
   const material: MtlMaterial = { name, colors: new Map(), numbers: new Map(), textures: new Map(), others: new Set() };
   materials.set(name, material);
@@ -62,8 +62,10 @@ function readStatement(
   line: number,
   scan: LineScanner,
   { colors, numbers, textures, others }: MtlMaterial,
+  folder: string,
   problems: FileProblems,
 ): void {
+  const map = textureWord(word);
   if (isOneOf(COLORS, word)) {
     const color = readColor(word, line, scan, problems);
     if (color) colors.set(word, color);
@@ -72,10 +74,10 @@ function readStatement(
     // "d -halo 0.5": opaque where it is seen edge on, which we do not know.
     if (scan.bytes[scan.at + 1] === 45 && word === 'd') others.add('d -halo');
     else numbers.set(word, readNumber(word, line, scan, problems));
-  } else if (isOneOf(TEXTURES, word)) {
-    const texture = readTexture(scan.rest());
-    if (texture) textures.set(word, texture);
-    else others.add(word);
+  } else if (map) {
+    const texture = readTexture(scan.rest(), folder);
+    if (typeof texture !== 'string') textures.set(map, texture);
+    else if (others.size < MOST_OTHERS) others.add(`${word} (${texture})`);
   } else if (others.size < MOST_OTHERS) others.add(/^[\w-]{1,40}$/.test(word) ? word : quote(word));
 }
 

@@ -57,34 +57,89 @@ test.each<[string, string[], Partial<Material>]>([
   expect(notes).toEqual([]);
 }); // biome-ignore format: table
 
-test('textures count from the folder of the file; options that are not known are told', () => {
-  const file = readMtl(
-    new TextEncoder().encode('newmtl m\nmap_Kd -clamp on -mm 0 2 a.png\nmap_d b.png'),
-    'parts/it.mtl',
-  );
+const mapped = (...lines: string[]) => {
+  const { materials, textures, images, notes } = one(...lines);
+  return { made: materials.m!, textures, images, notes };
+};
+const whole = (file: string, channel: string) => ({ file, channel, base: 0, gain: 1 });
+
+test('textures count from the folder of the file; what is there once has a texture of its own', () => {
+  const file = readMtl(new TextEncoder().encode('newmtl m\nmap_Kd -clamp on a.png\nmap_Ke b.png'), 'parts/it.mtl');
   expect(file).toMatchObject({
     ok: true,
-    materials: { m: { baseColorTexture: { texture: 'parts/a.png' } } },
-    notes: ['Nothing is made of map_Kd -clamp, map_Kd -mm, map_d of the material "m".'],
+    materials: {
+      m: { baseColorTexture: { texture: 'parts/a.png, clamped' }, emissionTexture: { texture: 'parts/b.png' } },
+    },
+    textures: { 'parts/a.png, clamped': { image: 'parts/a.png', wrapU: 'clamp', wrapV: 'clamp' } },
+    images: {},
+    notes: [],
   });
 });
 
+test('words for normal maps and heights, in letters of either size; a normal map goes before heights', () => {
+  for (const word of ['norm', 'map_norm', 'map_Kn', 'map_kn'])
+    expect(mapped(`${word} n.png`).made.normalTexture).toEqual({ texture: 'n.png', normalScale: 1 });
+  for (const word of ['bump', 'map_Bump', 'map_bump']) {
+    const { made, images } = mapped(`${word} -bm 0.3 -mm 0 2 -imfchan r -clamp on h.png`);
+    expect(made.normalTexture).toEqual({ texture: 'it.mtl: 1, clamped' });
+    expect(images).toEqual({
+      'it.mtl: 1': { kind: 'normals', heights: { file: 'h.png', channel: 'r', base: 0, gain: 2 }, strength: 0.3, clamp: true },
+    });
+  }
+  const { made, notes } = mapped('norm n.png', 'bump h.png');
+  expect(made.normalTexture!.texture).toBe('n.png');
+  expect(notes).toEqual(['Nothing is made of bump of the material "m".']);
+}); // biome-ignore format: long rows
+
+test('opacity of its own lies in the alpha of the image of colours; alone it has white ones', () => {
+  const { made, textures, images } = mapped('d 0', 'map_Kd c.png', 'map_d -imfchan m a.png');
+  expect(made).toEqual({ ...PLASTIC, alphaMode: 'blend', opacity: 1, baseColorTexture: { texture: 'it.mtl: 1' } });
+  expect(textures).toEqual({ 'it.mtl: 1': { image: 'it.mtl: 1' } });
+  expect(images['it.mtl: 1']).toEqual({
+    kind: 'channels',
+    red: whole('c.png', 'r'),
+    green: whole('c.png', 'g'),
+    blue: whole('c.png', 'b'),
+    alpha: whole('a.png', 'm'),
+  });
+  expect(mapped('map_d a.png').images['it.mtl: 1']).toEqual({ kind: 'channels', alpha: whole('a.png', 'opacity') });
+  expect(mapped('map_Kd -s 2 2 c.png', 'map_d a.png').notes[0]).toContain('map_d (it lies in another way than map_Kd)');
+});
+
+test('roughness and metallic are channels of one image; a map of exponents is one of roughness', () => {
+  const { made, images } = mapped('map_Pr r.png', 'map_Pm -imfchan b m.png', 'Pm 0.5');
+  expect(made).toMatchObject({ roughness: 1, metallic: 0.5, metallicRoughnessTexture: { texture: 'it.mtl: 1' } });
+  expect(images['it.mtl: 1']).toEqual({ kind: 'channels', green: whole('r.png', 'l'), blue: whole('m.png', 'b') });
+  const shiny = mapped('Ks 1 1 1', 'Ns 62', 'map_Ns n.png');
+  expect(shiny.made).toMatchObject({ roughness: 1, metallicRoughnessTexture: { texture: 'it.mtl: 1' } });
+  expect(shiny.images['it.mtl: 1']).toEqual({ kind: 'channels', green: { ...whole('n.png', 'l'), exponent: 62 } });
+  expect(mapped('illum 1', 'map_Ns n.png').notes).toEqual(['Nothing is made of map_Ns of the material "m".']);
+});
+
+test('the hue of a highlight, its picture, sheen, clear coat and anisotropy are groups of layers', () => {
+  expect(mapped('Ks 1 0.5 0').made).toMatchObject({ specular: 1, specularLobe: { weight: 1, color: [1, 0.5, 0] } });
+  expect(mapped('map_Ks k.png').made.specularLobe).toEqual({ weight: 1, color: [1, 1, 1], colorTexture: { texture: 'k.png' } });
+  expect(mapped('Ks 0 0 0', 'map_Ks k.png')).toMatchObject({ made: { baseColor: [0.8, 0.8, 0.8] }, notes: [] });
+  expect(mapped('Pr 0.4', 'Ps 0.3').made.sheen).toEqual({ color: [0.3, 0.3, 0.3], roughness: 0.4 });
+  expect(mapped('map_Ps s.png').made.sheen).toEqual({ color: [1, 1, 1], roughness: 0.5, colorTexture: { texture: 'it.mtl: 1' } });
+  expect(mapped('Pc 0.9', 'Pcr 0.1').made.clearcoat).toEqual({ weight: 0.9, roughness: 0.1 });
+  expect(mapped('map_Pcr c.png', 'Pc 1').made.clearcoat).toEqual({ weight: 1, roughness: 1, roughnessTexture: { texture: 'it.mtl: 1' } });
+  expect(mapped('aniso 0.5', 'anisor 0.25').made.anisotropy).toEqual({ strength: 0.5, rotation: 90 });
+}); // biome-ignore format: long rows
+
 test('what nothing is made of is told by material', () => {
-  const { notes } = one(
-    'Kd 1 1 1',
-    'Ka 1 1 1',
-    'map_Kd wood.tga',
-    'bump -bm 0.2 w.png',
-    'Ks spectral a.rfl',
-    'Ks 1 0.5 0',
-    'illum 2',
-    'Ns 9',
-  );
-  expect(notes).toEqual(['Nothing is made of map_Kd, bump, Ks of the material "m".']);
+  const { notes } = one('Kd 1 1 1', 'Ka 1 1 1', 'map_Ka x.png', 'map_Kd wood.tga', 'disp d.png', 'refl -type sphere s.png', 'Ks spectral a.rfl', 'Ns 9', 'map_Ke -cc on -t 1 0 0 e.png'); // biome-ignore format: long
+  expect(notes).toEqual([
+    'Nothing is made of map_Kd ("wood.tga" is no image of a kind that is read), disp, refl, Ks, map_Ke -cc, map_Ke -t of the material "m".',
+  ]);
   expect(one('d -halo 0.3').notes).toEqual(['Nothing is made of d -halo of the material "m".']);
-  const many = Array.from({ length: 25 }, (_, k) => `newmtl m${k}\nbump a.png`).join('\n');
+  const many = Array.from({ length: 25 }, (_, k) => `newmtl m${k}\ndisp a.png`).join('\n');
   expect(read(many).notes).toHaveLength(21);
   expect(read(many).notes.at(-1)).toBe('The same is true of 5 more materials.');
+});
+
+test('a material without a name is that of faces that name none', () => {
+  expect(read('newmtl\nKd 1 0 0\nnewmtl b').materials).toMatchObject({ '': { baseColor: [1, 0, 0] } });
 });
 
 test('several materials, names with spaces and of any language, the last of two alike', () => {
@@ -98,7 +153,6 @@ test('several materials, names with spaces and of any language, the last of two 
 test.each([
   ['nothing', '', 'no material'],
   ['a statement before any material', 'Kd 1 1 1\nnewmtl m', 'At line 1 "it.mtl" has "Kd" before any material'],
-  ['no name', 'newmtl\nKd 1 1 1', 'At line 1 "it.mtl" has a material without a name'],
   ['a word as number', 'newmtl m\nNs high', 'At line 2 "it.mtl" has "high" as "Ns"; expected a number.'],
   ['two numbers of a colour', 'newmtl m\nKd 1 1', 'At line 2 "it.mtl" has "" as "Kd"'],
   ['no number', 'newmtl m\nd', 'At line 2 "it.mtl" has "" as "d"'],

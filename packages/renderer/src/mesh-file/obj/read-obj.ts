@@ -4,6 +4,7 @@ import { type FileProblems, reading, WHOLE } from '../file-problems.ts';
 import { finishMesh } from '../finish-mesh.ts';
 import type { MeshContent, MeshFile, MeshFileOptions, MeshPart } from '../mesh-file.ts';
 import { notesOf } from '../notes.ts';
+import { asUtf8 } from '../text-encoding.ts';
 import { type Faces, partOf } from './part.ts';
 import { type ObjStatements, readStatements } from './statements.ts';
 
@@ -12,7 +13,7 @@ export const readObj = (bytes: Uint8Array, name: string, { asOne = false }: Mesh
   reading(name, (problems) => readContent(bytes, asOne, problems));
 
 function readContent(bytes: Uint8Array, asOne: boolean, problems: FileProblems): MeshContent {
-  const obj = readStatements(bytes, problems);
+  const obj = readStatements(asUtf8(bytes, problems), problems);
   const firstCorners = firstCornersOf(obj);
   const missing = checkNumbers(obj, firstCorners, problems);
   if (!problems.isEmpty) problems.stop();

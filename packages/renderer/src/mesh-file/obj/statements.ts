@@ -6,6 +6,7 @@ import { quote } from '../../scene-file/problem.ts';
 import { checkCount, type FileProblems } from '../file-problems.ts';
 import { LineScanner } from '../line-scanner.ts';
 import { FloatList, IndexList, WholeList } from '../number-lists.ts';
+import { plainPath } from './mtl-textures.ts';
 
 export interface ObjStatements {
   readonly positions: FloatList;
@@ -118,8 +119,11 @@ function materialNumber(name: string, line: number, { to: { materials }, problem
   return materials.push(name) - 1;
 }
 
-/** Several names may stand in one line; a name may have spaces, then its ending tells where it ends. */
-const fileNames = (rest: string): string[] => (/\.mtl(?=\s|$)/i.test(rest) ? rest.split(/(?<=\.mtl)\s+/i) : rest.split(/\s+/)).filter(Boolean); // biome-ignore format: one thing
+/** Several names may stand in one line; a name may have spaces, then its ending or quotes tell where it ends. */
+function fileNames(rest: string): string[] {
+  const names = /\.mtl(?=["\s]|$)/i.test(rest) ? rest.split(/(?<=\.mtl"?)\s+/i) : rest.split(/\s+/);
+  return names.map(plainPath).filter(Boolean);
+}
 
 /** Of one line; kept, as a file has millions of them. */
 const row = new Float64Array(6);

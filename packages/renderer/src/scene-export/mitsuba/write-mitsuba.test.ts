@@ -189,6 +189,18 @@ function bilinear({ width, height, data }: EnvironmentMap, x: number, y: number)
   });
 }
 
+test('what a clip moves by nodes stands still where it is at the time', () => {
+  const moving = scene({
+    nodes: { arm: {} },
+    shapes: { ball: { type: 'sphere', center: [0, 1, 0], radius: 1, material: 'm', node: 'arm' } },
+    clips: { wave: { tracks: [{ target: '/nodes/arm/translation', times: [0, 1], values: [0, 0, 0, 8, 0, 0] }] } },
+    clip: 'wave',
+  });
+  const { files, report } = writeMitsuba(moving, { time: 0.5 });
+  expect(new TextDecoder().decode(files['scene.xml'])).toMatch(/name="center" value="4[, ]+1[, ]+0"/);
+  expect(report.map(({ message }) => message)).toContain('What moves stands still as it is at 0.5 s.');
+});
+
 test('names are escaped', () => {
   expect(textOf(plugin('bsdf', 'a', [string('n', '<&">')]))).toContain('value="&lt;&amp;&quot;&gt;"');
 });

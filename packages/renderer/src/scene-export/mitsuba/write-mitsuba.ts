@@ -31,7 +31,8 @@ export function writeMitsuba(scene: Scene, options: MitsubaOptions = {}): Export
   const { name = 'scene', time = 0 } = options;
   const report = new ExportReport();
   const files: Record<string, Uint8Array> = {};
-  const posed = posedSceneAt(scene, time);
+  // It stands still from here on; its tracks would move nodes that are no more.
+  const { clip: _, ...posed } = { ...posedSceneAt(scene, time), animation: [] };
   if (scene.animation.length > 0 || scene.clip !== undefined)
     report.add('changed', `What moves stands still as it is at ${time} s.`, 'animation');
   if (scene.render.integrator === 'classic')

@@ -175,6 +175,10 @@ struct MaterialTextures {
     float opacity;
     float cutoff;
 };
+struct Cover {
+    vec4 uv;
+    float opacity;
+};
 struct Vertex {
     uint normal;
     uint tangent;
@@ -435,8 +439,8 @@ float filterAxis(float u) {
     float x_10 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_10), 15.0);
     float t_4 = (x_10 - piece);
-    vec4 c_1 = frame.filterPieces[uint(piece)];
-    float offset_3 = (c_1.x + (t_4 * (c_1.y + (t_4 * (c_1.z + (t_4 * c_1.w))))));
+    vec4 c_2 = frame.filterPieces[uint(piece)];
+    float offset_3 = (c_2.x + (t_4 * (c_2.y + (t_4 * (c_2.z + (t_4 * c_2.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -844,6 +848,31 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
+Cover coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover c = Cover(vec4(0.0), 1.0);
+    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
+    if ((each != 0u)) {
+        Vertex _e19 = fetchVertex(rows.x);
+        Vertex _e24 = fetchVertex(rows.y);
+        Vertex _e30 = fetchVertex(rows.z);
+        c.uv = vec4((((share.x * _e19.uv) + (share.y * _e24.uv)) + (share.z * _e30.uv)), 0.0, 0.0);
+    }
+    if ((each > vertexRows)) {
+        uvec3 more = (rows + uvec3(1u));
+        VertexMore _e43 = fetchVertexMore(more.x);
+        VertexMore _e45 = fetchVertexMore(more.y);
+        VertexMore _e47 = fetchVertexMore(more.z);
+        vec4 _e50 = c.uv;
+        c.uv = vec4(_e50.xy, (((share.x * _e43.uv) + (share.y * _e45.uv)) + (share.z * _e47.uv)));
+        vec2 _e66 = pairOf(_e43.blueAlpha);
+        vec2 _e69 = pairOf(_e45.blueAlpha);
+        vec2 _e72 = pairOf(_e47.blueAlpha);
+        c.opacity = dot(share, vec3(_e66.y, _e69.y, _e72.y));
+    }
+    Cover _e76 = c;
+    return _e76;
+}
+
 TextureUse fetchTextureUse(uint row_7) {
     uvec4 _e3 = texelRow((row_7 + 0u));
     uvec4 _e6 = texelRow((row_7 + 1u));
@@ -864,14 +893,14 @@ Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool near
     return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at - low)));
 }
 
-vec3 linearFromSrgb(vec3 c) {
-    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+vec3 linearFromSrgb(vec3 c_1) {
+    return mix(pow(((c_1 + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c_1 / vec3(12.92)), lessThanEqual(c_1, vec3(0.04045)));
 }
 
 vec4 decoded(uint texel, bool colored) {
-    vec4 c_2 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
-    vec3 _e18 = linearFromSrgb(c_2.xyz);
-    return vec4(pick(colored, _e18, c_2.xyz), c_2.w);
+    vec4 c_3 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_3.xyz);
+    return vec4(pick(colored, _e18, c_3.xyz), c_3.w);
 }
 
 uint texelAt(uint i_9) {
@@ -905,50 +934,28 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
-    vec4 uv_1 = vec4(0.0);
+bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
     uint row_8 = (_e10.cover & coverRow);
     MaterialTextures _e19 = fetchMaterialTextures(row_8);
-    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
-    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
-    opacity = _e19.opacity;
-    if ((_e10.vertexRows != 0u)) {
-        Vertex _e45 = fetchVertex(rows.x);
-        Vertex _e50 = fetchVertex(rows.y);
-        Vertex _e56 = fetchVertex(rows.z);
-        uv_1 = vec4((((share.x * _e45.uv) + (share.y * _e50.uv)) + (share.z * _e56.uv)), 0.0, 0.0);
-    }
-    if ((_e10.vertexRows > vertexRows)) {
-        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
-        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
-        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
-        vec4 _e78 = uv_1;
-        uv_1 = vec4(_e78.xy, (((share.x * _e69.uv) + (share.y * _e73.uv)) + (share.z * _e77.uv)));
-        float _e92 = opacity;
-        vec2 _e94 = pairOf(_e69.blueAlpha);
-        vec2 _e97 = pairOf(_e73.blueAlpha);
-        vec2 _e100 = pairOf(_e77.blueAlpha);
-        opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
-    }
+    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_8 + materialTexturesRows));
-        float _e113 = opacity;
-        vec4 _e114 = uv_1;
-        vec4 _e116 = uv_1;
-        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
-        opacity = (_e113 * _e124.w);
+        TextureUse _e42 = fetchTextureUse((row_8 + materialTexturesRows));
+        float _e43 = opacity;
+        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
+        opacity = (_e43 * _e54.w);
     }
-    uint _e127 = pcg(number_1);
-    uint _e129 = pcg((instance + _e127));
-    uint _e131 = pcg((place + _e129));
-    float _e132 = unitFloat(_e131);
-    float _e133 = opacity;
-    float _e136 = opacity;
-    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+    uint _e57 = pcg(number_1);
+    uint _e59 = pcg((instance + _e57));
+    uint _e61 = pcg((place + _e59));
+    float _e62 = unitFloat(_e61);
+    float _e63 = opacity;
+    float _e66 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1003,10 +1010,10 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 r0_ = pick(a_1, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
                 vec2 t1_ = pick(b_2, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_2, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_3 = (t0_.x < t1_.x);
+                bool c_4 = (t0_.x < t1_.x);
                 bool d_2 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_3, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 ta = pick(c_4, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
+                uvec2 ra = pick(c_4, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e = (ta.y < tb.x);
@@ -1441,7 +1448,7 @@ vec3 fromOctahedral(uint code_4) {
     return normalize(vec3(pick((z < 0.0), folded, p_13), z));
 }
 
-MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
     MeshPoint p_8 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
@@ -1454,7 +1461,7 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         Vertex _e54 = fetchVertex(rows_1.x);
         Vertex _e56 = fetchVertex(rows_1.y);
         Vertex _e58 = fetchVertex(rows_1.z);
-        vec3 share_1 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 share_1 = vec3(((1.0 - weights_2.x) - weights_2.y), weights_2);
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
@@ -1539,7 +1546,7 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     return;
 }
 
-Bumps takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
+Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     float _e4 = s_4.textures;
@@ -1554,7 +1561,7 @@ Bumps takeUpTextures(inout Surface s_4, vec4 uv_2, vec3 color) {
         while(true) {
             uint _e38 = i_17;
             TextureUse _e42 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e38 * textureUseRows)));
-            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy));
             vec3 _e53 = s_4.baseColor;
             s_4.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
             vec3 _e63 = s_4.emission;
@@ -1600,8 +1607,8 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float ox = dot(o_1, x_12);
     float a_2 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_3 = (2.0 * (a_2 + (oz * least)));
-    float c_4 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_4)), 0.0));
+    float c_5 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_5)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_3 + root), (b_3 - root))) / a_2), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_12) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);

@@ -186,6 +186,10 @@ struct MaterialTextures {
     float opacity;
     float cutoff;
 };
+struct Cover {
+    vec4 uv;
+    float opacity;
+};
 struct Vertex {
     uint normal;
     uint tangent;
@@ -573,6 +577,8 @@ const bool hasPointLights = false;
 
 const bool hasLightTree = false;
 
+const bool hasVariedLamps = false;
+
 const bool hasConductors = false;
 
 Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
@@ -652,8 +658,8 @@ float filterAxis(float u) {
     float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
     float piece = min(floor(x_17), 15.0);
     float t_7 = (x_17 - piece);
-    vec4 c_1 = frame.filterPieces[uint(piece)];
-    float offset_3 = (c_1.x + (t_7 * (c_1.y + (t_7 * (c_1.z + (t_7 * c_1.w))))));
+    vec4 c_3 = frame.filterPieces[uint(piece)];
+    float offset_3 = (c_3.x + (t_7 * (c_3.y + (t_7 * (c_3.z + (t_7 * c_3.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
 }
 
@@ -1097,6 +1103,31 @@ vec2 pairOf(uint word) {
     return (vec2(float((word & 65535u)), float((word >> 16u))) / vec2(65535.0));
 }
 
+Cover coverAt(uvec3 rows, uint each, vec2 weights) {
+    Cover c = Cover(vec4(0.0), 1.0);
+    vec3 share_1 = vec3(((1.0 - weights.x) - weights.y), weights);
+    if ((each != 0u)) {
+        Vertex _e19 = fetchVertex(rows.x);
+        Vertex _e24 = fetchVertex(rows.y);
+        Vertex _e30 = fetchVertex(rows.z);
+        c.uv = vec4((((share_1.x * _e19.uv) + (share_1.y * _e24.uv)) + (share_1.z * _e30.uv)), 0.0, 0.0);
+    }
+    if ((each > vertexRows)) {
+        uvec3 more_1 = (rows + uvec3(1u));
+        VertexMore _e43 = fetchVertexMore(more_1.x);
+        VertexMore _e45 = fetchVertexMore(more_1.y);
+        VertexMore _e47 = fetchVertexMore(more_1.z);
+        vec4 _e50 = c.uv;
+        c.uv = vec4(_e50.xy, (((share_1.x * _e43.uv) + (share_1.y * _e45.uv)) + (share_1.z * _e47.uv)));
+        vec2 _e66 = pairOf(_e43.blueAlpha);
+        vec2 _e69 = pairOf(_e45.blueAlpha);
+        vec2 _e72 = pairOf(_e47.blueAlpha);
+        c.opacity = dot(share_1, vec3(_e66.y, _e69.y, _e72.y));
+    }
+    Cover _e76 = c;
+    return _e76;
+}
+
 TextureUse fetchTextureUse(uint row_7) {
     uvec4 _e3 = texelRow((row_7 + 0u));
     uvec4 _e6 = texelRow((row_7 + 1u));
@@ -1117,14 +1148,14 @@ Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool near
     return Neighbours(uint(pick((first < 0), before, min(max(first, 0), last))), uint(pick((second > last), after, min(max(second, 0), last))), pick(nearest, 0.0, (at_1 - low_1)));
 }
 
-vec3 linearFromSrgb(vec3 c) {
-    return mix(pow(((c + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c / vec3(12.92)), lessThanEqual(c, vec3(0.04045)));
+vec3 linearFromSrgb(vec3 c_1) {
+    return mix(pow(((c_1 + vec3(0.055)) / vec3(1.055)), vec3(2.4)), (c_1 / vec3(12.92)), lessThanEqual(c_1, vec3(0.04045)));
 }
 
 vec4 decoded(uint texel, bool colored) {
-    vec4 c_2 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
-    vec3 _e18 = linearFromSrgb(c_2.xyz);
-    return vec4(pick(colored, _e18, c_2.xyz), c_2.w);
+    vec4 c_4 = (vec4(((uvec4(texel) >> uvec4(0u, 8u, 16u, 24u)) & uvec4(255u))) / vec4(255.0));
+    vec3 _e18 = linearFromSrgb(c_4.xyz);
+    return vec4(pick(colored, _e18, c_4.xyz), c_4.w);
 }
 
 uint texelAt(uint i_9) {
@@ -1158,50 +1189,28 @@ float unitFloat(uint h) {
     return (float((h >> 8u)) * 5.9604645e-8);
 }
 
-bool isThere(uint instance, uint place, vec2 weights, uint number_1) {
-    vec4 uv_1 = vec4(0.0);
+bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     float opacity = 0.0;
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_9 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_9);
-    vec3 share = vec3(((1.0 - weights.x) - weights.y), weights);
-    uvec3 rows = (uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows));
-    opacity = _e19.opacity;
-    if ((_e10.vertexRows != 0u)) {
-        Vertex _e45 = fetchVertex(rows.x);
-        Vertex _e50 = fetchVertex(rows.y);
-        Vertex _e56 = fetchVertex(rows.z);
-        uv_1 = vec4((((share.x * _e45.uv) + (share.y * _e50.uv)) + (share.z * _e56.uv)), 0.0, 0.0);
-    }
-    if ((_e10.vertexRows > vertexRows)) {
-        VertexMore _e69 = fetchVertexMore((rows.x + vertexRows));
-        VertexMore _e73 = fetchVertexMore((rows.y + vertexRows));
-        VertexMore _e77 = fetchVertexMore((rows.z + vertexRows));
-        vec4 _e78 = uv_1;
-        uv_1 = vec4(_e78.xy, (((share.x * _e69.uv) + (share.y * _e73.uv)) + (share.z * _e77.uv)));
-        float _e92 = opacity;
-        vec2 _e94 = pairOf(_e69.blueAlpha);
-        vec2 _e97 = pairOf(_e73.blueAlpha);
-        vec2 _e100 = pairOf(_e77.blueAlpha);
-        opacity = (_e92 * dot(share, vec3(_e94.y, _e97.y, _e100.y)));
-    }
+    uint row_10 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_10);
+    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e112 = fetchTextureUse((row_9 + materialTexturesRows));
-        float _e113 = opacity;
-        vec4 _e114 = uv_1;
-        vec4 _e116 = uv_1;
-        vec4 _e124 = lookUp(_e112, pick(((_e112.flags & usesSecondSet) != 0u), _e116.zw, _e114.xy));
-        opacity = (_e113 * _e124.w);
+        TextureUse _e42 = fetchTextureUse((row_10 + materialTexturesRows));
+        float _e43 = opacity;
+        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
+        opacity = (_e43 * _e54.w);
     }
-    uint _e127 = pcg(number_1);
-    uint _e129 = pcg((instance + _e127));
-    uint _e131 = pcg((place + _e129));
-    float _e132 = unitFloat(_e131);
-    float _e133 = opacity;
-    float _e136 = opacity;
-    return pick((_e19.cutoff < 0.0), (_e132 < _e136), (_e133 >= _e19.cutoff));
+    uint _e57 = pcg(number_1);
+    uint _e59 = pcg((instance + _e57));
+    uint _e61 = pcg((place + _e59));
+    float _e62 = unitFloat(_e61);
+    float _e63 = opacity;
+    float _e66 = opacity;
+    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1256,10 +1265,10 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uvec2 r0_ = pick(a_3, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
                 vec2 t1_ = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
                 uvec2 r1_ = pick(b_7, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_3 = (t0_.x < t1_.x);
+                bool c_5 = (t0_.x < t1_.x);
                 bool d_2 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_3, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_3, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                vec2 ta = pick(c_5, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
+                uvec2 ra = pick(c_5, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
                 uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
                 bool e_25 = (ta.y < tb.x);
@@ -1674,7 +1683,7 @@ vec3 fromOctahedral(uint code_4) {
     return normalize(vec3(pick((z_2 < 0.0), folded, p_19), z_2));
 }
 
-MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
+MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
     MeshPoint p_9 = MeshPoint(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0), vec4(0.0));
     uint _e5 = frame.instances;
     Instance _e9 = fetchInstance((_e5 + (instance_3 * instanceRows)));
@@ -1687,11 +1696,11 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         Vertex _e54 = fetchVertex(rows_1.x);
         Vertex _e56 = fetchVertex(rows_1.y);
         Vertex _e58 = fetchVertex(rows_1.z);
-        vec3 share_1 = vec3(((1.0 - weights_1.x) - weights_1.y), weights_1);
+        vec3 share_2 = vec3(((1.0 - weights_2.x) - weights_2.y), weights_2);
         vec3 _e67 = fromOctahedral(_e54.normal);
         vec3 _e71 = fromOctahedral(_e56.normal);
         vec3 _e76 = fromOctahedral(_e58.normal);
-        vec3 normal_13 = (((share_1.x * _e67) + (share_1.y * _e71)) + (share_1.z * _e76));
+        vec3 normal_13 = (((share_2.x * _e67) + (share_2.y * _e71)) + (share_2.z * _e76));
         vec3 smoothed = (turn * normal_13);
         float size_2 = dot(smoothed, smoothed);
         float side_4 = pick((dot(smoothed, geometric_3) < 0.0), -1.0, 1.0);
@@ -1699,28 +1708,28 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_1) {
         p_9.shading = pick(useful, (smoothed * (side_4 * inversesqrt(max(size_2, 1e-37)))), geometric_3);
         const bool _e103 = hasTextures;
         if (_e103) {
-            p_9.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
+            p_9.uv = vec4((((share_2.x * _e54.uv) + (share_2.y * _e56.uv)) + (share_2.z * _e58.uv)), 0.0, 0.0);
             if ((_e9.vertexRows > vertexRows)) {
                 VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
                 VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
                 VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
                 vec4 _e136 = p_9.uv;
-                p_9.uv = vec4(_e136.xy, (((share_1.x * _e125.uv) + (share_1.y * _e129.uv)) + (share_1.z * _e133.uv)));
+                p_9.uv = vec4(_e136.xy, (((share_2.x * _e125.uv) + (share_2.y * _e129.uv)) + (share_2.z * _e133.uv)));
                 vec2 _e152 = pairOf(_e125.redGreen);
                 vec2 _e156 = pairOf(_e129.redGreen);
                 vec2 _e161 = pairOf(_e133.redGreen);
-                vec2 redGreen = (((share_1.x * _e152) + (share_1.y * _e156)) + (share_1.z * _e161));
+                vec2 redGreen = (((share_2.x * _e152) + (share_2.y * _e156)) + (share_2.z * _e161));
                 vec2 _e166 = pairOf(_e125.blueAlpha);
                 vec2 _e170 = pairOf(_e129.blueAlpha);
                 vec2 _e175 = pairOf(_e133.blueAlpha);
-                vec2 blueAlpha = (((share_1.x * _e166) + (share_1.y * _e170)) + (share_1.z * _e175));
+                vec2 blueAlpha = (((share_2.x * _e166) + (share_2.y * _e170)) + (share_2.z * _e175));
                 p_9.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
             }
             if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
                 vec3 _e193 = fromOctahedral(_e54.tangent);
                 vec3 _e197 = fromOctahedral(_e56.tangent);
                 vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
+                vec3 tangent_2 = (((share_2.x * _e193) + (share_2.y * _e197)) + (share_2.z * _e202));
                 float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
                 p_9.normal = (smoothed * side_4);
                 p_9.tangent = ((turn * tangent_2) * side_4);
@@ -1772,12 +1781,12 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     return;
 }
 
-Bumps takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
+Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     float _e4 = s_6.textures;
-    uint row_10 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_10);
+    uint row_11 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_11);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1786,21 +1795,21 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_2, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
-            TextureUse _e42 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e38 * textureUseRows)));
-            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_2.zw, uv_2.xy));
+            TextureUse _e42 = fetchTextureUse(((row_11 + materialTexturesRows) + (_e38 * textureUseRows)));
+            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy));
             vec3 _e53 = s_6.baseColor;
             s_6.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
             vec3 _e63 = s_6.emission;
             s_6.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
+            vec2 share_3 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
             float _e80 = s_6.alpha;
-            float rough = max(((_e80 * share_2.x) * share_2.x), 0.001);
+            float rough = max(((_e80 * share_3.x) * share_3.x), 0.001);
             float _e89 = s_6.alpha;
             float _e91 = s_6.code;
             bool _e93 = isSmooth(uint(_e91));
             s_6.alpha = pick(_e93, _e89, rough);
             float _e96 = s_6.metallic;
-            s_6.metallic = (_e96 * share_2.y);
+            s_6.metallic = (_e96 * share_3.y);
             vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
             vec3 _e112 = bumps.base;
             bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
@@ -1833,8 +1842,8 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float ox = dot(o_1, x_19);
     float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_8 = (2.0 * (a_4 + (oz * least)));
-    float c_4 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_4)), 0.0));
+    float c_6 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_6)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
@@ -2091,10 +2100,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_13) {
     float _e35 = frame.environmentTurn;
     float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
-    float row_11 = floor(fromPole);
+    float row_12 = floor(fromPole);
     bool isLower = (direction_13.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_11), row_11));
-    float within_2 = (fromPole - row_11);
+    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_12), row_12));
+    float within_2 = (fromPole - row_12);
     vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
@@ -2240,10 +2249,10 @@ LampTriangle fetchLampTriangle(uint row_8) {
 
 float meshPdf(Emitter e_10, vec3 direction_19, float distance_4, vec3 normal_5, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_12 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
-    LampTriangle _e20 = fetchLampTriangle(row_12);
-    float _e26 = areaPdf((e_10.area / _e20.density), (distance_4 * abs(dot(direction_19, normal_5))), distance_4);
-    return _e26;
+    uint row_13 = ((_e7 + uint(e_10.table)) + (place_2 & ((1u << uint(e_10.radius)) - 1u)));
+    float _e23 = areaPdf(e_10.area, (distance_4 * abs(dot(direction_19, normal_5))), distance_4);
+    LampTriangle _e24 = fetchLampTriangle(row_13);
+    return (_e23 * _e24.density);
 }
 
 float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_20, float distance_5, vec3 normal_6, uint place_3) {
@@ -2281,8 +2290,8 @@ float shapePdf(Emitter e_11, vec3 point_6, vec3 direction_20, float distance_5, 
 }
 
 float spotFalloff(Emitter e_12, vec3 toLight_1) {
-    float share_3 = clamp(((-(dot(toLight_1, e_12.u)) - e_12.radius) / (e_12.cosInner - e_12.radius)), 0.0, 1.0);
-    return (share_3 * share_3);
+    float share_4 = clamp(((-(dot(toLight_1, e_12.u)) - e_12.radius) / (e_12.cosInner - e_12.radius)), 0.0, 1.0);
+    return (share_4 * share_4);
 }
 
 float estimatedIrradiance(Emitter e_13, vec3 point_7, vec3 normal_7) {
@@ -2385,8 +2394,8 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_8, vec3 normal_8) {
 }
 
 float shareOfTree(float total, float far_1) {
-    float share_4 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
+    float share_5 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_5));
 }
 
 TreeChoice descend(vec3 point_9, vec3 normal_9, float u_4, int leaf, float far_2) {
@@ -2504,10 +2513,10 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
             float density = pick(escaped, _e60.pdf, _e66);
             float _e73 = probabilityOf(_e59, p_10.rays.point, p_10.litSide, p_10.odds);
             float pdf_3 = (density * _e73);
-            vec3 radiance = pick(escaped, _e60.radiance, emission);
+            vec3 radiance_1 = pick(escaped, _e60.radiance, emission);
             vec3 _e77 = found_8;
             float _e79 = misWeight(p_10.pdf, pdf_3);
-            found_8 = (_e77 + (radiance * pick((p_10.pdf <= 0.0), 1.0, _e79)));
+            found_8 = (_e77 + (radiance_1 * pick((p_10.pdf <= 0.0), 1.0, _e79)));
             uint _e88 = i_21;
             i_21 = (_e88 + 1u);
             const bool _e91 = hasManyLights;
@@ -2590,9 +2599,9 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
                 float _e55 = total_1;
                 total_1 = (_e55 + weight_1);
                 float _e57 = total_1;
-                float share_5 = (weight_1 / max(_e57, 1e-37));
+                float share_6 = (weight_1 / max(_e57, 1e-37));
                 float _e61 = rest_1;
-                bool take = (_e61 < share_5);
+                bool take = (_e61 < share_6);
                 uint _e63 = chosen;
                 uint _e64 = i_22;
                 chosen = pick(take, _e64, _e63);
@@ -2600,7 +2609,7 @@ EmitterChoice chooseEmitter(vec3 point_11, vec3 normal_11, float u_5) {
                 chosenWeight = pick(take, weight_1, _e66);
                 float _e68 = rest_1;
                 float _e75 = rest_1;
-                rest_1 = pick(take, (_e75 / max(share_5, 1e-37)), ((_e68 - share_5) / max((1.0 - share_5), 1e-7)));
+                rest_1 = pick(take, (_e75 / max(share_6, 1e-37)), ((_e68 - share_6) / max((1.0 - share_6), 1e-7)));
                 uint _e81 = i_22;
                 i_22 = (_e81 + 1u);
                 uint _e83 = i_22;
@@ -2762,7 +2771,41 @@ vec3 outOfMesh(Instance i_23, vec3 p_11) {
     return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
 }
 
+vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
+    vec3 share = vec3(1.0);
+    float opacity_1 = 0.0;
+    uint i_24 = 0u;
+    MaterialTextures _e3 = fetchMaterialTextures(row_9);
+    bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
+    uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
+    opacity_1 = (_e3.opacity * c_2.opacity);
+    if ((wanted > 0u)) {
+        while(true) {
+            uint _e27 = i_24;
+            TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
+            vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
+            vec3 _e43 = share;
+            share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
+            float _e52 = opacity_1;
+            uint _e54 = i_24;
+            opacity_1 = (_e52 * pick(pick(hasFirst, (_e54 == 0u), false), _e42.w, 1.0));
+            uint _e62 = i_24;
+            i_24 = (_e62 + 1u);
+            uint _e64 = i_24;
+            if ((_e64 >= wanted)) {
+                break;
+            }
+        }
+    }
+    float _e66 = opacity_1;
+    float _e72 = opacity_1;
+    float there = pick((_e3.cutoff < 0.0), _e72, pick((_e66 >= _e3.cutoff), 1.0, 0.0));
+    vec3 _e77 = share;
+    return (_e77 * pick(missing, there, 1.0));
+}
+
 LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
+    vec3 radiance = vec3(0.0);
     ChosenTriangle _e3 = chooseTriangle(e_20, u_14);
     uint _e6 = frame.instances;
     Instance _e12 = fetchInstance((_e6 + (uint(e_20.instance) * instanceRows)));
@@ -2773,10 +2816,24 @@ LightSample sampleMesh(Emitter e_20, vec3 point_15, vec2 u_14) {
     vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
     float height_3 = (dot(across_7, toLight_6) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
     float distance_10 = length(toLight_6);
-    float _e62 = areaPdf((e_20.area / _e3.density), abs(height_3), distance_10);
+    float _e60 = areaPdf(e_20.area, abs(height_3), distance_10);
+    float pdf_5 = (_e60 * _e3.density);
     bool lit_1 = pick((height_3 < 0.0), true, pick((e_20.oneSided == 0.0), (height_3 > 0.0), false));
     float reached_1 = max((distance_10 - (1e-5 * (length(point_15) + distance_10))), 0.0);
-    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, e_20.radiance, pick(lit_1, _e62, 0.0), false);
+    radiance = e_20.radiance;
+    const bool _e82 = hasVariedLamps;
+    if (_e82) {
+        if ((e_20.u.y > 0.0)) {
+            uvec3 rows_2 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
+            Cover _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
+            vec3 _e98 = radiance;
+            Surface _e101 = fetchSurface(uint(e_20.shape));
+            vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
+            radiance = (_e98 * _e109);
+        }
+    }
+    vec3 _e115 = radiance;
+    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_5, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_21, vec3 point_16) {
@@ -2809,9 +2866,9 @@ LightSample sampleDirectional(Emitter e_23, vec2 u_15) {
 vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
-    uint i_25 = (t_5.first + pair);
-    uint row_13 = (i_25 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_25 - (row_13 * width_2)), row_13)), 0);
+    uint i_26 = (t_5.first + pair);
+    uint row_14 = (i_26 / width_2);
+    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_14 * width_2)), row_14)), 0);
     return _e15;
 }
 
@@ -2994,11 +3051,11 @@ LightSample sampleEmitter(Emitter e_24, vec3 point_18, vec2 u_20) {
 }
 
 vec3 heroColor(vec3 throughput, float u_21) {
-    vec3 share_6 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_21 < share_6.x);
-    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_6.x + share_6.y)), false), (share_6.z > 0.0), false);
+    vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
+    bool isRed = (u_21 < share_7.x);
+    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_6), 1e-6)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
 }
 
 float nextHash(inout Sampler s_12) {
@@ -3719,10 +3776,10 @@ float shadowingExponent(float x_16, float alpha_11) {
     float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
     float a_9 = mix(21.5473, 25.3245, m_2);
     float b_12 = mix(3.82987, 3.32435, m_2);
-    float c_5 = mix(0.19823, 0.16801, m_2);
+    float c_7 = mix(0.19823, 0.16801, m_2);
     float d_5 = mix(-1.9776, -1.27393, m_2);
     float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_5)))) + (d_5 * x_16)) + e_26);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_7)))) + (d_5 * x_16)) + e_26);
 }
 
 float sheenShadowing(float cosine_17, float alpha_12) {
@@ -3906,18 +3963,18 @@ bool crosses(vec3 geometric_2, vec3 a_2, vec3 b_5) {
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_3 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
+    float pdf_6 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_3 = pick((pdf_6 > 0.0), (value_1.xyz / vec3(max(pdf_6, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
 float max3_(vec3 v_10) {
     return max(max(v_10.x, v_10.y), v_10.z);
 }
 
-bool isFlat(uint i_24) {
+bool isFlat(uint i_25) {
     uint _e4 = frame.shapeEnds.y;
-    return (i_24 >= _e4);
+    return (i_25 >= _e4);
 }
 
 void meetSurface(inout Path p_12, PairHit hit_2) {

@@ -1582,7 +1582,7 @@ struct Emitter {
   position: vec3f,
   // 0 sphere, 1 quad, 2 box, 3 point, 4 spot, 5 directional, 6 sky, 7 triangles of a mesh
   kind: f32,
-  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals
+  // edge of a quad; unit direction that a spot shines to or directional light travels; halfSize of a box; mesh: in x the cosine of the cone about v that holds all normals, in y 1 where its material says how much of the radiance there is at a point
   u: vec3f,
   // of a sphere; cosine of the outer angle of a spot; cosine of half the angular diameter of directional light; mesh: each 2^radius triangles of an instance are an emitter
   radius: f32,
@@ -1955,7 +1955,7 @@ const meshKind = 7.0;
 
 fn meshPdf(e: Emitter, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
   let row = frame.lampTables + u32(e.table) + (place & ((1u << u32(e.radius)) - 1u));
-  return areaPdf(e.area / fetchLampTriangle(row).density, distance * abs(dot(direction, normal)), distance);
+  return areaPdf(e.area, distance * abs(dot(direction, normal)), distance) * fetchLampTriangle(row).density;
 }
 
 fn fetchLampTriangle(row: u32) -> LampTriangle {
@@ -2381,11 +2381,19 @@ fn sampleMesh(e: Emitter, point: vec3f, u: vec2f) -> LightSample {
   let across = mat3x3f(instance.toMeshX.xyz, instance.toMeshY.xyz, instance.toMeshZ.xyz) * cross(t.b - t.a, t.c - t.a);
   let height = dot(across, toLight) * inverseSqrt(max(dot(across, across), 1e-37));
   let distance = length(toLight);
-  let pdf = areaPdf(e.area / chosen.density, abs(height), distance);
+  let pdf = areaPdf(e.area, abs(height), distance) * chosen.density;
   let lit = (height < 0.0) | ((e.oneSided == 0.0) & (height > 0.0));
   // Up to the triangle itself, or to what meets it at an edge, nothing is in the way: ray.wesl, Start.tMin.
   let reached = max(distance - relativeTMin * (length(point) + distance), 0.0);
-  return LightSample(toLight / max(distance, 1e-30), reached, e.radiance, select(0.0, pdf, lit), false);
+  var radiance = e.radiance;
+  if (hasVariedLamps) {
+    if (e.u.y > 0.0) {
+      let rows = instance.vertices + vec3u(t.vertexA, t.vertexB, t.vertexC) * instance.vertexRows;
+      let c = coverAt(rows, instance.vertexRows, weights);
+      radiance *= radianceShare(u32(fetchSurface(u32(e.shape)).textures), c, (instance.cover & coverRow) != 0u);
+    }
+  }
+  return LightSample(toLight / max(distance, 1e-30), reached, radiance, select(0.0, pdf, lit), false);
 }
 
 fn chooseTriangle(e: Emitter, u: vec2f) -> ChosenTriangle {
@@ -2418,6 +2426,63 @@ fn outOfMesh(i: Instance, p: vec3f) -> vec3f {
   let z = cross(i.toMeshX.xyz, i.toMeshY.xyz);
   return (q.x * x + q.y * y + q.z * z) / dot(i.toMeshX.xyz, x);
 }
+
+// Such whose emission a texture varies, or that have holes.
+override hasVariedLamps = false;
+
+// `rows`: of its three vertices, which are `each` rows long. `weights`: of the second and third.
+fn coverAt(rows: vec3u, each: u32, weights: vec2f) -> Cover {
+  let share = vec3f(1.0 - weights.x - weights.y, weights);
+  var c = Cover(vec4f(0.0), 1.0);
+  if (each != 0u) {
+    c.uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
+  }
+  if (each > vertexRows) {
+    let more = rows + vertexRows;
+    let a = fetchVertexMore(more.x);
+    let b = fetchVertexMore(more.y);
+    let d = fetchVertexMore(more.z);
+    c.uv = vec4f(c.uv.xy, share.x * a.uv + share.y * b.uv + share.z * d.uv);
+    c.opacity = dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(d.blueAlpha).y));
+  }
+  return c;
+}
+
+// Share of a lamp's radiance that there is at a point of it: by the texture of its emission, and, where `missing` says that it may not be there,
+// as often as it is. `row`: of its MaterialTextures; the use whose alpha is opacity comes first, and that of the emission next to it.
+fn radianceShare(row: u32, c: Cover, missing: bool) -> vec3f {
+  let material = fetchMaterialTextures(row);
+  let hasFirst = (material.flags & hasOpacityTexture) != 0u;
+  let wanted = min(material.count, select(1u, 2u, hasFirst));
+  var share = vec3f(1.0);
+  var opacity = material.opacity * c.opacity;
+  var i = 0u;
+  if (wanted > 0u) {
+    loop {
+      let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
+      let texel = lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u));
+      share *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
+      opacity *= select(1.0, texel.a, hasFirst & (i == 0u));
+      i++;
+      if (i >= wanted) {
+        break;
+      }
+    }
+  }
+  let there = select(select(0.0, 1.0, opacity >= material.cutoff), opacity, material.cutoff < 0.0);
+  return share * select(1.0, there, missing);
+}
+
+const coverRow = 2147483647u;
+
+// What the vertices of a triangle say at a point of it: both sets of coordinates, and opacity.
+struct Cover {
+  uv: vec4f,
+  opacity: f32,
+}
+
+
+const hasOpacityTexture = 2u;
 
 struct ChosenTriangle {
   place: u32,
@@ -3648,23 +3713,11 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let triangle = fetchTriangle(i.triangles + place * triangleRows);
   let row = i.cover & coverRow;
   let material = fetchMaterialTextures(row);
-  let share = vec3f(1.0 - weights.x - weights.y, weights);
-  let rows = i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows;
-  var uv = vec4f(0.0);
-  var opacity = material.opacity;
-  if (i.vertexRows != 0u) {
-    uv = vec4f(share.x * fetchVertex(rows.x).uv + share.y * fetchVertex(rows.y).uv + share.z * fetchVertex(rows.z).uv, 0.0, 0.0);
-  }
-  if (i.vertexRows > vertexRows) {
-    let a = fetchVertexMore(rows.x + vertexRows);
-    let b = fetchVertexMore(rows.y + vertexRows);
-    let c = fetchVertexMore(rows.z + vertexRows);
-    uv = vec4f(uv.xy, share.x * a.uv + share.y * b.uv + share.z * c.uv);
-    opacity *= dot(share, vec3f(pairOf(a.blueAlpha).y, pairOf(b.blueAlpha).y, pairOf(c.blueAlpha).y));
-  }
+  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
+  var opacity = material.opacity * c.opacity;
   if ((material.flags & hasOpacityTexture) != 0u) {
     let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
   }
   let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
@@ -3721,8 +3774,6 @@ const isOneSided = 2147483648u;
 
 override hasCutouts = false;
 
-const coverRow = 2147483647u;
-
 // The axis comes last.
 fn turnedTo(axis: u32, v: vec3f) -> vec3f {
   return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
@@ -3761,8 +3812,6 @@ fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
 }
 
 const leaving = 0x8ffffffeu;
-
-const hasOpacityTexture = 2u;
 
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
 // GPU Rendering", JCGT 9(3), 2020.
