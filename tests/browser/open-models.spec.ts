@@ -358,7 +358,9 @@ test('from a file, a folder is opened, with nothing from the network; the panel 
     const [name, png] = await saved('Picture (.png)');
     const { width, height, data } = decode(png);
     const { stats } = await rendererState(page);
-    expect([name, width, height]).toEqual(['fox.png', stats.filmWidth, stats.filmHeight]);
+    // What the panel covers is not in it.
+    const seen = Math.round((stats.filmWidth * (960 - 320)) / 960);
+    expect([name, width, height]).toEqual(['fox.png', seen, stats.filmHeight]);
     expect(new Set(data).size, 'not of one colour').toBeGreaterThan(10);
     const [, exr] = await saved('Light as floats (.exr)');
     expect(readExr(exr)).toMatchObject({ width, height });
@@ -382,6 +384,9 @@ test('from a file, a folder is opened, with nothing from the network; the panel 
       await client.send('Input.dispatchDragEvent', { type, x: 200, y: 200, data });
     await soon(() => before.evaluate((old) => window.mirrorball.renderer!.scene !== old)).toBe(true);
     await shown(page, 'fox');
+    // It stands in the light that was chosen for the one before.
+    await soon(() => page.evaluate(() => window.mirrorball.renderer!.scene!.sky.map?.width)).toBe(4);
+    await expect(page.getByLabel('Light from all around')).toHaveValue('file');
   });
 });
 

@@ -3,7 +3,7 @@ import { signal } from '@preact/signals';
 import type { Renderer, Scene, ShownFilm } from 'mirrorball';
 import { readyToReport, sceneName } from '../i18n.ts';
 import { dismiss, notify, reasonOf } from '../notices.ts';
-import { exposure, playing, renderer, shown, toneMapping, viewMoved } from '../state.ts';
+import { exposure, openShares, playing, renderer, shown, toneMapping, viewMoved } from '../state.ts';
 import { loadWritten } from './load-written.ts';
 import type { OnShow, SavedAs } from './written.ts';
 
@@ -36,15 +36,16 @@ export async function save(as: SavedAs): Promise<void> {
 
 function onShow(current: Renderer, scene: Scene): OnShow {
   const { time, camera, canvas } = current;
+  const [across, down] = openShares.peek();
   return {
     // A view that was moved belongs to no node.
     scene: viewMoved.peek() ? { ...scene, camera } : scene,
     time,
-    width: canvas.width,
-    height: canvas.height,
+    width: Math.max(Math.round(canvas.width * across), 1),
+    height: Math.max(Math.round(canvas.height * down), 1),
     exposure: exposure.peek(),
     toneMapping: toneMapping.peek(),
-    film: () => filmOf(current),
+    film: async () => uncovered(await filmOf(current), across, down),
   };
 }
 
@@ -61,6 +62,17 @@ async function filmOf(current: Renderer): Promise<ShownFilm> {
   } finally {
     playing.value = played;
   }
+}
+
+/** The part of it that is seen beside the panel, in whose middle the scene stands. */
+export function uncovered(film: ShownFilm, across: number, down: number): ShownFilm {
+  const width = Math.max(Math.round(film.width * across), 1);
+  const height = Math.max(Math.round(film.height * down), 1);
+  if (width === film.width && height === film.height) return film;
+  const pixels = new Float32Array(width * height * 4);
+  for (let y = 0; y < height; y++)
+    pixels.set(film.pixels.subarray(y * film.width * 4, (y * film.width + width) * 4), y * width * 4);
+  return { ...film, width, height, pixels };
 }
 
 /** Of a file without its ending, and without what no system takes in a name. */

@@ -5,7 +5,7 @@ import { type ExportEntry, writeGlb, writeMitsuba, zipped } from 'mirrorball/sce
 
 export type SavedAs = 'png' | 'exr' | 'glb' | 'mitsuba';
 
-/** What a file is made of. `film` is of the whole picture, and is asked for by pictures only. */
+/** What a file is made of. `film` is asked for by pictures only; they have no more than can be seen beside the panel. */
 export interface OnShow {
   readonly scene: Scene;
   readonly time: number;
