@@ -27,6 +27,10 @@ const forms: readonly Form[] = [
     () => '有材质使用法线贴图或各向异性，但网格没有纹理坐标，因此不起作用。',
   ],
   [
+    /^The diffuse texture of a specular-glossiness material lies otherwise/,
+    () => '高光—光泽度材质的漫反射贴图与高光贴图铺法不同，只按菲涅耳项减弱漫反射。',
+  ],
+  [
     /^A clear coat's normal map goes by other coordinates/,
     () => '清漆法线贴图与底层法线贴图使用的纹理坐标不同；两者都以底层的切线为准。',
   ],

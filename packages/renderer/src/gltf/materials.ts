@@ -5,7 +5,8 @@ import type { TextureUse } from '../scene/textures.ts';
 import { extensionOf, type MaterialJson } from './json.ts';
 import type { Path } from './problems.ts';
 import { type Reading, within } from './reading.ts';
-import type { TextureInfo, TextureReader } from './textures.ts';
+import { specularGlossiness } from './specular-glossiness.ts';
+import type { Making, TextureInfo, TextureReader } from './textures.ts';
 
 const BRIGHTEST = 1e6;
 const degrees = (radians: number): number => (radians * 180) / Math.PI;
@@ -30,7 +31,7 @@ const BASE: Omit<Material, keyof MaterialLayers> = {
 type Fields = Readonly<Record<string, number | number[] | TextureInfo | undefined>>;
 
 /** One material or extension whose fields are looked up by their names. */
-class FieldReader {
+export class FieldReader {
   readonly #reading: Reading;
   readonly #textures: TextureReader;
   readonly #fields: Fields;
@@ -60,6 +61,35 @@ class FieldReader {
     return (use === undefined ? {} : { [as]: use }) as { readonly [K in Key]?: TextureUse };
   }
 
+  /** The fourth number of a colour: opacity. */
+  alpha(key: string): number {
+    const alpha = (this.#fields[key] as number[] | undefined)?.[3] ?? 1;
+    return within(this.#reading, alpha, 0, 1, [...this.#path, key, 3]);
+  }
+
+  /** Of an image that is made of that texture's, and of the other's where there is one. */
+  madeTexture<Key extends string>(
+    key: string,
+    as: Key,
+    making: Making,
+    other = '',
+  ): { readonly [K in Key]?: TextureUse } {
+    const info = (name: string) => this.#fields[name] as TextureInfo | undefined;
+    const use = this.#textures.useMade(info(key)!, [...this.#path, key], making, info(other));
+    return (use === undefined ? {} : { [as]: use }) as { readonly [K in Key]?: TextureUse };
+  }
+
+  /** Whether two textures lie on the mesh in the same way, or there is no second one. */
+  liesAlike(key: string, other: string): boolean {
+    const infos = [key, other].map((name) => this.#fields[name] as TextureInfo | undefined);
+    return this.#textures.lieAlike(infos[0]!, infos[1]);
+  }
+
+  /** What could not be taken as it stands. */
+  tell(key: string, message: string): void {
+    this.#reading.report.add('changed', key, [...this.#path, key], message);
+  }
+
   normalTexture(key: string): { readonly normalTexture?: TextureUse } {
     const use = this.#textures.useNormal(this.#fields[key] as TextureInfo | undefined, [...this.#path, key]);
     return use === undefined ? {} : { normalTexture: use };
@@ -73,8 +103,16 @@ export function readMaterial(reading: Reading, textures: TextureReader, json: Ma
   const path = ['materials', index];
   const fields = (part: object, ...keys: string[]) => new FieldReader(reading, textures, part, [...path, ...keys]);
   const own = fields(json);
-  const pbr = fields(json.pbrMetallicRoughness ?? {}, 'pbrMetallicRoughness');
-  const alpha = json.pbrMetallicRoughness?.baseColorFactor?.[3] ?? 1;
+  const extension = (name: string) => {
+    const found = extensionOf<object>(json, name);
+    return found && fields(found, 'extensions', name);
+  };
+  // Where there is specular and glossiness, metal and roughness are for who does not know these. Unlit is neither.
+  const isUnlit = extension('KHR_materials_unlit') !== undefined;
+  const glossy = isUnlit ? undefined : extension('KHR_materials_pbrSpecularGlossiness');
+  const metallicRoughness = glossy ? {} : (json.pbrMetallicRoughness ?? {});
+  const pbr = fields(metallicRoughness, 'pbrMetallicRoughness');
+  const alpha = metallicRoughness.baseColorFactor?.[3] ?? 1;
   const base: Material = {
     ...BASE,
     baseColor: pbr.color('baseColorFactor', [1, 1, 1]),
@@ -99,11 +137,7 @@ export function readMaterial(reading: Reading, textures: TextureReader, json: Ma
       [...path, 'occlusionTexture'],
       'Occlusion textures are kept but not used: paths find out themselves how much light reaches a corner.',
     );
-  const extension = (name: string) => {
-    const found = extensionOf<object>(json, name);
-    return found && fields(found, 'extensions', name);
-  };
-  const whole = { ...base, ...layersOf(extension) };
+  const whole: Material = { ...base, ...layersOf(extension), ...(glossy && specularGlossiness(glossy)) };
   const coatMap = whole.clearcoat?.normalTexture;
   if (coatMap && base.normalTexture && (coatMap.uvSet ?? 0) !== (base.normalTexture.uvSet ?? 0))
     reading.report.add(
@@ -256,6 +290,7 @@ export const MATERIAL_EXTENSIONS: readonly string[] = [
   'KHR_materials_dispersion',
   'KHR_materials_diffuse_transmission',
   'KHR_materials_unlit',
+  'KHR_materials_pbrSpecularGlossiness',
 ];
 
 /** What a material's normals are bent by, with whose coordinates tangents must go; null when it needs none. */

@@ -22,6 +22,14 @@ interface TransformJson {
   readonly texCoord?: number;
 }
 
+/** An image made of one or two others, texel by texel, once they are decoded. `key`: what else it depends on. */
+export interface Making {
+  /** What it shows, for its name. */
+  readonly word: string;
+  readonly key: readonly number[];
+  readonly make: (first: ImagePixels, second?: ImagePixels) => ImagePixels;
+}
+
 interface ImageFile {
   readonly bytes: Uint8Array;
   readonly head: ImageHead;
@@ -44,8 +52,14 @@ export class TextureReader {
   readonly #decoded = new Map<number, Promise<ImagePixels | { readonly reason: string }>>();
   /** By place in the file's list of textures: the image taken, or null when none can be. */
   readonly #chosen = new Map<number, number | null>();
-  /** By image and sampler. */
+  readonly #heads = new Map<number, ImageHead>();
+  /** By image and how it is looked up. */
   readonly #names = new Map<string, string>();
+  /** Images that are made of others, whose places in the file these are; by what they are made of. */
+  readonly #made = new Map<
+    string,
+    { readonly name: string; readonly of: readonly number[]; readonly make: Making['make'] }
+  >();
   readonly textures = new NamedThings<Texture>();
   readonly images = new NamedThings<ImageSource>();
 
@@ -141,6 +155,32 @@ export class TextureReader {
     };
   }
 
+  /** As `use`, of what is made of the texture's image, and of the other's where there is one that can be used. */
+  useMade(info: TextureInfo, path: Path, making: Making, other?: TextureInfo): TextureUse | undefined {
+    const use = this.use(info, path);
+    if (!use) return undefined;
+    const of = [info, ...(other ? [other] : [])]
+      .map(({ index }) => this.#chosen.get(index))
+      .filter((image) => typeof image === 'number');
+    const key = JSON.stringify([making.word, ...making.key, ...of]);
+    let made = this.#made.get(key);
+    if (!made) {
+      const name = this.images.add({}, `${this.#imageName(of[0]!)} ${making.word}`, making.word);
+      this.#made.set(key, (made = { name, of, make: making.make }));
+    }
+    const like = this.textures.things[use.texture]!;
+    const texture = this.#textureOf({ ...like, image: made.name }, made.name, made.name);
+    return { ...use, texture };
+  }
+
+  /** Whether two textures lie on a mesh in the same way. */
+  lieAlike(a: TextureInfo, b: TextureInfo | undefined): boolean {
+    if (!b) return true;
+    const { json } = this.#reading;
+    const how = ({ index, texCoord = 0, extensions }: TextureInfo) => JSON.stringify([json.textures![index]!.sampler, texCoord, extensions]); // biome-ignore format: one thought
+    return how(a) === how(b);
+  }
+
   useNormal(info: TextureInfo | undefined, path: Path): NormalTextureUse | undefined {
     const use = this.use(info, path);
     return use && { ...use, ...(info!.scale !== undefined && { normalScale: info!.scale }) };
@@ -157,22 +197,23 @@ export class TextureReader {
     } = sampler === undefined ? {} : json.samplers![sampler]!;
     const nearest = magFilter === 9728;
     const mipmaps = minFilter !== 9728 && minFilter !== 9729;
-    const key = JSON.stringify([image, wrapS, wrapT, nearest, mipmaps]);
-    const known = this.#names.get(key);
-    if (known !== undefined) return known;
-    const made = this.textures.add(
-      {
-        image: this.#imageName(image),
-        ...(wrapS !== 10497 && { wrapU: WRAPS[wrapS]! }),
-        ...(wrapT !== 10497 && { wrapV: WRAPS[wrapT]! }),
-        ...(nearest && { filter: 'nearest' as const }),
-        ...(!mipmaps && { mipmaps }),
-      },
-      name,
-      json.images![image]!.name ?? `texture ${texture}`,
-    );
-    this.#names.set(key, made);
-    return made;
+    const made: Texture = {
+      image: this.#imageName(image),
+      ...(wrapS !== 10497 && { wrapU: WRAPS[wrapS]! }),
+      ...(wrapT !== 10497 && { wrapV: WRAPS[wrapT]! }),
+      ...(nearest && { filter: 'nearest' as const }),
+      ...(!mipmaps && { mipmaps }),
+    };
+    return this.#textureOf(made, name, json.images![image]!.name ?? `texture ${texture}`);
+  }
+
+  /** Its name: each is there once. */
+  #textureOf(texture: Texture, wanted: string | undefined, otherwise: string): string {
+    const { image, wrapU, wrapV, filter, mipmaps } = texture;
+    const key = JSON.stringify([image, wrapU, wrapV, filter, mipmaps]);
+    let name = this.#names.get(key);
+    if (name === undefined) this.#names.set(key, (name = this.textures.add(texture, wanted, otherwise)));
+    return name;
   }
 
   #imageName(image: number): string {
@@ -183,11 +224,32 @@ export class TextureReader {
 
   /** Decodes all images that uses have named. Adds problems for those that are damaged. */
   async load(onEach: (done: number, total: number) => void): Promise<void> {
-    const wanted = [...this.#files.keys()].filter((index) => this.images.nameOf(index) !== undefined);
+    const made = [...this.#made.values()];
+    const parts = new Set(made.flatMap(({ of }) => of));
+    const wanted = [...this.#files.keys()].filter(
+      (index) => this.images.nameOf(index) !== undefined || parts.has(index),
+    );
     for (const [i, index] of wanted.entries()) {
       this.#take(index, (await this.#files.get(index))!, await this.#decoded.get(index)!);
       onEach(i + 1, wanted.length);
     }
+    if (!this.#reading.problems.isEmpty || !this.#checkMade(made)) return;
+    for (const { name, of, make } of made) {
+      const [first, second] = await Promise.all(
+        of.map(async (index) => (await this.#decoded.get(index)!) as ImagePixels),
+      );
+      this.images.things[name] = { data: make(first!, second) };
+    }
+  }
+
+  /** Images are small enough that were decoded, and yet many more may be made of them. */
+  #checkMade(made: readonly { readonly of: readonly number[] }[]): boolean {
+    const sizes = made.map(({ of }) => of.map((index) => this.#heads.get(index)!));
+    const bytes = sizes.reduce((sum, heads) => sum + 4 * Math.max(...heads.map(({ width }) => width)) * Math.max(...heads.map(({ height }) => height)), 0); // biome-ignore format: one sum
+    const isRoom = bytes <= GLTF_LIMITS.imageBytes;
+    if (!isRoom)
+      addProblem(this.#reading.problems, ['materials'], `specular-glossiness images that make others of ${bytes} bytes`, `at most ${GLTF_LIMITS.imageBytes} bytes`); // biome-ignore format: one sentence
+    return isRoom;
   }
 
   #decodeAll(files: readonly { index: number; file: ImageFile }[]): void {
@@ -205,6 +267,7 @@ export class TextureReader {
     let bytes = 0;
     for (const { index, file } of files) {
       const { width, height } = file.head;
+      this.#heads.set(index, file.head);
       const isSide = (side: number): boolean => side >= 1 && side <= GLTF_LIMITS.imageSide;
       if (!isSide(width) || !isSide(height))
         addProblem(
@@ -236,15 +299,17 @@ export class TextureReader {
   #take(index: number, { head }: ImageFile, decoded: ImagePixels | { readonly reason: string }): void {
     const { problems, report } = this.#reading;
     const path = ['images', index];
-    const name = this.images.nameOf(index)!;
+    // Without one, something else is made of it.
+    const name = this.images.nameOf(index);
     if (head.depth > 8)
       report.add('changed', `${head.depth}-bit image`, path, `Channels of ${head.depth} bits are rounded to 8.`);
-    if (!('reason' in decoded)) this.images.things[name] = { data: decoded };
-    else
+    if (!('reason' in decoded)) {
+      if (name !== undefined) this.images.things[name] = { data: decoded };
+    } else
       addProblem(
         problems,
         path,
-        `the image ${quote(name)}, which cannot be decoded (${decoded.reason})`,
+        `the image ${quote(name ?? String(index))}, which cannot be decoded (${decoded.reason})`,
         `a whole ${head.type}`,
       );
   }

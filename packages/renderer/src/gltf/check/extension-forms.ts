@@ -55,6 +55,16 @@ export const materialExtensions = extensions({
       clearcoatNormalTexture: normalTexture,
     },
   ),
+  KHR_materials_pbrSpecularGlossiness: object(
+    {},
+    {
+      diffuseFactor: numbers(4),
+      diffuseTexture: textureInfo,
+      specularFactor: numbers(3),
+      glossinessFactor: number(),
+      specularGlossinessTexture: textureInfo,
+    },
+  ),
   KHR_materials_sheen: object(
     {},
     {
