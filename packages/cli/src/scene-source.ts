@@ -87,8 +87,7 @@ const QUICK = 1500;
 function tellPhases(file: string, terminal: Terminal): (progress: GltfProgress) => void {
   let told = performance.now();
   let last = '';
-  return ({ step, done, total }) => {
-    terminal.event('opening', { file, step, done, total });
+  return ({ step }) => {
     if (step === last || performance.now() - told < QUICK) return;
     [last, told] = [step, performance.now()];
     terminal.note(`${file}: ${PHASES[step]} …`);
