@@ -219,6 +219,8 @@ function glslOf(source: string, wgsl: string, entryPoint: string, stage: 'vertex
   return readableGlsl(withoutShortCircuits(withSwitches(glsl, wgsl)), wgsl);
 }
 
+const READS_DATA = /textureSampleLevel\((geometry|texels),/;
+
 async function generate(): Promise<Record<string, string>> {
   const weslSrc = weslModules();
   const files: Record<string, string> = {
@@ -228,13 +230,19 @@ async function generate(): Promise<Record<string, string>> {
     'packages/renderer/src/shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
   for (const { name, root, entries, output = RENDERER_OUTPUT, models } of PROGRAMS) {
-    const linkedFor = async (compute: boolean) =>
-      (await link({ weslSrc, conditions: { compute }, rootModuleName: `./${root}.wesl` })).dest.trim();
-    const [computed, drawn] = [await linkedFor(true), await linkedFor(false)];
+    const linkedFor = async (conditions: Record<string, boolean>) =>
+      (await link({ weslSrc, conditions, rootModuleName: `./${root}.wesl` })).dest.trim();
+    const computed = await linkedFor({ compute: true, sampled: false });
+    const sampled = await linkedFor({ compute: false, sampled: true });
+    const drawn = await linkedFor({ compute: false, sampled: false });
     const write = (suffix: string, capital: string, off: readonly string[]) => {
       const head = `// Linked from ${root}.wesl by \`npm run shaders\`. Do not edit.\n`;
       const wgsl = `${head}${withoutFeatures(computed, off)}\n`;
       files[`${output}/${name}${suffix}.wgsl`] = wgsl;
+      // Another text where WebGPU draws in software, for what reads data: gpu/device.ts, PassSource.
+      const software = withoutFeatures(sampled, off);
+      if (entries.length > 0 && READS_DATA.test(software))
+        files[`${output}/${name}${suffix}_sampled.wgsl`] = `${head}${software}\n`;
       // naga does not write GLSL ES 3.00 of a module in which there is a compute pass.
       const source = withoutFeatures(drawn, off);
       for (const { entry, stage } of entries)

@@ -15,6 +15,7 @@ import {
   type FilmArea,
   type Pass,
   type Region,
+  shareOfRow,
   type TableTexture,
   type UniformBuffer,
 } from './gpu/device.ts';
@@ -295,6 +296,12 @@ export class Stages {
     }
   }
 
+  /** Where paths or AOVs are drawn, there is data. */
+  #rowShares() {
+    if (this.#content !== 'path' && !isAov(this.#content)) return {};
+    return { geometryShare: shareOfRow(this.#geometry.buffer), texelShare: shareOfRow(this.#texels.buffer) };
+  }
+
   #draw(pass: Pass, region: Region): void {
     const { device, film } = this;
     const inputs = { frame: this.#frame, sceneTable: this.#table!, previous: film.current.layers };
@@ -314,7 +321,7 @@ export class Stages {
     const { camera, settings, area } = this.#shot!;
     const held = area ? { ...this.#picture, origin: [area.x, area.y] as const } : this.#picture;
     packFrame(this.#frameBlock, held, camera, this.#packed!, settings, this.film.nextSample, count);
-    writeStruct(this.#frameBlock, 'Frame', 0, { rowHeight: 1 / this.#table!.height });
+    writeStruct(this.#frameBlock, 'Frame', 0, { rowHeight: 1 / this.#table!.height, ...this.#rowShares() });
     if (isAov(this.#content)) writeStruct(this.#frameBlock, 'Frame', 0, aovFrame(settings.integrator));
     this.#frame.write(this.#frameBlock.bytes);
   }

@@ -697,6 +697,10 @@ struct Frame {
   lightTree: u32,
   // of the scene table, the whole table being 1
   rowHeight: f32,
+  // what one row is of the texture of the geometry, all of it being 1: gpu/device.ts, shareOfRow
+  geometryShare: f32,
+  // of that of the texels
+  texelShare: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin

@@ -29,18 +29,21 @@ export interface ComputeSource {
 
 /**
  * What a pass reads. `nearest`: number of the binding of a sampler that takes the texel nearest to a point, when WGSL reads the texture
- * through one; GLSL never does.
+ * through one, or, in software, the data; GLSL never does.
  */
 export type PassBinding =
   | { readonly block: string }
   | { readonly texture: string; readonly nearest?: number }
-  | { readonly data: string };
+  | { readonly data: string; readonly nearest?: number };
 
 /** A shader program and what it reads, in both languages. Names of textures, blocks and data are those of the WGSL source. */
 export interface PassSource {
   readonly label: string;
-  /** WGSL of the vertex and of the fragment entry; the same text when one module holds both. */
-  readonly wgsl: { readonly vertex: string; readonly fragment: string };
+  /**
+   * WGSL of the vertex and of the fragment entry; the same text when one module holds both. `sampled`: the fragment entry for devices
+   * whose data are textures of floats that a sampler reads; needed if it reads data.
+   */
+  readonly wgsl: { readonly vertex: string; readonly fragment: string; readonly sampled?: string };
   readonly entries: { readonly vertex: string; readonly fragment: string };
   readonly glsl: { readonly vertex: string; readonly fragment: string };
   /** In the order of their binding numbers in group 0. */
@@ -76,7 +79,7 @@ export interface TableTexture extends FloatTexture {
   /** Replaces the first `rows` rows. */
   write(texels: Float32Array<ArrayBuffer>, rows: number): void;
 }
-/** Rows of four words that kernels read by number: a storage buffer, or a texture of whole numbers. */
+/** Rows of four words that kernels read by number: a storage buffer, or a texture of DATA_COLUMNS columns. */
 export interface DataBuffer {
   readonly rows: number;
   /** Replaces as many rows as the words fill, from this one on. */
@@ -89,6 +92,29 @@ export interface FilmTexture {
   readonly height: number;
   readonly layers: readonly FloatTexture[];
   destroy(): void;
+}
+/** As shading/mesh/geometry_row.wesl and shading/texture/texel_row.wesl have it: every device has textures so wide. */
+export const DATA_COLUMNS = 2048;
+/** What one row is of such a texture, all of its lines together being 1. */
+export const shareOfRow = ({ rows }: Pick<DataBuffer, 'rows'>): number =>
+  1 / (Math.ceil(rows / DATA_COLUMNS) * DATA_COLUMNS);
+/** Writes rows from `firstRow` on into such a texture: rectangles of it, and the words of each. */
+export function writeLines(
+  firstRow: number,
+  words: Uint32Array<ArrayBuffer>,
+  put: (x: number, y: number, width: number, height: number, words: Uint32Array<ArrayBuffer>) => void,
+): void {
+  const end = firstRow + words.length / 4;
+  // What is left of the first line, whole lines, what begins the last one.
+  for (let row = firstRow; row < end; ) {
+    const [x, y] = [row % DATA_COLUMNS, Math.floor(row / DATA_COLUMNS)];
+    const left = DATA_COLUMNS - x;
+    const lines = x === 0 ? Math.floor((end - row) / DATA_COLUMNS) : 0;
+    const count = lines > 0 ? lines * DATA_COLUMNS : Math.min(left, end - row);
+    const part = words.subarray(4 * (row - firstRow), 4 * (row - firstRow + count));
+    put(x, y, lines > 0 ? DATA_COLUMNS : count, Math.max(lines, 1), part);
+    row += count;
+  }
 }
 export type Resource = UniformBuffer | FloatTexture | DataBuffer;
 

@@ -258,6 +258,11 @@ export const STRUCTS = {
     farEmitters: field('u32', 'emitters that are infinitely far: they come first'),
     lightTree: field('u32', 'row of the root of the light tree'),
     rowHeight: field('f32', 'of the scene table, the whole table being 1'),
+    geometryShare: field(
+      'f32',
+      'what one row is of the texture of the geometry, all of it being 1: gpu/device.ts, shareOfRow',
+    ),
+    texelShare: field('f32', 'of that of the texels'),
     lightTreeDepth: field('u32', 'levels of it; 0: there is none, and all emitters are looked at'),
     lampTables: field('u32', 'row of the geometry where the tables of lamps begin'),
     origin: field('vec2u', 'column and row of the picture that the first texel of the film holds'),
@@ -399,6 +404,9 @@ export const TABLE_WIDTH = TABLE_STRUCTS.reduce((sum, s) => sum + structSize(s) 
 export const NEAREST_BINDING = 15;
 /** How passes are told of the scene table. */
 export const SCENE_TABLE = { texture: 'sceneTable', nearest: NEAREST_BINDING } as const;
+/** The same sampler, where software reads them. */
+export const GEOMETRY = { data: 'geometry', nearest: NEAREST_BINDING } as const;
+export const TEXELS = { data: 'texels', nearest: NEAREST_BINDING } as const;
 
 const FETCHED = [...TABLE_STRUCTS, ...WHOLE_ROWS];
 

@@ -13,11 +13,11 @@ export async function sourceFor(
 ): Promise<PassSource> {
   const switches = switchesFor(features);
   if (!drawsModels(features)) return { ...source, switches };
-  const { wgsl, glsl } = (await import('./model-shaders.ts')).MODEL_SHADERS[program];
+  const { wgsl, sampled, glsl } = (await import('./model-shaders.ts')).MODEL_SHADERS[program];
   return {
     ...source,
     switches,
-    wgsl: { ...source.wgsl, fragment: wgsl },
+    wgsl: { ...source.wgsl, fragment: wgsl, sampled },
     glsl: { ...source.glsl, fragment: glsl },
     compute: source.compute && { ...source.compute, wgsl },
   };

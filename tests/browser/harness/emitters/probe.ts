@@ -1,10 +1,16 @@
 /** Asks the kernels' own light sampling on a GPU, question by question. */
 import { GeometryBuffer } from '../../../../packages/renderer/src/geometry-buffer.ts';
-import type { Device, Pass, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
+import { type Device, type Pass, type PassSource, shareOfRow } from '../../../../packages/renderer/src/gpu/device.ts';
 import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
 import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { loadGeometryPacker } from '../../../../packages/renderer/src/packed-scene/geometry-packer.ts';
-import { SCENE_TABLE, structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import {
+  GEOMETRY,
+  SCENE_TABLE,
+  structSize,
+  TABLE_WIDTH,
+  TEXELS,
+} from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import type { PackedEnvironment } from '../../../../packages/renderer/src/packed-scene/pack-environment.ts';
 import { packFrame } from '../../../../packages/renderer/src/packed-scene/pack-frame.ts';
 import type { PackedGeometry } from '../../../../packages/renderer/src/packed-scene/pack-geometry.ts';
@@ -17,6 +23,7 @@ import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import { DEFAULT_SETTINGS } from '../../../../packages/renderer/src/view.ts';
 import probeWgsl from '../generated/emitter_probe.wgsl?raw';
+import sampledWgsl from '../generated/emitter_probe_sampled.wgsl?raw';
 import probeGlsl from '../generated/emitterProbe.glsl?raw';
 
 /** What is asked: emitter-probe.wesl has the same numbers. */
@@ -47,7 +54,7 @@ export const MOST_QUESTIONS = SIDE * SIDE;
 
 const PROBE: PassSource = {
   label: 'emitter probe',
-  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
+  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl, sampled: sampledWgsl },
   entries: { vertex: 'fullScreen', fragment: 'emitterProbe' },
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [
@@ -56,8 +63,8 @@ const PROBE: PassSource = {
     { texture: 'questions' },
     { texture: 'unused' },
     { texture: 'environment' },
-    { data: 'geometry' },
-    { data: 'texels' },
+    GEOMETRY,
+    TEXELS,
   ],
   target: 'film',
   switches: ALL_SWITCHES,
@@ -76,7 +83,7 @@ function packLights(scene: Scene): PackedLights {
   const block = createBlock(structSize('Frame'));
   const settings = { ...DEFAULT_SETTINGS, seed: 0 };
   packFrame(block, { width: SIDE, height: SIDE }, scene.camera, packed, settings, 0);
-  writeStruct(block, 'Frame', 0, { rowHeight: 1 / packed.rows });
+  writeStruct(block, 'Frame', 0, { rowHeight: 1 / packed.rows, geometryShare: shareOfRow(packed.geometry!) });
   return {
     table: packed.table.f32,
     rows: packed.rows,

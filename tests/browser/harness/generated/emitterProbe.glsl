@@ -56,6 +56,8 @@ struct Frame {
     uint farEmitters;
     uint lightTree;
     float rowHeight;
+    float geometryShare;
+    float texelShare;
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
@@ -365,13 +367,14 @@ const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
 const uint noLeaf0_ = 0u;
+const uint leaves = 2415919104u;
+const uint unread = 2415919100u;
+const uint leaving = 2415919102u;
+const uint leastToGreatest = 3u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
-const uint leastToGreatest = 3u;
-const uint leaves = 2415919104u;
 const uint countShift = 28u;
 const uint isOneSided = 2147483648u;
-const uint leaving = 2415919102u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
 
@@ -423,9 +426,9 @@ const bool hasMeshes = false;
 
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 
-const bool hasOneSided = false;
-
 const bool hasCutouts = false;
+
+const bool hasOneSided = false;
 
 const bool hasTextures = false;
 
@@ -906,8 +909,8 @@ LightSample sampleBox(Emitter e_9, vec3 point_10, vec2 u_7) {
 }
 
 uvec4 geometryRow(uint i_4) {
-    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_4 & 2047u), (i_4 >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(geometry, ivec2(int((i_4 & 2047u)), int((float(int((i_4 & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
 LampTriangle fetchLampTriangle(uint row_1) {
@@ -1013,8 +1016,8 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
 }
 
 uvec4 texelRow(uint i_6) {
-    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_6 & 2047u), (i_6 >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(texels, ivec2(int((i_6 & 2047u)), int((float(int((i_6 & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
 MaterialTextures fetchMaterialTextures(uint row_6) {
@@ -1495,63 +1498,6 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_15) {
     return _e17;
 }
 
-vec4 planes(uint row_9, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_9);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
-}
-
-vec4 enterChildren(uint node_1, SlabRay r, float t_5) {
-    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_5))));
-}
-
-vec3 turnedTo(uint axis_2, vec3 v_4) {
-    return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
-}
-
-float edge(vec2 a_1, vec2 b_2) {
-    float p_11 = (a_1.x * b_2.y);
-    float q_7 = (a_1.y * b_2.x);
-    return ((a_1.x * b_2.y + -(q_7)) - (a_1.y * b_2.x + -(p_11)));
-}
-
-Crossing crossTriangle(MeshRay ray, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
-    vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
-    vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum = ((_e35 + _e36) + _e37);
-    float side_2 = pick((sum < 0.0), -1.0, 1.0);
-    bool within_2 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_2, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
-}
-
-SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
-    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
-    vec3 size_4 = abs(direction_7);
-    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_5, direction_7);
-    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
 float unitFloat(uint h_1) {
     return (float((h_1 >> 8u)) * 5.9604645e-8);
 }
@@ -1586,6 +1532,67 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
+SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
+    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis_2, vec3 v_4) {
+    return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
+}
+
+MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
+    vec3 size_4 = abs(direction_7);
+    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_5, direction_7);
+    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 planes(uint row_9, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_9);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
+}
+
+vec4 enterChildren(uint node_1, SlabRay r, float t_5) {
+    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node_1 + far_4.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node_1 + far_4.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node_1 + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_5))));
+}
+
+float edge(vec2 a_1, vec2 b_2) {
+    float p_11 = (a_1.x * b_2.y);
+    float q_7 = (a_1.y * b_2.x);
+    return ((a_1.x * b_2.y + -(q_7)) - (a_1.y * b_2.x + -(p_11)));
+}
+
+Crossing crossTriangle(MeshRay ray, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
+    vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
+    vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    float side_2 = pick((sum < 0.0), -1.0, 1.0);
+    bool within_2 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float depth = ((ray.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_2, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
+}
+
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight_1 = false;
@@ -1601,9 +1608,9 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint top = 1u;
     uint current = 0u;
     uint waiting = noLeaf0_;
-    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
+    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight_1 = !((rays.most > 0.0));
     bool _e17 = toLight_1;
@@ -1622,206 +1629,211 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     stack[0] = ending;
     current = first_2;
     while(true) {
+        const bool _e75 = hasCutouts;
+        if (_e75) {
+            uint _e77 = doubted.instance;
+            if ((_e77 != noInstance)) {
+                uint _e81 = doubted.instance;
+                uint _e83 = doubted.triangle;
+                vec2 _e85 = doubted.weights;
+                bool _e87 = toLight_1;
+                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
+                MeshHit instead = doubted;
+                doubted.instance = noInstance;
+                bool _e94 = toLight_1;
+                if (pick(_e90, _e94, false)) {
+                    found_5.blocked = true;
+                    break;
+                }
+                if (_e90) {
+                    most = instead.t;
+                    found_5 = instead;
+                }
+            }
+        }
+        const bool _e100 = hasCutouts;
+        uint _e102 = waiting;
+        uint _e105 = current;
+        bool _e106 = isAmongInstances(_e105);
+        if (pick(!(_e100), true, pick((_e102 == noLeaf0_), _e106, false))) {
+            uint _e109 = current;
+            if ((_e109 == ending)) {
+                bool _e112 = toLight_1;
+                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
+                    break;
+                }
+                toLight_1 = true;
+                most = rays.lightMost;
+                top = 1u;
+                current = first_2;
+            }
+            uint _e121 = current;
+            bool toWorld = (_e121 >= beginning);
+            uint _e124 = current;
+            instance_1 = pick(toWorld, noInstance, (_e124 & placeMask));
+            o = rays.origin;
+            bool _e133 = toLight_1;
+            d_1 = pick(_e133, rays.lightDirection, rays.direction);
+            nodes = 0u;
+            if (!(toWorld)) {
+                uint _e140 = frame.instances;
+                uint _e141 = instance_1;
+                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
+                vec3 _e146 = o;
+                vec4 p_12 = vec4(_e146, 1.0);
+                o = vec3(dot(_e145.toMeshX, p_12), dot(_e145.toMeshY, p_12), dot(_e145.toMeshZ, p_12));
+                vec3 _e158 = d_1;
+                vec3 _e162 = d_1;
+                vec3 _e166 = d_1;
+                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
+                nodes = _e145.nodes;
+                triangles = _e145.triangles;
+                cover = _e145.cover;
+                uint _e174 = instance_1;
+                own = pick((_e174 == left.instance), left.triangle, placeMask);
+                if (!(alone)) {
+                    uint _e180 = top;
+                    stack[_e180] = leaving;
+                    uint _e184 = top;
+                    top = (_e184 + 1u);
+                }
+            }
+            vec3 _e186 = o;
+            vec3 _e187 = d_1;
+            SlabRay _e188 = slabRay(_e186, _e187);
+            slabs = _e188;
+            vec3 _e189 = o;
+            vec3 _e190 = d_1;
+            MeshRay _e191 = meshRay(_e189, _e190);
+            ray_1 = _e191;
+            uint _e194 = current;
+            current = pick((_e194 == leaving), unread, 0u);
+        }
         while(true) {
-            uint _e74 = current;
-            if ((_e74 < instances)) {
-                uint _e77 = nodes;
-                uint _e78 = current;
-                uint node_2 = (_e77 + (_e78 * nodeRows));
-                uvec4 _e84 = geometryRow((node_2 + childrenRow));
-                SlabRay _e85 = slabs;
-                float _e86 = most;
-                vec4 _e87 = enterChildren(node_2, _e85, _e86);
-                bool a_4 = (_e87.x < _e87.z);
-                bool b_4 = (_e87.y < _e87.w);
-                vec2 t0_ = pick(a_4, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
-                uvec2 r0_ = pick(a_4, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
-                vec2 t1_ = pick(b_4, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
-                uvec2 r1_ = pick(b_4, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_4 = (t0_.x < t1_.x);
-                bool d_3 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_4, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_4, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                vec2 tb = pick(d_3, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
-                uvec2 rb = pick(d_3, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                bool e_25 = (ta.y < tb.x);
-                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                if ((ta.x < 1e30)) {
-                    uint _e177 = top;
-                    stack[_e177] = ra.x;
-                    uint _e181 = top;
-                    top = (_e181 + 1u);
-                }
-                if ((tm.x < 1e30)) {
-                    uint _e187 = top;
-                    stack[_e187] = rm.x;
-                    uint _e191 = top;
-                    top = (_e191 + 1u);
-                }
-                if ((tm.y < 1e30)) {
-                    uint _e197 = top;
-                    stack[_e197] = rm.y;
-                    uint _e201 = top;
-                    top = (_e201 + 1u);
-                }
-                current = rb.y;
-                if ((tb.y >= 1e30)) {
-                    uint _e208 = top;
-                    top = (_e208 - 1u);
-                    uint _e211 = top;
-                    uint _e213 = stack[_e211];
-                    current = _e213;
-                }
+            uint _e198 = current;
+            if ((_e198 == unread)) {
+                uint _e202 = top;
+                top = (_e202 - 1u);
+                uint _e205 = top;
+                uint _e207 = stack[_e205];
+                current = _e207;
             }
-            uint _e214 = waiting;
-            uint _e217 = current;
-            if (pick((_e214 == noLeaf0_), (_e217 >= leaves), false)) {
-                uint _e221 = current;
-                waiting = _e221;
-                uint _e223 = top;
-                top = (_e223 - 1u);
-                uint _e226 = top;
-                uint _e228 = stack[_e226];
-                current = _e228;
+            uint _e208 = current;
+            if ((_e208 < instances)) {
+                uint _e211 = nodes;
+                uint _e212 = current;
+                uint node_2 = (_e211 + (_e212 * nodeRows));
+                uvec4 _e218 = geometryRow((node_2 + childrenRow));
+                SlabRay _e219 = slabs;
+                float _e220 = most;
+                vec4 _e221 = enterChildren(node_2, _e219, _e220);
+                bool a_4 = (_e221.x < _e221.z);
+                bool b_4 = (_e221.y < _e221.w);
+                uvec2 r0_ = pick(a_4, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
+                uvec2 r1_ = pick(b_4, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                float far0_ = max(_e221.x, _e221.z);
+                float far1_ = max(_e221.y, _e221.w);
+                float near0_ = min(_e221.x, _e221.z);
+                float near1_ = min(_e221.y, _e221.w);
+                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                float far2_ = min(far0_, far1_);
+                float near2_ = max(near0_, near1_);
+                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                uint _e281 = top;
+                stack[_e281] = ra.x;
+                uint _e284 = top;
+                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
+                uint _e293 = top;
+                stack[_e293] = rm.x;
+                uint _e296 = top;
+                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
+                uint _e305 = top;
+                stack[_e305] = rm.y;
+                uint _e308 = top;
+                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
+                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
             }
-            uint _e229 = waiting;
-            if ((_e229 != noLeaf0_)) {
-                uint _e232 = waiting;
-                uint place_6 = (_e232 & placeMask);
-                uint _e235 = waiting;
-                waiting = ((_e235 + 1u) - 268435456u);
-                uint _e240 = waiting;
-                uint _e242 = waiting;
-                waiting = pick((_e242 < leaves), noLeaf0_, _e240);
-                MeshRay _e246 = ray_1;
-                uint _e247 = triangles;
-                Triangle _e251 = fetchTriangle((_e247 + (place_6 * triangleRows)));
-                Crossing _e252 = crossTriangle(_e246, _e251);
-                float _e261 = most;
-                uint _e266 = own;
-                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_6 != _e266), false);
-                const bool _e271 = hasOneSided;
-                if (_e271) {
-                    bool _e272 = nearer;
-                    uint _e274 = cover;
-                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+            uint _e322 = waiting;
+            uint _e325 = current;
+            bool takes = pick((_e322 == noLeaf0_), (_e325 >= leaves), false);
+            uint _e329 = waiting;
+            uint _e330 = current;
+            waiting = pick(takes, _e330, _e329);
+            uint _e332 = current;
+            current = pick(takes, unread, _e332);
+            uint _e335 = waiting;
+            if ((_e335 != noLeaf0_)) {
+                uint _e338 = waiting;
+                uint place_6 = (_e338 & placeMask);
+                uint _e341 = waiting;
+                waiting = ((_e341 + 1u) - 268435456u);
+                uint _e346 = waiting;
+                uint _e348 = waiting;
+                waiting = pick((_e348 < leaves), noLeaf0_, _e346);
+                MeshRay _e352 = ray_1;
+                uint _e353 = triangles;
+                Triangle _e357 = fetchTriangle((_e353 + (place_6 * triangleRows)));
+                Crossing _e358 = crossTriangle(_e352, _e357);
+                float _e367 = most;
+                uint _e372 = own;
+                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_6 != _e372), false);
+                const bool _e377 = hasOneSided;
+                if (_e377) {
+                    bool _e378 = nearer;
+                    uint _e380 = cover;
+                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
                 }
-                bool _e281 = nearer;
-                if (_e281) {
-                    float inverse_3 = (1.0 / _e252.sum);
-                    uint _e287 = instance_1;
-                    MeshHit met = MeshHit((_e252.depth * inverse_3), _e287, place_6, (_e252.weights * inverse_3), false);
-                    const bool _e293 = hasCutouts;
-                    if (_e293) {
-                        uint _e294 = cover;
-                        if (((_e294 & coverRow) != 0u)) {
-                            doubted = met;
-                            break;
-                        }
-                    }
-                    bool _e299 = toLight_1;
-                    if (_e299) {
-                        found_5.blocked = true;
-                        break;
-                    }
-                    most = met.t;
-                    found_5 = met;
-                }
-            } else {
-                uint _e303 = current;
-                if ((_e303 >= instances)) {
-                    uint _e306 = current;
-                    if ((_e306 == ending)) {
-                        bool _e309 = toLight_1;
-                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
-                            break;
-                        }
-                        toLight_1 = true;
-                        most = rays.lightMost;
-                        top = 1u;
-                        current = first_2;
-                    }
-                    uint _e318 = current;
-                    bool toWorld = (_e318 >= beginning);
-                    uint _e321 = current;
-                    instance_1 = pick(toWorld, noInstance, (_e321 & placeMask));
-                    o = rays.origin;
-                    bool _e330 = toLight_1;
-                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld)) {
-                        uint _e337 = frame.instances;
-                        uint _e338 = instance_1;
-                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
-                        vec3 _e343 = o;
-                        vec4 p_12 = vec4(_e343, 1.0);
-                        o = vec3(dot(_e342.toMeshX, p_12), dot(_e342.toMeshY, p_12), dot(_e342.toMeshZ, p_12));
-                        vec3 _e355 = d_1;
-                        vec3 _e359 = d_1;
-                        vec3 _e363 = d_1;
-                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
-                        nodes = _e342.nodes;
-                        triangles = _e342.triangles;
-                        cover = _e342.cover;
-                        uint _e371 = instance_1;
-                        own = pick((_e371 == left.instance), left.triangle, placeMask);
-                        if (!(alone)) {
-                            uint _e377 = top;
-                            stack[_e377] = leaving;
-                            uint _e381 = top;
-                            top = (_e381 + 1u);
-                        }
-                    }
-                    vec3 _e383 = o;
-                    vec3 _e384 = d_1;
-                    SlabRay _e385 = slabRay(_e383, _e384);
-                    slabs = _e385;
-                    vec3 _e386 = o;
-                    vec3 _e387 = d_1;
-                    MeshRay _e388 = meshRay(_e386, _e387);
-                    ray_1 = _e388;
-                    uint _e389 = current;
-                    bool goesOn = (_e389 == leaving);
-                    current = 0u;
-                    if (goesOn) {
-                        uint _e394 = top;
-                        top = (_e394 - 1u);
-                        uint _e397 = top;
-                        uint _e399 = stack[_e397];
-                        current = _e399;
+                float inverse_3 = (1.0 / _e358.sum);
+                float t_14 = (_e358.depth * inverse_3);
+                vec2 weights_3 = (_e358.weights * inverse_3);
+                const bool _e395 = hasCutouts;
+                if (_e395) {
+                    bool _e396 = nearer;
+                    uint _e397 = cover;
+                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
+                        uint _e403 = instance_1;
+                        doubted = MeshHit(t_14, _e403, place_6, weights_3, false);
+                        nearer = false;
                     }
                 }
+                bool _e407 = nearer;
+                bool _e408 = toLight_1;
+                bool blocks = pick(_e407, _e408, false);
+                bool _e410 = nearer;
+                bool _e411 = toLight_1;
+                bool counts = pick(_e410, !(_e411), false);
+                float _e414 = most;
+                bool _e415 = nearer;
+                most = pick(_e415, t_14, _e414);
+                float _e419 = found_5.t;
+                found_5.t = pick(counts, t_14, _e419);
+                uint _e423 = found_5.instance;
+                uint _e424 = instance_1;
+                found_5.instance = pick(counts, _e424, _e423);
+                uint _e428 = found_5.triangle;
+                found_5.triangle = pick(counts, place_6, _e428);
+                vec2 _e432 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e432);
+                bool _e436 = found_5.blocked;
+                found_5.blocked = pick(_e436, true, blocks);
+                uint _e438 = waiting;
+                waiting = pick(blocks, noLeaf0_, _e438);
+                uint _e441 = current;
+                current = pick(blocks, ending, _e441);
+            }
+            uint _e444 = waiting;
+            uint _e447 = current;
+            bool _e448 = isAmongInstances(_e447);
+            const bool _e451 = hasCutouts;
+            uint _e453 = doubted.instance;
+            if (pick(pick((_e444 == noLeaf0_), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
+                break;
             }
         }
-        const bool _e401 = hasCutouts;
-        if (!(_e401)) {
-            break;
-        }
-        uint _e404 = doubted.instance;
-        if ((_e404 == noInstance)) {
-            break;
-        }
-        uint _e408 = doubted.instance;
-        uint _e410 = doubted.triangle;
-        vec2 _e412 = doubted.weights;
-        bool _e414 = toLight_1;
-        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
-        bool _e418 = toLight_1;
-        if (pick(_e417, _e418, false)) {
-            found_5.blocked = true;
-            break;
-        }
-        if (_e417) {
-            float _e423 = doubted.t;
-            most = _e423;
-            MeshHit _e424 = doubted;
-            found_5 = _e424;
-        }
-        doubted.instance = noInstance;
     }
-    MeshHit _e427 = found_5;
-    return _e427;
+    MeshHit _e458 = found_5;
+    return _e458;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -2163,10 +2175,10 @@ vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4,
     Slabs _e5 = boxSlabs(origin_10, direction_14, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_14 = pick(entering, _e5.near, _e5.far);
+    float t_15 = pick(entering, _e5.near, _e5.far);
     vec3 side_4 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
-    bool onX_1 = (crossed.x == t_14);
-    bool onY_1 = pick(!(onX_1), (crossed.y == t_14), false);
+    bool onX_1 = (crossed.x == t_15);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_15), false);
     return (side_4 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
@@ -2273,15 +2285,15 @@ void main() {
     uvec2 pixel = uvec2(fragment.xy);
     vec4 a_5 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
     vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
-    vec4 c_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
+    vec4 c_4 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
     uint question = uint(b_5.w);
     uint index = uint(a_5.w);
     if ((question == choice_2)) {
-        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_5.xyz, b_5.x);
+        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_4.xyz, b_5.x);
         Emitter _e42 = fetchEmitter(_e40.index);
-        float _e46 = probabilityOf(_e42, a_5.xyz, c_5.xyz, _e40.odds);
+        float _e46 = probabilityOf(_e42, a_5.xyz, c_4.xyz, _e40.odds);
         Emitter _e50 = fetchEmitter(index);
-        float _e54 = probabilityOf(_e50, a_5.xyz, c_5.xyz, _e40.odds);
+        float _e54 = probabilityOf(_e50, a_5.xyz, c_4.xyz, _e40.odds);
         _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
@@ -2295,7 +2307,7 @@ void main() {
         _fs2p_location0 = vec4(_e59.radiance, _e59.distance_);
         return;
     }
-    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_5.xyz);
+    vec3 direction_22 = pick((question == pdfOfSample), _e59.direction, c_4.xyz);
     if ((_e56.kind == 7.0)) {
         RayPair _e85 = oneRay(a_5.xyz, direction_22, 0u);
         PairHit _e86 = tracePair(_e85);

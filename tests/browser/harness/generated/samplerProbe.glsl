@@ -47,6 +47,8 @@ struct Frame {
     uint farEmitters;
     uint lightTree;
     float rowHeight;
+    float geometryShare;
+    float texelShare;
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;

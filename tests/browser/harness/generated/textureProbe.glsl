@@ -64,8 +64,8 @@ vec4 decoded(uint texel, bool colored) {
 }
 
 uvec4 texelRow(uint i) {
-    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i & 2047u), (i >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(texels, ivec2(int((i & 2047u)), int((float(int((i & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
 uint texelAt(uint i_1) {

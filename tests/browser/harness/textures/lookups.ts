@@ -1,7 +1,8 @@
 /** Textures looked up by the kernels' own function, held against a lookup in double precision. */
-import type { PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
-import { geometryRows, structSize } from '../../../../packages/renderer/src/packed-scene/layout.ts';
+import { type PassSource, shareOfRow } from '../../../../packages/renderer/src/gpu/device.ts';
+import { GEOMETRY, geometryRows, structSize, TEXELS } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { packTextures } from '../../../../packages/renderer/src/packed-scene/pack-textures.ts';
+import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
 import { lookUp, prepareTexture } from '../../../../packages/renderer/src/reference/texture.ts';
 import type { Material, Scene } from '../../../../packages/renderer/src/scene/scene.ts';
 import {
@@ -18,12 +19,13 @@ import { between, pick, type Random, seededRandom } from '../../../fixtures/rand
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
 import { openDevice } from '../bsdf/questions.ts';
 import probeWgsl from '../generated/texture_probe.wgsl?raw';
+import sampledWgsl from '../generated/texture_probe_sampled.wgsl?raw';
 import probeGlsl from '../generated/textureProbe.glsl?raw';
 import type { GpuBackend } from '../parity.ts';
 
 const PROBE: PassSource = {
   label: 'texture probe',
-  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl },
+  wgsl: { vertex: fullScreenWgsl, fragment: probeWgsl, sampled: sampledWgsl },
   entries: { vertex: 'fullScreen', fragment: 'textureProbe' },
   glsl: { vertex: fullScreenGlsl, fragment: probeGlsl },
   bindings: [
@@ -33,8 +35,8 @@ const PROBE: PassSource = {
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
     { texture: 'environment' },
-    { data: 'geometry' },
-    { data: 'texels' },
+    GEOMETRY,
+    TEXELS,
   ],
   target: 'film',
   switches: ALL_SWITCHES,
@@ -122,6 +124,9 @@ export async function probeLookups(backend: GpuBackend, seed: number) {
     }
   });
   const frame = device.createUniforms(structSize('Frame'));
+  const block = createBlock(structSize('Frame'));
+  writeStruct(block, 'Frame', 0, { texelShare: shareOfRow(texels.buffer) });
+  frame.write(block.bytes);
   const asked = device.createTable(QUESTIONS, cases.length);
   asked.write(questions, cases.length);
   const film = device.createFilm(QUESTIONS, cases.length);

@@ -1,5 +1,6 @@
 import {
   checkFilmSize,
+  DATA_COLUMNS,
   type DataBuffer,
   type Device,
   type DeviceCounts,
@@ -13,14 +14,13 @@ import {
   type Resource,
   type TableTexture,
   type UniformBuffer,
+  writeLines,
 } from '../device.ts';
 import { compileProgram } from './program.ts';
 
 /** How long a lost context may take to come back before the device counts as gone. */
 const RESTORE_TIMEOUT_MS = 3000;
 const RESTORE_PAUSE_MS = 50;
-/** Columns of the texture that data lie in, as shading/mesh/geometry_row.wesl and shading/texture/texel_row.wesl have it: every device has so many. */
-const DATA_COLUMNS = 2048;
 
 interface GlPass extends Pass {
   readonly program: WebGLProgram;
@@ -206,25 +206,14 @@ class WebGl2Device implements Device {
     const gl = this.#gl;
     const lines = Math.ceil(rows / DATA_COLUMNS);
     const base = this.#texture(DATA_COLUMNS, lines, gl.RGBA32UI);
-    const put = (row: number, count: number, words: Uint32Array) => {
-      const [x, y] = [row % DATA_COLUMNS, Math.floor(row / DATA_COLUMNS)];
-      const [width, height] = count < DATA_COLUMNS ? [count, 1] : [DATA_COLUMNS, count / DATA_COLUMNS];
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
-    };
     const data: DataBuffer & GlTexture = {
       rows,
       texture: base.texture,
       write: (firstRow, words) => {
         gl.bindTexture(gl.TEXTURE_2D, base.texture);
-        const end = firstRow + words.length / 4;
-        // What is left of the first line, whole lines, what begins the last one.
-        for (let row = firstRow; row < end; ) {
-          const left = DATA_COLUMNS - (row % DATA_COLUMNS);
-          const whole = left === DATA_COLUMNS ? Math.floor((end - row) / DATA_COLUMNS) * DATA_COLUMNS : 0;
-          const count = whole || Math.min(left, end - row);
-          put(row, count, words.subarray(4 * (row - firstRow), 4 * (row - firstRow + count)));
-          row += count;
-        }
+        writeLines(firstRow, words, (x, y, width, height, part) =>
+          gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, part),
+        );
       },
       destroy: () => {
         this.counts.textures--;

@@ -1,5 +1,6 @@
 import {
   checkFilmSize,
+  DATA_COLUMNS,
   type DataBuffer,
   type Device,
   type DeviceCounts,
@@ -14,6 +15,7 @@ import {
   type Resource,
   type TableTexture,
   type UniformBuffer,
+  writeLines,
 } from '../device.ts';
 
 const FILM_FORMAT = 'rgba32float';
@@ -36,6 +38,11 @@ export interface WebGpuOptions {
   readonly gpu?: GPU | undefined;
   /** Whether passes compute that could draw too. Default: on GPUs; an adapter that is software draws as fast. */
   readonly computes?: boolean | undefined;
+  /**
+   * Whether data lie in textures of floats instead of storage buffers, for passes that draw. Default: on SwiftShader, which reads them faster
+   * and hands every bit through; other software may take small numbers for 0.
+   */
+  readonly samplesData?: boolean | undefined;
 }
 
 /** Opens a WebGPU device that presents on the canvas; null: on none. Throws `DeviceError` when there is none. */
@@ -55,7 +62,8 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null, options: WebG
     .requestDevice({ requiredLimits: { maxTextureDimension2D, maxStorageBufferBindingSize, maxBufferSize } })
     .catch(refuse('WebGPU gives no device'));
   const { computes = !adapter.info.isFallbackAdapter } = options;
-  return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes });
+  const { samplesData = !computes && adapter.info.architecture === 'swiftshader' } = options;
+  return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes, samplesData });
 }
 
 const browserGpu = (): GPU | undefined => (typeof navigator === 'undefined' ? undefined : navigator.gpu);
@@ -69,11 +77,15 @@ function switchesIn(wgsl: string, { switches = {} }: PassSource): Record<string,
   return Object.fromEntries(there.map(([name, on]) => [name, on ? 1 : 0]));
 }
 
-function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBindGroupLayoutDescriptor {
+/** `inBuffers`: whether data lie in storage buffers. */
+function layoutOf(
+  { label, bindings, compute, layers = 1 }: PassSource,
+  inBuffers: boolean,
+): GPUBindGroupLayoutDescriptor {
   const visibility = compute ? GPUShaderStage.COMPUTE : GPUShaderStage.FRAGMENT;
   const inputs: Omit<GPUBindGroupLayoutEntry, 'binding' | 'visibility'>[] = bindings.map((b) => {
     if ('block' in b) return { buffer: {} };
-    if ('data' in b) return { buffer: { type: 'read-only-storage' } };
+    if ('data' in b && inBuffers) return { buffer: { type: 'read-only-storage' } };
     return { texture: { sampleType: 'unfilterable-float' } };
   });
   if (compute) {
@@ -81,15 +93,23 @@ function layoutOf({ label, bindings, compute, layers = 1 }: PassSource): GPUBind
     for (let i = 0; i < layers; i++) inputs.push({ storageTexture: { format: FILM_FORMAT } });
   }
   const entries: GPUBindGroupLayoutEntry[] = inputs.map((entry, binding) => ({ binding, visibility, ...entry }));
-  for (const binding of samplersOf(bindings)) entries.push({ binding, visibility, sampler: { type: 'non-filtering' } });
+  for (const binding of samplersOf(bindings, inBuffers))
+    entries.push({ binding, visibility, sampler: { type: 'non-filtering' } });
   return { label, entries };
 }
 
-const samplersOf = (bindings: readonly PassBinding[]): number[] =>
-  bindings.flatMap((b) => ('texture' in b && b.nearest !== undefined ? [b.nearest] : []));
+function samplersOf(bindings: readonly PassBinding[], inBuffers: boolean): ReadonlySet<number> {
+  const read = bindings.filter((b) => 'texture' in b || ('data' in b && !inBuffers));
+  return new Set(read.flatMap((b) => ('nearest' in b && b.nearest !== undefined ? [b.nearest] : [])));
+}
 
 const viewsOf = (film: FilmTexture): GPUTextureView[] =>
   film.layers.map((layer) => (layer as unknown as { binding: GPUTextureView }).binding);
+
+const asSampled = (source: PassSource): PassSource => ({
+  ...source,
+  wgsl: { ...source.wgsl, fragment: source.wgsl.sampled ?? source.wgsl.fragment },
+});
 
 class WebGpuDevice implements Device {
   readonly backend = 'webgpu';
@@ -113,7 +133,7 @@ class WebGpuDevice implements Device {
     device: GPUDevice,
     canvas: HTMLCanvasElement | null,
     description: string,
-    options: { gpu: GPU; computes: boolean },
+    options: { gpu: GPU; computes: boolean; samplesData: boolean },
   ) {
     this.#options = options;
     this.#canvas = canvas;
@@ -129,8 +149,10 @@ class WebGpuDevice implements Device {
   }
 
   async createPass(given: PassSource): Promise<Pass> {
-    const source = this.#options.computes ? given : { ...given, compute: undefined };
-    const layout = this.#device.createBindGroupLayout(layoutOf(source));
+    const { computes, samplesData } = this.#options;
+    const drawn = computes ? given : { ...given, compute: undefined };
+    const source = samplesData ? asSampled(drawn) : drawn;
+    const layout = this.#device.createBindGroupLayout(layoutOf(source, !samplesData));
     this.counts.programsMade++;
     try {
       const pipeline = await (source.compute
@@ -223,12 +245,18 @@ class WebGpuDevice implements Device {
 
   checkData(rows: number, what: string): void {
     const size = rows * 16;
+    if (this.#options.samplesData) {
+      const most = this.maxTextureSize * DATA_COLUMNS * 16;
+      if (size > most) throw noRoom(what, 'maxTextureSize', most, size);
+      return;
+    }
     for (const limit of ['maxStorageBufferBindingSize', 'maxBufferSize'] as const)
       if (size > this.#device.limits[limit]) throw noRoom(what, limit, this.#device.limits[limit], size);
   }
 
   createData(rows: number, what: string): DataBuffer {
     this.checkData(rows, what);
+    if (this.#options.samplesData) return this.#dataTexture(rows);
     const size = rows * 16;
     const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
     this.counts.buffers++;
@@ -240,6 +268,25 @@ class WebGpuDevice implements Device {
         this.counts.buffers--;
         buffer.destroy();
       },
+    };
+    return data;
+  }
+
+  #dataTexture(rows: number): DataBuffer {
+    const lines = Math.ceil(rows / DATA_COLUMNS);
+    const base = this.#texture(DATA_COLUMNS, lines, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
+    const { texture, binding, destroy } = base;
+    const data: DataBuffer & GpuResource = {
+      rows,
+      binding,
+      write: (firstRow, words) =>
+        writeLines(firstRow, words, (x, y, width, height, part) =>
+          this.#device.queue.writeTexture({ texture, origin: [x, y] }, part, { bytesPerRow: width * 16 }, [
+            width,
+            height,
+          ]),
+        ),
+      destroy,
     };
     return data;
   }
@@ -296,7 +343,7 @@ class WebGpuDevice implements Device {
 
   #group({ label, bindings, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {
     const entries = inputs.map((resource, binding) => ({ binding, resource }));
-    for (const binding of samplersOf(bindings)) {
+    for (const binding of samplersOf(bindings, !this.#options.samplesData)) {
       this.#nearest ??= this.#device.createSampler({ label: 'nearest' });
       entries.push({ binding, resource: this.#nearest });
     }

@@ -13,7 +13,7 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
-import { FILTER_PIECES, SCENE_TABLE } from '../../packed-scene/layout.ts';
+import { FILTER_PIECES, GEOMETRY, SCENE_TABLE, TEXELS } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
 import { FEATURES as ALL, SHAPE_FEATURES } from '../../shading/features.ts';
@@ -41,8 +41,8 @@ const FEATURES: PassSource = {
     { texture: 'previousFirst' },
     { texture: 'previousSecond' },
     { texture: 'environment' },
-    { data: 'geometry' },
-    { data: 'texels' },
+    GEOMETRY,
+    TEXELS,
   ],
   target: 'film',
   layers: AOV_LAYERS,

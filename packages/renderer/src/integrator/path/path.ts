@@ -10,7 +10,7 @@ import type {
   TableTexture,
   UniformBuffer,
 } from '../../gpu/device.ts';
-import { SCENE_TABLE } from '../../packed-scene/layout.ts';
+import { GEOMETRY, SCENE_TABLE, TEXELS } from '../../packed-scene/layout.ts';
 import type { Feature } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
@@ -43,8 +43,8 @@ const PATH: PassSource = {
     { texture: 'previousFilm' },
     { texture: 'previousSquares' },
     { texture: 'environment' },
-    { data: 'geometry' },
-    { data: 'texels' },
+    GEOMETRY,
+    TEXELS,
   ],
   target: 'film',
   compute: { wgsl: pathWgsl, entry: 'pathCompute' },

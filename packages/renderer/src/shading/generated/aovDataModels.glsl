@@ -87,6 +87,8 @@ struct Frame {
     uint farEmitters;
     uint lightTree;
     float rowHeight;
+    float geometryShare;
+    float texelShare;
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
@@ -141,21 +143,6 @@ struct MeshRay {
     uint axis;
     vec3 shear;
 };
-struct Triangle {
-    vec3 a;
-    uint vertexA;
-    vec3 b;
-    uint vertexB;
-    vec3 c;
-    uint vertexC;
-};
-struct Crossing {
-    bool within;
-    float sum;
-    float depth;
-    vec2 weights;
-    bool front;
-};
 struct Instance {
     vec4 toMeshX;
     vec4 toMeshY;
@@ -168,6 +155,14 @@ struct Instance {
     uint vertexRows;
     uint vertexFlags;
     uint spare0_;
+};
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
 };
 struct MaterialTextures {
     uint count;
@@ -203,6 +198,13 @@ struct Neighbours {
     uint first;
     uint second;
     float share;
+};
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
 };
 struct Surface {
     vec3 baseColor;
@@ -277,16 +279,9 @@ const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
 const uint noLeaf = 0u;
-const uint nodeRows = 7u;
-const uint childrenRow = 6u;
-const uint leastToGreatest = 3u;
-const uint leaves = 2415919104u;
-const uint countShift = 28u;
-const uint triangleRows = 3u;
-const uint isOneSided = 2147483648u;
-const uint coverRow = 2147483647u;
 const uint instanceRows = 5u;
-const uint leaving = 2415919102u;
+const uint triangleRows = 3u;
+const uint coverRow = 2147483647u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
 const uint materialTexturesRows = 1u;
@@ -297,6 +292,14 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
+const uint leaves = 2415919104u;
+const uint unread = 2415919100u;
+const uint leaving = 2415919102u;
+const uint leastToGreatest = 3u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint countShift = 28u;
+const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
@@ -350,13 +353,13 @@ const bool hasMeshes = false;
 
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 
-uniform highp usampler2D geometry;
-
-const bool hasOneSided = false;
-
 const bool hasCutouts = false;
 
+uniform highp usampler2D geometry;
+
 uniform highp usampler2D texels;
+
+const bool hasOneSided = false;
 
 const bool hasLayers = false;
 
@@ -747,53 +750,17 @@ PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
 }
 
 uvec4 geometryRow(uint i_7) {
-    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(geometry, ivec2(int((i_7 & 2047u)), int((float(int((i_7 & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
-vec4 planes(uint row_1, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row_1);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
-}
-
-vec4 enterChildren(uint node, SlabRay r, float t_1) {
-    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-float edge(vec2 a, vec2 b) {
-    float p_11 = (a.x * b.y);
-    float q_3 = (a.y * b.x);
-    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
-}
-
-Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
-    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
-    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum = ((_e35 + _e36) + _e37);
-    float side = pick((sum < 0.0), -1.0, 1.0);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -803,44 +770,23 @@ Triangle fetchTriangle(uint row_2) {
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
-Instance fetchInstance(uint row_3) {
-    uvec4 _e3 = geometryRow((row_3 + 0u));
-    uvec4 _e6 = geometryRow((row_3 + 1u));
-    uvec4 _e9 = geometryRow((row_3 + 2u));
-    uvec4 _e12 = geometryRow((row_3 + 3u));
-    uvec4 _e15 = geometryRow((row_3 + 4u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_1, direction_7);
-    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
 uvec4 texelRow(uint i_8) {
-    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(texels, ivec2(int((i_8 & 2047u)), int((float(int((i_8 & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_4) {
-    uvec4 _e3 = texelRow((row_4 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_3) {
+    uvec4 _e3 = texelRow((row_3 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+Vertex fetchVertex(uint row_4) {
+    uvec4 _e3 = geometryRow((row_4 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_6) {
-    uvec4 _e3 = geometryRow((row_6 + 0u));
+VertexMore fetchVertexMore(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -873,10 +819,10 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
     return _e76;
 }
 
-TextureUse fetchTextureUse(uint row_7) {
-    uvec4 _e3 = texelRow((row_7 + 0u));
-    uvec4 _e6 = texelRow((row_7 + 1u));
-    uvec4 _e9 = texelRow((row_7 + 2u));
+TextureUse fetchTextureUse(uint row_6) {
+    uvec4 _e3 = texelRow((row_6 + 0u));
+    uvec4 _e6 = texelRow((row_6 + 1u));
+    uvec4 _e9 = texelRow((row_6 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
@@ -909,14 +855,14 @@ uint texelAt(uint i_9) {
     return pick(((i_9 & 1u) != 0u), pair.y, pair.x);
 }
 
-vec4 lookUp(TextureUse t_2, vec2 uv) {
+vec4 lookUp(TextureUse t_1, vec2 uv) {
     vec3 place_3 = vec3(uv, 1.0);
-    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_2.toU, place_3), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_2.toV, place_3), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
-    uint upper = (t_2.first + (_e36.first * t_2.width));
-    uint lower = (t_2.first + (_e36.second * t_2.width));
-    bool colored_1 = ((t_2.flags & isColor) != 0u);
+    bool nearest_1 = ((t_1.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_1.toU, place_3), t_1.width, ((t_1.flags & clampsU) != 0u), ((t_1.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_1.toV, place_3), t_1.height, ((t_1.flags & clampsV) != 0u), ((t_1.flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_1.first + (_e36.first * t_1.width));
+    uint lower = (t_1.first + (_e36.second * t_1.width));
+    bool colored_1 = ((t_1.flags & isColor) != 0u);
     uint _e54 = texelAt((upper + _e22.first));
     vec4 _e55 = decoded(_e54, colored_1);
     uint _e58 = texelAt((upper + _e22.second));
@@ -958,6 +904,67 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 planes(uint row_7, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_7);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 enterChildren(uint node, SlabRay r, float t_2) {
+    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+}
+
+float edge(vec2 a, vec2 b) {
+    float p_11 = (a.x * b.y);
+    float q_3 = (a.y * b.x);
+    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
+}
+
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    float side = pick((sum < 0.0), -1.0, 1.0);
+    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
+}
+
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight = false;
@@ -973,9 +980,9 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint top = 1u;
     uint current = 0u;
     uint waiting = noLeaf;
-    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
+    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight = !((rays.most > 0.0));
     bool _e17 = toLight;
@@ -994,206 +1001,211 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     stack[0] = ending;
     current = first_1;
     while(true) {
+        const bool _e75 = hasCutouts;
+        if (_e75) {
+            uint _e77 = doubted.instance;
+            if ((_e77 != noInstance)) {
+                uint _e81 = doubted.instance;
+                uint _e83 = doubted.triangle;
+                vec2 _e85 = doubted.weights;
+                bool _e87 = toLight;
+                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
+                MeshHit instead = doubted;
+                doubted.instance = noInstance;
+                bool _e94 = toLight;
+                if (pick(_e90, _e94, false)) {
+                    found_5.blocked = true;
+                    break;
+                }
+                if (_e90) {
+                    most = instead.t;
+                    found_5 = instead;
+                }
+            }
+        }
+        const bool _e100 = hasCutouts;
+        uint _e102 = waiting;
+        uint _e105 = current;
+        bool _e106 = isAmongInstances(_e105);
+        if (pick(!(_e100), true, pick((_e102 == noLeaf), _e106, false))) {
+            uint _e109 = current;
+            if ((_e109 == ending)) {
+                bool _e112 = toLight;
+                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
+                    break;
+                }
+                toLight = true;
+                most = rays.lightMost;
+                top = 1u;
+                current = first_1;
+            }
+            uint _e121 = current;
+            bool toWorld = (_e121 >= beginning);
+            uint _e124 = current;
+            instance_1 = pick(toWorld, noInstance, (_e124 & placeMask));
+            o = rays.origin;
+            bool _e133 = toLight;
+            d_1 = pick(_e133, rays.lightDirection, rays.direction);
+            nodes = 0u;
+            if (!(toWorld)) {
+                uint _e140 = frame.instances;
+                uint _e141 = instance_1;
+                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
+                vec3 _e146 = o;
+                vec4 p_12 = vec4(_e146, 1.0);
+                o = vec3(dot(_e145.toMeshX, p_12), dot(_e145.toMeshY, p_12), dot(_e145.toMeshZ, p_12));
+                vec3 _e158 = d_1;
+                vec3 _e162 = d_1;
+                vec3 _e166 = d_1;
+                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
+                nodes = _e145.nodes;
+                triangles = _e145.triangles;
+                cover = _e145.cover;
+                uint _e174 = instance_1;
+                own = pick((_e174 == left.instance), left.triangle, placeMask);
+                if (!(alone)) {
+                    uint _e180 = top;
+                    stack[_e180] = leaving;
+                    uint _e184 = top;
+                    top = (_e184 + 1u);
+                }
+            }
+            vec3 _e186 = o;
+            vec3 _e187 = d_1;
+            SlabRay _e188 = slabRay(_e186, _e187);
+            slabs = _e188;
+            vec3 _e189 = o;
+            vec3 _e190 = d_1;
+            MeshRay _e191 = meshRay(_e189, _e190);
+            ray_2 = _e191;
+            uint _e194 = current;
+            current = pick((_e194 == leaving), unread, 0u);
+        }
         while(true) {
-            uint _e74 = current;
-            if ((_e74 < instances)) {
-                uint _e77 = nodes;
-                uint _e78 = current;
-                uint node_1 = (_e77 + (_e78 * nodeRows));
-                uvec4 _e84 = geometryRow((node_1 + childrenRow));
-                SlabRay _e85 = slabs;
-                float _e86 = most;
-                vec4 _e87 = enterChildren(node_1, _e85, _e86);
-                bool a_1 = (_e87.x < _e87.z);
-                bool b_2 = (_e87.y < _e87.w);
-                vec2 t0_ = pick(a_1, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
-                uvec2 r0_ = pick(a_1, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
-                vec2 t1_ = pick(b_2, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
-                uvec2 r1_ = pick(b_2, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_4 = (t0_.x < t1_.x);
-                bool d_2 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_4, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_4, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
-                uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                bool e = (ta.y < tb.x);
-                vec2 tm = pick(e, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-                uvec2 rm = pick(e, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                if ((ta.x < 1e30)) {
-                    uint _e177 = top;
-                    stack[_e177] = ra.x;
-                    uint _e181 = top;
-                    top = (_e181 + 1u);
-                }
-                if ((tm.x < 1e30)) {
-                    uint _e187 = top;
-                    stack[_e187] = rm.x;
-                    uint _e191 = top;
-                    top = (_e191 + 1u);
-                }
-                if ((tm.y < 1e30)) {
-                    uint _e197 = top;
-                    stack[_e197] = rm.y;
-                    uint _e201 = top;
-                    top = (_e201 + 1u);
-                }
-                current = rb.y;
-                if ((tb.y >= 1e30)) {
-                    uint _e208 = top;
-                    top = (_e208 - 1u);
-                    uint _e211 = top;
-                    uint _e213 = stack[_e211];
-                    current = _e213;
-                }
+            uint _e198 = current;
+            if ((_e198 == unread)) {
+                uint _e202 = top;
+                top = (_e202 - 1u);
+                uint _e205 = top;
+                uint _e207 = stack[_e205];
+                current = _e207;
             }
-            uint _e214 = waiting;
-            uint _e217 = current;
-            if (pick((_e214 == noLeaf), (_e217 >= leaves), false)) {
-                uint _e221 = current;
-                waiting = _e221;
-                uint _e223 = top;
-                top = (_e223 - 1u);
-                uint _e226 = top;
-                uint _e228 = stack[_e226];
-                current = _e228;
+            uint _e208 = current;
+            if ((_e208 < instances)) {
+                uint _e211 = nodes;
+                uint _e212 = current;
+                uint node_1 = (_e211 + (_e212 * nodeRows));
+                uvec4 _e218 = geometryRow((node_1 + childrenRow));
+                SlabRay _e219 = slabs;
+                float _e220 = most;
+                vec4 _e221 = enterChildren(node_1, _e219, _e220);
+                bool a_1 = (_e221.x < _e221.z);
+                bool b_2 = (_e221.y < _e221.w);
+                uvec2 r0_ = pick(a_1, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
+                uvec2 r1_ = pick(b_2, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                float far0_ = max(_e221.x, _e221.z);
+                float far1_ = max(_e221.y, _e221.w);
+                float near0_ = min(_e221.x, _e221.z);
+                float near1_ = min(_e221.y, _e221.w);
+                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                float far2_ = min(far0_, far1_);
+                float near2_ = max(near0_, near1_);
+                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                uint _e281 = top;
+                stack[_e281] = ra.x;
+                uint _e284 = top;
+                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
+                uint _e293 = top;
+                stack[_e293] = rm.x;
+                uint _e296 = top;
+                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
+                uint _e305 = top;
+                stack[_e305] = rm.y;
+                uint _e308 = top;
+                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
+                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
             }
-            uint _e229 = waiting;
-            if ((_e229 != noLeaf)) {
-                uint _e232 = waiting;
-                uint place_4 = (_e232 & placeMask);
-                uint _e235 = waiting;
-                waiting = ((_e235 + 1u) - 268435456u);
-                uint _e240 = waiting;
-                uint _e242 = waiting;
-                waiting = pick((_e242 < leaves), noLeaf, _e240);
-                MeshRay _e246 = ray_2;
-                uint _e247 = triangles;
-                Triangle _e251 = fetchTriangle((_e247 + (place_4 * triangleRows)));
-                Crossing _e252 = crossTriangle(_e246, _e251);
-                float _e261 = most;
-                uint _e266 = own;
-                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_4 != _e266), false);
-                const bool _e271 = hasOneSided;
-                if (_e271) {
-                    bool _e272 = nearer;
-                    uint _e274 = cover;
-                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+            uint _e322 = waiting;
+            uint _e325 = current;
+            bool takes = pick((_e322 == noLeaf), (_e325 >= leaves), false);
+            uint _e329 = waiting;
+            uint _e330 = current;
+            waiting = pick(takes, _e330, _e329);
+            uint _e332 = current;
+            current = pick(takes, unread, _e332);
+            uint _e335 = waiting;
+            if ((_e335 != noLeaf)) {
+                uint _e338 = waiting;
+                uint place_4 = (_e338 & placeMask);
+                uint _e341 = waiting;
+                waiting = ((_e341 + 1u) - 268435456u);
+                uint _e346 = waiting;
+                uint _e348 = waiting;
+                waiting = pick((_e348 < leaves), noLeaf, _e346);
+                MeshRay _e352 = ray_2;
+                uint _e353 = triangles;
+                Triangle _e357 = fetchTriangle((_e353 + (place_4 * triangleRows)));
+                Crossing _e358 = crossTriangle(_e352, _e357);
+                float _e367 = most;
+                uint _e372 = own;
+                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_4 != _e372), false);
+                const bool _e377 = hasOneSided;
+                if (_e377) {
+                    bool _e378 = nearer;
+                    uint _e380 = cover;
+                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
                 }
-                bool _e281 = nearer;
-                if (_e281) {
-                    float inverse_2 = (1.0 / _e252.sum);
-                    uint _e287 = instance_1;
-                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_4, (_e252.weights * inverse_2), false);
-                    const bool _e293 = hasCutouts;
-                    if (_e293) {
-                        uint _e294 = cover;
-                        if (((_e294 & coverRow) != 0u)) {
-                            doubted = met;
-                            break;
-                        }
-                    }
-                    bool _e299 = toLight;
-                    if (_e299) {
-                        found_5.blocked = true;
-                        break;
-                    }
-                    most = met.t;
-                    found_5 = met;
-                }
-            } else {
-                uint _e303 = current;
-                if ((_e303 >= instances)) {
-                    uint _e306 = current;
-                    if ((_e306 == ending)) {
-                        bool _e309 = toLight;
-                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
-                            break;
-                        }
-                        toLight = true;
-                        most = rays.lightMost;
-                        top = 1u;
-                        current = first_1;
-                    }
-                    uint _e318 = current;
-                    bool toWorld = (_e318 >= beginning);
-                    uint _e321 = current;
-                    instance_1 = pick(toWorld, noInstance, (_e321 & placeMask));
-                    o = rays.origin;
-                    bool _e330 = toLight;
-                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld)) {
-                        uint _e337 = frame.instances;
-                        uint _e338 = instance_1;
-                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
-                        vec3 _e343 = o;
-                        vec4 p_12 = vec4(_e343, 1.0);
-                        o = vec3(dot(_e342.toMeshX, p_12), dot(_e342.toMeshY, p_12), dot(_e342.toMeshZ, p_12));
-                        vec3 _e355 = d_1;
-                        vec3 _e359 = d_1;
-                        vec3 _e363 = d_1;
-                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
-                        nodes = _e342.nodes;
-                        triangles = _e342.triangles;
-                        cover = _e342.cover;
-                        uint _e371 = instance_1;
-                        own = pick((_e371 == left.instance), left.triangle, placeMask);
-                        if (!(alone)) {
-                            uint _e377 = top;
-                            stack[_e377] = leaving;
-                            uint _e381 = top;
-                            top = (_e381 + 1u);
-                        }
-                    }
-                    vec3 _e383 = o;
-                    vec3 _e384 = d_1;
-                    SlabRay _e385 = slabRay(_e383, _e384);
-                    slabs = _e385;
-                    vec3 _e386 = o;
-                    vec3 _e387 = d_1;
-                    MeshRay _e388 = meshRay(_e386, _e387);
-                    ray_2 = _e388;
-                    uint _e389 = current;
-                    bool goesOn = (_e389 == leaving);
-                    current = 0u;
-                    if (goesOn) {
-                        uint _e394 = top;
-                        top = (_e394 - 1u);
-                        uint _e397 = top;
-                        uint _e399 = stack[_e397];
-                        current = _e399;
+                float inverse_2 = (1.0 / _e358.sum);
+                float t_10 = (_e358.depth * inverse_2);
+                vec2 weights_3 = (_e358.weights * inverse_2);
+                const bool _e395 = hasCutouts;
+                if (_e395) {
+                    bool _e396 = nearer;
+                    uint _e397 = cover;
+                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
+                        uint _e403 = instance_1;
+                        doubted = MeshHit(t_10, _e403, place_4, weights_3, false);
+                        nearer = false;
                     }
                 }
+                bool _e407 = nearer;
+                bool _e408 = toLight;
+                bool blocks = pick(_e407, _e408, false);
+                bool _e410 = nearer;
+                bool _e411 = toLight;
+                bool counts = pick(_e410, !(_e411), false);
+                float _e414 = most;
+                bool _e415 = nearer;
+                most = pick(_e415, t_10, _e414);
+                float _e419 = found_5.t;
+                found_5.t = pick(counts, t_10, _e419);
+                uint _e423 = found_5.instance;
+                uint _e424 = instance_1;
+                found_5.instance = pick(counts, _e424, _e423);
+                uint _e428 = found_5.triangle;
+                found_5.triangle = pick(counts, place_4, _e428);
+                vec2 _e432 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e432);
+                bool _e436 = found_5.blocked;
+                found_5.blocked = pick(_e436, true, blocks);
+                uint _e438 = waiting;
+                waiting = pick(blocks, noLeaf, _e438);
+                uint _e441 = current;
+                current = pick(blocks, ending, _e441);
+            }
+            uint _e444 = waiting;
+            uint _e447 = current;
+            bool _e448 = isAmongInstances(_e447);
+            const bool _e451 = hasCutouts;
+            uint _e453 = doubted.instance;
+            if (pick(pick((_e444 == noLeaf), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
+                break;
             }
         }
-        const bool _e401 = hasCutouts;
-        if (!(_e401)) {
-            break;
-        }
-        uint _e404 = doubted.instance;
-        if ((_e404 == noInstance)) {
-            break;
-        }
-        uint _e408 = doubted.instance;
-        uint _e410 = doubted.triangle;
-        vec2 _e412 = doubted.weights;
-        bool _e414 = toLight;
-        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
-        bool _e418 = toLight;
-        if (pick(_e417, _e418, false)) {
-            found_5.blocked = true;
-            break;
-        }
-        if (_e417) {
-            float _e423 = doubted.t;
-            most = _e423;
-            MeshHit _e424 = doubted;
-            found_5 = _e424;
-        }
-        doubted.instance = noInstance;
     }
-    MeshHit _e427 = found_5;
-    return _e427;
+    MeshHit _e458 = found_5;
+    return _e458;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1334,10 +1346,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_10 = pick(entering, _e5.near, _e5.far);
+    float t_11 = pick(entering, _e5.near, _e5.far);
     vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_10);
-    bool onY = pick(!(onX), (crossed.y == t_10), false);
+    bool onX = (crossed.x == t_11);
+    bool onY = pick(!(onX), (crossed.y == t_11), false);
     return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1540,9 +1552,9 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
     vec2 given = ((2.0 * texel_1.xy) - vec2(1.0));
     float size_3 = dot(given, given);
-    vec2 d_3 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+    vec2 d_2 = pick((size_3 > 1e-6), (given * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
     vec2 own_5 = layersHere.grain;
-    layersHere.grain = pick(isGrain, vec2(((own_5.x * d_3.x) - (own_5.y * d_3.y)), ((own_5.y * d_3.x) + (own_5.x * d_3.y))), own_5);
+    layersHere.grain = pick(isGrain, vec2(((own_5.x * d_2.x) - (own_5.y * d_2.y)), ((own_5.y * d_2.x) + (own_5.x * d_2.y))), own_5);
     return;
 }
 
@@ -1607,8 +1619,8 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float ox = dot(o_1, x_12);
     float a_2 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_3 = (2.0 * (a_2 + (oz * least)));
-    float c_5 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_5)), 0.0));
+    float c_4 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_4)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_3 + root), (b_3 - root))) / a_2), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_12) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
@@ -1651,10 +1663,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_6 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_11 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_11);
+    vec3 t_12 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_12);
     float hand_1 = pick(pick(own_6, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_11) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {

@@ -91,6 +91,8 @@ struct Frame {
     uint farEmitters;
     uint lightTree;
     float rowHeight;
+    float geometryShare;
+    float texelShare;
     uint lightTreeDepth;
     uint lampTables;
     uvec2 origin;
@@ -152,21 +154,6 @@ struct MeshRay {
     uint axis;
     vec3 shear;
 };
-struct Triangle {
-    vec3 a;
-    uint vertexA;
-    vec3 b;
-    uint vertexB;
-    vec3 c;
-    uint vertexC;
-};
-struct Crossing {
-    bool within;
-    float sum;
-    float depth;
-    vec2 weights;
-    bool front;
-};
 struct Instance {
     vec4 toMeshX;
     vec4 toMeshY;
@@ -179,6 +166,14 @@ struct Instance {
     uint vertexRows;
     uint vertexFlags;
     uint spare0_;
+};
+struct Triangle {
+    vec3 a;
+    uint vertexA;
+    vec3 b;
+    uint vertexB;
+    vec3 c;
+    uint vertexC;
 };
 struct MaterialTextures {
     uint count;
@@ -214,6 +209,13 @@ struct Neighbours {
     uint first;
     uint second;
     float share;
+};
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
 };
 struct Surface {
     vec3 baseColor;
@@ -459,16 +461,9 @@ const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
 const uint noLeaf0_ = 0u;
-const uint nodeRows = 7u;
-const uint childrenRow = 6u;
-const uint leastToGreatest = 3u;
-const uint leaves = 2415919104u;
-const uint countShift = 28u;
-const uint triangleRows = 3u;
-const uint isOneSided = 2147483648u;
-const uint coverRow = 2147483647u;
 const uint instanceRows = 5u;
-const uint leaving = 2415919102u;
+const uint triangleRows = 3u;
+const uint coverRow = 2147483647u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
 const uint materialTexturesRows = 1u;
@@ -479,6 +474,14 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
+const uint leaves = 2415919104u;
+const uint unread = 2415919100u;
+const uint leaving = 2415919102u;
+const uint leastToGreatest = 3u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const uint countShift = 28u;
+const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
@@ -531,13 +534,13 @@ const bool hasMeshes = false;
 
 uint stack[64] = uint[64](0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
 
-uniform highp usampler2D geometry;
-
-const bool hasOneSided = false;
-
 const bool hasCutouts = false;
 
+uniform highp usampler2D geometry;
+
 uniform highp usampler2D texels;
+
+const bool hasOneSided = false;
 
 const bool hasLayers = false;
 
@@ -1002,53 +1005,17 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
 }
 
 uvec4 geometryRow(uint i_7) {
-    uvec4 _e8 = texelFetch(geometry, ivec2(uvec2((i_7 & 2047u), (i_7 >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(geometry, ivec2(int((i_7 & 2047u)), int((float(int((i_7 & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
-vec4 planes(uint row_1, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row_1);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
-}
-
-vec4 enterChildren(uint node, SlabRay r, float t_1) {
-    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node + far_4.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_4.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node + far_4.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_1))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-float edge(vec2 a, vec2 b) {
-    float p_17 = (a.x * b.y);
-    float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
-}
-
-Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
-    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
-    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum_2 = ((_e35 + _e36) + _e37);
-    float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
+Instance fetchInstance(uint row_1) {
+    uvec4 _e3 = geometryRow((row_1 + 0u));
+    uvec4 _e6 = geometryRow((row_1 + 1u));
+    uvec4 _e9 = geometryRow((row_1 + 2u));
+    uvec4 _e12 = geometryRow((row_1 + 3u));
+    uvec4 _e15 = geometryRow((row_1 + 4u));
+    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
 Triangle fetchTriangle(uint row_2) {
@@ -1058,44 +1025,23 @@ Triangle fetchTriangle(uint row_2) {
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
-Instance fetchInstance(uint row_3) {
-    uvec4 _e3 = geometryRow((row_3 + 0u));
-    uvec4 _e6 = geometryRow((row_3 + 1u));
-    uvec4 _e9 = geometryRow((row_3 + 2u));
-    uvec4 _e12 = geometryRow((row_3 + 3u));
-    uvec4 _e15 = geometryRow((row_3 + 4u));
-    return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
 uvec4 texelRow(uint i_8) {
-    uvec4 _e8 = texelFetch(texels, ivec2(uvec2((i_8 & 2047u), (i_8 >> 11u))), 0);
-    return _e8;
+    uvec4 _e14 = texelFetch(texels, ivec2(int((i_8 & 2047u)), int((float(int((i_8 & 2147481600u))) / 2048.0))), 0);
+    return _e14;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_4) {
-    uvec4 _e3 = texelRow((row_4 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_3) {
+    uvec4 _e3 = texelRow((row_3 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+Vertex fetchVertex(uint row_4) {
+    uvec4 _e3 = geometryRow((row_4 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_6) {
-    uvec4 _e3 = geometryRow((row_6 + 0u));
+VertexMore fetchVertexMore(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -1128,10 +1074,10 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
     return _e76;
 }
 
-TextureUse fetchTextureUse(uint row_7) {
-    uvec4 _e3 = texelRow((row_7 + 0u));
-    uvec4 _e6 = texelRow((row_7 + 1u));
-    uvec4 _e9 = texelRow((row_7 + 2u));
+TextureUse fetchTextureUse(uint row_6) {
+    uvec4 _e3 = texelRow((row_6 + 0u));
+    uvec4 _e6 = texelRow((row_6 + 1u));
+    uvec4 _e9 = texelRow((row_6 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
@@ -1164,14 +1110,14 @@ uint texelAt(uint i_9) {
     return pick(((i_9 & 1u) != 0u), pair_3.y, pair_3.x);
 }
 
-vec4 lookUp(TextureUse t_2, vec2 uv) {
+vec4 lookUp(TextureUse t_1, vec2 uv) {
     vec3 place_5 = vec3(uv, 1.0);
-    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_2.toU, place_5), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_2.toV, place_5), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
-    uint upper = (t_2.first + (_e36.first * t_2.width));
-    uint lower = (t_2.first + (_e36.second * t_2.width));
-    bool colored_1 = ((t_2.flags & isColor) != 0u);
+    bool nearest_1 = ((t_1.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_1.toU, place_5), t_1.width, ((t_1.flags & clampsU) != 0u), ((t_1.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_1.toV, place_5), t_1.height, ((t_1.flags & clampsV) != 0u), ((t_1.flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_1.first + (_e36.first * t_1.width));
+    uint lower = (t_1.first + (_e36.second * t_1.width));
+    bool colored_1 = ((t_1.flags & isColor) != 0u);
     uint _e54 = texelAt((upper + _e22.first));
     vec4 _e55 = decoded(_e54, colored_1);
     uint _e58 = texelAt((upper + _e22.second));
@@ -1213,6 +1159,67 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 planes(uint row_7, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_7);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 enterChildren(uint node, SlabRay r, float t_2) {
+    uvec3 far_4 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e44 = planes((node + far_4.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_4.y), r.inverse_.y, r.offset.y);
+    vec4 _e59 = planes((node + far_4.z), r.inverse_.z, r.offset.z);
+    vec4 far4_ = min(min(_e44, _e51), _e59);
+    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+}
+
+float edge(vec2 a, vec2 b) {
+    float p_17 = (a.x * b.y);
+    float q_6 = (a.y * b.x);
+    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
+}
+
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum_2 = ((_e35 + _e36) + _e37);
+    float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
+    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
+}
+
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight = false;
@@ -1228,9 +1235,9 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     uint top = 1u;
     uint current = 0u;
     uint waiting = noLeaf0_;
-    bool nearer = false;
     vec3 o = vec3(0.0);
     vec3 d_1 = vec3(0.0);
+    bool nearer = false;
     found_5 = MeshHit(rays.most, noInstance, 0u, vec2(0.0), false);
     toLight = !((rays.most > 0.0));
     bool _e17 = toLight;
@@ -1249,206 +1256,211 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     stack[0] = ending;
     current = first_1;
     while(true) {
+        const bool _e75 = hasCutouts;
+        if (_e75) {
+            uint _e77 = doubted.instance;
+            if ((_e77 != noInstance)) {
+                uint _e81 = doubted.instance;
+                uint _e83 = doubted.triangle;
+                vec2 _e85 = doubted.weights;
+                bool _e87 = toLight;
+                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
+                MeshHit instead = doubted;
+                doubted.instance = noInstance;
+                bool _e94 = toLight;
+                if (pick(_e90, _e94, false)) {
+                    found_5.blocked = true;
+                    break;
+                }
+                if (_e90) {
+                    most = instead.t;
+                    found_5 = instead;
+                }
+            }
+        }
+        const bool _e100 = hasCutouts;
+        uint _e102 = waiting;
+        uint _e105 = current;
+        bool _e106 = isAmongInstances(_e105);
+        if (pick(!(_e100), true, pick((_e102 == noLeaf0_), _e106, false))) {
+            uint _e109 = current;
+            if ((_e109 == ending)) {
+                bool _e112 = toLight;
+                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
+                    break;
+                }
+                toLight = true;
+                most = rays.lightMost;
+                top = 1u;
+                current = first_1;
+            }
+            uint _e121 = current;
+            bool toWorld_1 = (_e121 >= beginning);
+            uint _e124 = current;
+            instance_1 = pick(toWorld_1, noInstance, (_e124 & placeMask));
+            o = rays.origin;
+            bool _e133 = toLight;
+            d_1 = pick(_e133, rays.lightDirection, rays.direction);
+            nodes = 0u;
+            if (!(toWorld_1)) {
+                uint _e140 = frame.instances;
+                uint _e141 = instance_1;
+                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
+                vec3 _e146 = o;
+                vec4 p_18 = vec4(_e146, 1.0);
+                o = vec3(dot(_e145.toMeshX, p_18), dot(_e145.toMeshY, p_18), dot(_e145.toMeshZ, p_18));
+                vec3 _e158 = d_1;
+                vec3 _e162 = d_1;
+                vec3 _e166 = d_1;
+                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
+                nodes = _e145.nodes;
+                triangles = _e145.triangles;
+                cover = _e145.cover;
+                uint _e174 = instance_1;
+                own = pick((_e174 == left.instance), left.triangle, placeMask);
+                if (!(alone)) {
+                    uint _e180 = top;
+                    stack[_e180] = leaving;
+                    uint _e184 = top;
+                    top = (_e184 + 1u);
+                }
+            }
+            vec3 _e186 = o;
+            vec3 _e187 = d_1;
+            SlabRay _e188 = slabRay(_e186, _e187);
+            slabs = _e188;
+            vec3 _e189 = o;
+            vec3 _e190 = d_1;
+            MeshRay _e191 = meshRay(_e189, _e190);
+            ray_2 = _e191;
+            uint _e194 = current;
+            current = pick((_e194 == leaving), unread, 0u);
+        }
         while(true) {
-            uint _e74 = current;
-            if ((_e74 < instances)) {
-                uint _e77 = nodes;
-                uint _e78 = current;
-                uint node_2 = (_e77 + (_e78 * nodeRows));
-                uvec4 _e84 = geometryRow((node_2 + childrenRow));
-                SlabRay _e85 = slabs;
-                float _e86 = most;
-                vec4 _e87 = enterChildren(node_2, _e85, _e86);
-                bool a_3 = (_e87.x < _e87.z);
-                bool b_7 = (_e87.y < _e87.w);
-                vec2 t0_ = pick(a_3, vec2(_e87.z, _e87.x), vec2(_e87.x, _e87.z));
-                uvec2 r0_ = pick(a_3, uvec2(_e84.z, _e84.x), uvec2(_e84.x, _e84.z));
-                vec2 t1_ = pick(b_7, vec2(_e87.w, _e87.y), vec2(_e87.y, _e87.w));
-                uvec2 r1_ = pick(b_7, uvec2(_e84.w, _e84.y), uvec2(_e84.y, _e84.w));
-                bool c_5 = (t0_.x < t1_.x);
-                bool d_2 = (t0_.y < t1_.y);
-                vec2 ta = pick(c_5, vec2(t1_.x, t0_.x), vec2(t0_.x, t1_.x));
-                uvec2 ra = pick(c_5, uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                vec2 tb = pick(d_2, vec2(t1_.y, t0_.y), vec2(t0_.y, t1_.y));
-                uvec2 rb = pick(d_2, uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                bool e_25 = (ta.y < tb.x);
-                vec2 tm = pick(e_25, vec2(tb.x, ta.y), vec2(ta.y, tb.x));
-                uvec2 rm = pick(e_25, uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                if ((ta.x < 1e30)) {
-                    uint _e177 = top;
-                    stack[_e177] = ra.x;
-                    uint _e181 = top;
-                    top = (_e181 + 1u);
-                }
-                if ((tm.x < 1e30)) {
-                    uint _e187 = top;
-                    stack[_e187] = rm.x;
-                    uint _e191 = top;
-                    top = (_e191 + 1u);
-                }
-                if ((tm.y < 1e30)) {
-                    uint _e197 = top;
-                    stack[_e197] = rm.y;
-                    uint _e201 = top;
-                    top = (_e201 + 1u);
-                }
-                current = rb.y;
-                if ((tb.y >= 1e30)) {
-                    uint _e208 = top;
-                    top = (_e208 - 1u);
-                    uint _e211 = top;
-                    uint _e213 = stack[_e211];
-                    current = _e213;
-                }
+            uint _e198 = current;
+            if ((_e198 == unread)) {
+                uint _e202 = top;
+                top = (_e202 - 1u);
+                uint _e205 = top;
+                uint _e207 = stack[_e205];
+                current = _e207;
             }
-            uint _e214 = waiting;
-            uint _e217 = current;
-            if (pick((_e214 == noLeaf0_), (_e217 >= leaves), false)) {
-                uint _e221 = current;
-                waiting = _e221;
-                uint _e223 = top;
-                top = (_e223 - 1u);
-                uint _e226 = top;
-                uint _e228 = stack[_e226];
-                current = _e228;
+            uint _e208 = current;
+            if ((_e208 < instances)) {
+                uint _e211 = nodes;
+                uint _e212 = current;
+                uint node_2 = (_e211 + (_e212 * nodeRows));
+                uvec4 _e218 = geometryRow((node_2 + childrenRow));
+                SlabRay _e219 = slabs;
+                float _e220 = most;
+                vec4 _e221 = enterChildren(node_2, _e219, _e220);
+                bool a_3 = (_e221.x < _e221.z);
+                bool b_7 = (_e221.y < _e221.w);
+                uvec2 r0_ = pick(a_3, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
+                uvec2 r1_ = pick(b_7, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                float far0_ = max(_e221.x, _e221.z);
+                float far1_ = max(_e221.y, _e221.w);
+                float near0_ = min(_e221.x, _e221.z);
+                float near1_ = min(_e221.y, _e221.w);
+                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                float far2_ = min(far0_, far1_);
+                float near2_ = max(near0_, near1_);
+                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                uint _e281 = top;
+                stack[_e281] = ra.x;
+                uint _e284 = top;
+                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
+                uint _e293 = top;
+                stack[_e293] = rm.x;
+                uint _e296 = top;
+                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
+                uint _e305 = top;
+                stack[_e305] = rm.y;
+                uint _e308 = top;
+                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
+                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
             }
-            uint _e229 = waiting;
-            if ((_e229 != noLeaf0_)) {
-                uint _e232 = waiting;
-                uint place_6 = (_e232 & placeMask);
-                uint _e235 = waiting;
-                waiting = ((_e235 + 1u) - 268435456u);
-                uint _e240 = waiting;
-                uint _e242 = waiting;
-                waiting = pick((_e242 < leaves), noLeaf0_, _e240);
-                MeshRay _e246 = ray_2;
-                uint _e247 = triangles;
-                Triangle _e251 = fetchTriangle((_e247 + (place_6 * triangleRows)));
-                Crossing _e252 = crossTriangle(_e246, _e251);
-                float _e261 = most;
-                uint _e266 = own;
-                nearer = pick(pick(pick(_e252.within, (_e252.depth > (rays.least * _e252.sum)), false), (_e252.depth < (_e261 * _e252.sum)), false), (place_6 != _e266), false);
-                const bool _e271 = hasOneSided;
-                if (_e271) {
-                    bool _e272 = nearer;
-                    uint _e274 = cover;
-                    nearer = pick(_e272, pick(_e252.front, true, ((_e274 & isOneSided) == 0u)), false);
+            uint _e322 = waiting;
+            uint _e325 = current;
+            bool takes = pick((_e322 == noLeaf0_), (_e325 >= leaves), false);
+            uint _e329 = waiting;
+            uint _e330 = current;
+            waiting = pick(takes, _e330, _e329);
+            uint _e332 = current;
+            current = pick(takes, unread, _e332);
+            uint _e335 = waiting;
+            if ((_e335 != noLeaf0_)) {
+                uint _e338 = waiting;
+                uint place_6 = (_e338 & placeMask);
+                uint _e341 = waiting;
+                waiting = ((_e341 + 1u) - 268435456u);
+                uint _e346 = waiting;
+                uint _e348 = waiting;
+                waiting = pick((_e348 < leaves), noLeaf0_, _e346);
+                MeshRay _e352 = ray_2;
+                uint _e353 = triangles;
+                Triangle _e357 = fetchTriangle((_e353 + (place_6 * triangleRows)));
+                Crossing _e358 = crossTriangle(_e352, _e357);
+                float _e367 = most;
+                uint _e372 = own;
+                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_6 != _e372), false);
+                const bool _e377 = hasOneSided;
+                if (_e377) {
+                    bool _e378 = nearer;
+                    uint _e380 = cover;
+                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
                 }
-                bool _e281 = nearer;
-                if (_e281) {
-                    float inverse_2 = (1.0 / _e252.sum);
-                    uint _e287 = instance_1;
-                    MeshHit met = MeshHit((_e252.depth * inverse_2), _e287, place_6, (_e252.weights * inverse_2), false);
-                    const bool _e293 = hasCutouts;
-                    if (_e293) {
-                        uint _e294 = cover;
-                        if (((_e294 & coverRow) != 0u)) {
-                            doubted = met;
-                            break;
-                        }
-                    }
-                    bool _e299 = toLight;
-                    if (_e299) {
-                        found_5.blocked = true;
-                        break;
-                    }
-                    most = met.t;
-                    found_5 = met;
-                }
-            } else {
-                uint _e303 = current;
-                if ((_e303 >= instances)) {
-                    uint _e306 = current;
-                    if ((_e306 == ending)) {
-                        bool _e309 = toLight;
-                        if (pick(_e309, true, !((rays.lightMost > 0.0)))) {
-                            break;
-                        }
-                        toLight = true;
-                        most = rays.lightMost;
-                        top = 1u;
-                        current = first_1;
-                    }
-                    uint _e318 = current;
-                    bool toWorld_1 = (_e318 >= beginning);
-                    uint _e321 = current;
-                    instance_1 = pick(toWorld_1, noInstance, (_e321 & placeMask));
-                    o = rays.origin;
-                    bool _e330 = toLight;
-                    d_1 = pick(_e330, rays.lightDirection, rays.direction);
-                    nodes = 0u;
-                    if (!(toWorld_1)) {
-                        uint _e337 = frame.instances;
-                        uint _e338 = instance_1;
-                        Instance _e342 = fetchInstance((_e337 + (_e338 * instanceRows)));
-                        vec3 _e343 = o;
-                        vec4 p_18 = vec4(_e343, 1.0);
-                        o = vec3(dot(_e342.toMeshX, p_18), dot(_e342.toMeshY, p_18), dot(_e342.toMeshZ, p_18));
-                        vec3 _e355 = d_1;
-                        vec3 _e359 = d_1;
-                        vec3 _e363 = d_1;
-                        d_1 = vec3(dot(_e342.toMeshX.xyz, _e355), dot(_e342.toMeshY.xyz, _e359), dot(_e342.toMeshZ.xyz, _e363));
-                        nodes = _e342.nodes;
-                        triangles = _e342.triangles;
-                        cover = _e342.cover;
-                        uint _e371 = instance_1;
-                        own = pick((_e371 == left.instance), left.triangle, placeMask);
-                        if (!(alone)) {
-                            uint _e377 = top;
-                            stack[_e377] = leaving;
-                            uint _e381 = top;
-                            top = (_e381 + 1u);
-                        }
-                    }
-                    vec3 _e383 = o;
-                    vec3 _e384 = d_1;
-                    SlabRay _e385 = slabRay(_e383, _e384);
-                    slabs = _e385;
-                    vec3 _e386 = o;
-                    vec3 _e387 = d_1;
-                    MeshRay _e388 = meshRay(_e386, _e387);
-                    ray_2 = _e388;
-                    uint _e389 = current;
-                    bool goesOn = (_e389 == leaving);
-                    current = 0u;
-                    if (goesOn) {
-                        uint _e394 = top;
-                        top = (_e394 - 1u);
-                        uint _e397 = top;
-                        uint _e399 = stack[_e397];
-                        current = _e399;
+                float inverse_2 = (1.0 / _e358.sum);
+                float t_13 = (_e358.depth * inverse_2);
+                vec2 weights_3 = (_e358.weights * inverse_2);
+                const bool _e395 = hasCutouts;
+                if (_e395) {
+                    bool _e396 = nearer;
+                    uint _e397 = cover;
+                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
+                        uint _e403 = instance_1;
+                        doubted = MeshHit(t_13, _e403, place_6, weights_3, false);
+                        nearer = false;
                     }
                 }
+                bool _e407 = nearer;
+                bool _e408 = toLight;
+                bool blocks = pick(_e407, _e408, false);
+                bool _e410 = nearer;
+                bool _e411 = toLight;
+                bool counts = pick(_e410, !(_e411), false);
+                float _e414 = most;
+                bool _e415 = nearer;
+                most = pick(_e415, t_13, _e414);
+                float _e419 = found_5.t;
+                found_5.t = pick(counts, t_13, _e419);
+                uint _e423 = found_5.instance;
+                uint _e424 = instance_1;
+                found_5.instance = pick(counts, _e424, _e423);
+                uint _e428 = found_5.triangle;
+                found_5.triangle = pick(counts, place_6, _e428);
+                vec2 _e432 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e432);
+                bool _e436 = found_5.blocked;
+                found_5.blocked = pick(_e436, true, blocks);
+                uint _e438 = waiting;
+                waiting = pick(blocks, noLeaf0_, _e438);
+                uint _e441 = current;
+                current = pick(blocks, ending, _e441);
+            }
+            uint _e444 = waiting;
+            uint _e447 = current;
+            bool _e448 = isAmongInstances(_e447);
+            const bool _e451 = hasCutouts;
+            uint _e453 = doubted.instance;
+            if (pick(pick((_e444 == noLeaf0_), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
+                break;
             }
         }
-        const bool _e401 = hasCutouts;
-        if (!(_e401)) {
-            break;
-        }
-        uint _e404 = doubted.instance;
-        if ((_e404 == noInstance)) {
-            break;
-        }
-        uint _e408 = doubted.instance;
-        uint _e410 = doubted.triangle;
-        vec2 _e412 = doubted.weights;
-        bool _e414 = toLight;
-        bool _e417 = isThere(_e408, _e410, _e412, (rays.number + uint(_e414)));
-        bool _e418 = toLight;
-        if (pick(_e417, _e418, false)) {
-            found_5.blocked = true;
-            break;
-        }
-        if (_e417) {
-            float _e423 = doubted.t;
-            most = _e423;
-            MeshHit _e424 = doubted;
-            found_5 = _e424;
-        }
-        doubted.instance = noInstance;
     }
-    MeshHit _e427 = found_5;
-    return _e427;
+    MeshHit _e458 = found_5;
+    return _e458;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1569,10 +1581,10 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_13 = pick(entering, _e5.near, _e5.far);
+    float t_14 = pick(entering, _e5.near, _e5.far);
     vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_13);
-    bool onY = pick(!(onX), (crossed.y == t_13), false);
+    bool onX = (crossed.x == t_14);
+    bool onY = pick(!(onX), (crossed.y == t_14), false);
     return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
@@ -1775,9 +1787,9 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     layersHere.anisotropy = (_e115 * pick(isGrain, texel_1.z, 1.0));
     vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
     float size_3 = dot(given_2, given_2);
-    vec2 d_3 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+    vec2 d_2 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
     vec2 own_6 = layersHere.grain;
-    layersHere.grain = pick(isGrain, vec2(((own_6.x * d_3.x) - (own_6.y * d_3.y)), ((own_6.y * d_3.x) + (own_6.x * d_3.y))), own_6);
+    layersHere.grain = pick(isGrain, vec2(((own_6.x * d_2.x) - (own_6.y * d_2.y)), ((own_6.y * d_2.x) + (own_6.x * d_2.y))), own_6);
     return;
 }
 
@@ -1842,8 +1854,8 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float ox = dot(o_1, x_19);
     float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_8 = (2.0 * (a_4 + (oz * least)));
-    float c_6 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_6)), 0.0));
+    float c_5 = ((least + oz) * (least + oz));
+    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_5)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
@@ -1886,10 +1898,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_14 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_14);
+    vec3 t_15 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_15);
     float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_14) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_15) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -2151,12 +2163,12 @@ FarLight farLight(Emitter e_3, vec3 direction_16) {
 
 SphereView viewSphere(Emitter e_4, vec3 point) {
     vec3 toCenter_2 = (e_4.position - point);
-    float d_4 = length(toCenter_2);
-    float power = abs(((d_4 - e_4.radius) * (d_4 + e_4.radius)));
-    bool inside_2 = (d_4 <= e_4.radius);
-    float sine_2 = min((e_4.radius / max(d_4, 1e-30)), 1.0);
-    float cosine_18 = (sqrt(power) / max(d_4, 1e-30));
-    return SphereView(toCenter_2, d_4, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
+    float d_3 = length(toCenter_2);
+    float power = abs(((d_3 - e_4.radius) * (d_3 + e_4.radius)));
+    bool inside_2 = (d_3 <= e_4.radius);
+    float sine_2 = min((e_4.radius / max(d_3, 1e-30)), 1.0);
+    float cosine_18 = (sqrt(power) / max(d_3, 1e-30));
+    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
 }
 
 float conePdf(float width) {
@@ -2951,10 +2963,10 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 cell_2 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_15 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_15), mix(_e6.b.w, _e6.d.w, t_15));
+    float t_16 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_16), mix(_e6.b.w, _e6.d.w, t_16));
     bool isLower_1 = ((2.0 * cell_2.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_15)), (cell_2.y + (t_15 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_16)), (cell_2.y + (t_16 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_9.x) - _e85));
@@ -2964,7 +2976,7 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_23 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_15), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_16), sine_5);
     return EnvironmentSample(direction_23, _e119);
 }
 
@@ -3566,19 +3578,19 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     vec3 _e98 = h_3;
     vec3 _e100 = refracted(wo_9, _e98, o_8.ratio);
     vec3 beyond_2 = pick(isSolid_2, _e100, vec3(reflected_1.xy, -(reflected_1.z)));
-    vec3 met_1 = pick(crossing_1, beyond_2, reflected_1);
-    lost = pick(!(isSmooth_1), (crossing_1 != (met_1.z < 0.0)), false);
+    vec3 met = pick(crossing_1, beyond_2, reflected_1);
+    lost = pick(!(isSmooth_1), (crossing_1 != (met.z < 0.0)), false);
     const bool _e111 = hasCoatNormals;
     if (_e111) {
         if (isCoat_1) {
             vec3 _e113 = frame.normal;
-            lost = pick((dot(_e113, met_1) <= 0.0), true, pick((met_1.z < 0.0), (s_18.eta.x < 0.0), false));
+            lost = pick((dot(_e113, met) <= 0.0), true, pick((met.z < 0.0), (s_18.eta.x < 0.0), false));
         }
     }
-    float _e129 = coatCosine(o_8.side, met_1);
-    float _e130 = throughCover(o_8, abs(met_1.z), _e129, crossing_1);
+    float _e129 = coatCosine(o_8.side, met);
+    float _e130 = throughCover(o_8, abs(met.z), _e129, crossing_1);
     vec3 weight_2 = (_e130 * pick(crossing_1, (_e77.beyond / vec3(max((((1.0 - _e77.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e77.toward / vec3(max(_e77.share, 1e-20)))));
-    drawn = LayeredSample(met_1, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e77.share), _e77.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
+    drawn = LayeredSample(met, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e77.share), _e77.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
     float _e176 = drawn.pdf;
     bool _e177 = lost;
     drawn.pdf = pick(_e177, 0.0, _e176);
@@ -3776,10 +3788,10 @@ float shadowingExponent(float x_16, float alpha_11) {
     float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
     float a_9 = mix(21.5473, 25.3245, m_2);
     float b_12 = mix(3.82987, 3.32435, m_2);
-    float c_7 = mix(0.19823, 0.16801, m_2);
-    float d_5 = mix(-1.9776, -1.27393, m_2);
-    float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_7)))) + (d_5 * x_16)) + e_26);
+    float c_6 = mix(0.19823, 0.16801, m_2);
+    float d_4 = mix(-1.9776, -1.27393, m_2);
+    float e_25 = mix(-4.32054, -4.85967, m_2);
+    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_6)))) + (d_4 * x_16)) + e_25);
 }
 
 float sheenShadowing(float cosine_17, float alpha_12) {
@@ -3839,14 +3851,14 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
         bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
         vec2 wide_2 = max(alpha_16, vec2(0.001));
         bool _e63 = isCoat;
-        vec3 met_2 = pick(pick(bends, true, pick(_e63, !(coatEnds), false)), wi_4, facing);
-        vec3 m_4 = (wo_12 + (met_2 * pick(bends, o_13.ratio, 1.0)));
+        vec3 met_1 = pick(pick(bends, true, pick(_e63, !(coatEnds), false)), wi_4, facing);
+        vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_13.ratio, 1.0)));
         float m2_3 = max(dot(m_4, m_4), 1e-20);
         vec3 h_11 = (m_4 * inversesqrt(m2_3));
         float oh_3 = dot(wo_12, h_11);
-        float ih_1 = dot(met_2, h_11);
+        float ih_1 = dot(met_1, h_11);
         ownWo_1 = wo_12;
-        ownWi = met_2;
+        ownWi = met_1;
         ownH = h_11;
         const bool _e84 = hasCoatNormals;
         if (_e84) {
@@ -3856,7 +3868,7 @@ vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
                 Basis _e88 = basisAbout(_e87);
                 vec3 _e89 = toLocal(_e88, wo_12);
                 ownWo_1 = _e89;
-                vec3 _e90 = toLocal(_e88, met_2);
+                vec3 _e90 = toLocal(_e88, met_1);
                 ownWi = _e90;
                 vec3 _e91 = toLocal(_e88, h_11);
                 ownH = _e91;
@@ -4088,10 +4100,10 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     bool leaks = pick(opaque, _e206, false);
     uint _e210 = p_12.depth;
     uint _e213 = frame.maxDepth;
-    bool goesOn_1 = pick(!(escaped_1), (_e210 != _e213), false);
+    bool goesOn = pick(!(escaped_1), (_e210 != _e213), false);
     vec3 _e217 = p_12.throughput;
     vec3 contribution = (((_e217 * toLight_8.xyz) * _e139.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn_1, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e139.radiance), vec3(0.0))), false);
+    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e139.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_2, contribution, vec3(0.0));
     vec3 _e239 = p_12.throughput;
     vec3 throughput_1 = (_e239 * _e199.weight);
@@ -4100,7 +4112,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     float survival = pick((_e248 < rouletteDepth), 1.0, min((_e242 / 0.33333334), 0.95));
     float _e260 = max3_(throughput_1);
     float _e265 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn_1, (_e199.pdf > 0.0), false), !(leaks), false), (_e260 > 0.0), false), (_e265 < survival), false);
+    p_12.alive = pick(pick(pick(pick(goesOn, (_e199.pdf > 0.0), false), !(leaks), false), (_e260 > 0.0), false), (_e265 < survival), false);
     p_12.throughput = (throughput_1 / vec3(survival));
     uint _e273 = p_12.depth;
     p_12.depth = (_e273 + 1u);

@@ -197,7 +197,7 @@ struct Bounds {
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
 
-// How the scene table is read: table_texel.wesl. Its number is that of packed-scene/layout.ts, far from those of the inputs.
+// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
 @group(0) @binding(15) var nearest: sampler;
 
 // Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
@@ -488,6 +488,10 @@ struct Frame {
   lightTree: u32,
   // of the scene table, the whole table being 1
   rowHeight: f32,
+  // what one row is of the texture of the geometry, all of it being 1: gpu/device.ts, shareOfRow
+  geometryShare: f32,
+  // of that of the texels
+  texelShare: f32,
   // levels of it; 0: there is none, and all emitters are looked at
   lightTreeDepth: u32,
   // row of the geometry where the tables of lamps begin
