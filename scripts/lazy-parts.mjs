@@ -29,6 +29,12 @@ const PARTS = [
     entry: join(studio, 'chinese-tables.ts'),
   },
   {
+    name: 'saving',
+    importer: join(studio, 'saving/load-written.ts'),
+    asked: './written.ts',
+    entry: join(studio, 'saving/written.ts'),
+  },
+  {
     name: 'scene-tools',
     importer: join(studio, 'load-scene-tools.ts'),
     asked: './scene-tools.ts',

@@ -1,9 +1,12 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { zipSync } from 'fflate';
+import { decode } from 'fast-png';
+import { unzipSync, zipSync } from 'fflate';
+import { readExr } from '../../packages/renderer/src/export/exr.ts';
 import { fromInterleaved } from '../../packages/renderer/src/export/float-picture.ts';
 import { writeHdr } from '../../packages/renderer/src/export/hdr.ts';
+import { importGltf } from '../../packages/renderer/src/gltf/index.ts';
 import { writePly } from '../../packages/renderer/src/mesh-file/ply/write-ply.ts';
 import { triangleFile } from '../fixtures/gltf.ts';
 import { cubeMesh } from '../fixtures/meshes/solids.ts';
@@ -334,12 +337,56 @@ test('from a file, a folder is opened, with nothing from the network; the panel 
     await page.getByRole('slider', { name: 'Strength' }).fill('10');
     await soon(sky).toEqual({ width: 4, scale: 2, rotation: 90 });
     await drop(page, { 'broken.hdr': 'no picture' });
+    await expect(page.locator('#problems')).toBeVisible();
     await expect(page.locator('#problems')).toContainText('broken.hdr');
     await page.keyboard.press('Escape');
+    await expect(page.locator('#problems')).toBeHidden();
   });
 
   await test.step('the menu of methods says why there is one only', async () => {
     await expect(page.locator('#integrator')).toContainText('Classic ray tracing draws no triangles');
+  });
+
+  await test.step('picture and scene are saved as files', async () => {
+    const saved = async (button: string) => {
+      const download = page.waitForEvent('download');
+      await page.getByRole('button', { name: button }).click();
+      const file = await download;
+      return [file.suggestedFilename(), readFileSync(await file.path())] as const;
+    };
+    await page.locator('#section-save summary').click();
+    const [name, png] = await saved('Picture (.png)');
+    const { width, height, data } = decode(png);
+    const { stats } = await rendererState(page);
+    // What the panel covers is not in it.
+    const seen = Math.round((stats.filmWidth * (960 - 320)) / 960);
+    expect([name, width, height]).toEqual(['fox.png', seen, stats.filmHeight]);
+    expect(new Set(data).size, 'not of one colour').toBeGreaterThan(10);
+    const [, exr] = await saved('Light as floats (.exr)');
+    expect(readExr(exr)).toMatchObject({ width, height });
+    const [glbName, glb] = await saved('Model (.glb)');
+    const again = await importGltf(glb);
+    expect([glbName, again.ok && again.report.counts.triangles]).toEqual(['fox.glb', 1]);
+    await expect(page.locator('.notice')).toContainText('fox.glb is saved. What its format lacks:');
+    const [, archive] = await saved('For Mitsuba 3 (.zip)');
+    expect(
+      Object.keys(unzipSync(archive))
+        .filter((file) => /^fox\.(xml|py)$/.test(file))
+        .sort(),
+    ).toEqual(['fox.py', 'fox.xml']);
+  });
+
+  await test.step('a folder from the disk is dropped', async () => {
+    const before = await page.evaluateHandle(() => window.mirrorball.renderer!.scene);
+    const client = await page.context().newCDPSession(page);
+    const data = { items: [], files: [folder], dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+      await client.send('Input.dispatchDragEvent', { type, x: 200, y: 200, data });
+    await soon(() => before.evaluate((old) => window.mirrorball.renderer!.scene !== old)).toBe(true);
+    await shown(page, 'fox');
+    // It stands in the light that was chosen for the one before.
+    await soon(() => page.evaluate(() => window.mirrorball.renderer!.scene!.sky.map?.width)).toBe(4);
+    await expect(page.getByLabel('Light from all around')).toHaveValue('file');
   });
 });
 

@@ -1,4 +1,5 @@
 import type { Problem, ReportEntry } from 'mirrorball';
+import type { ExportEntry } from 'mirrorball/scene-export';
 
 const plural = (n: number, one: string, many: string): string => `${n} ${n === 1 ? one : many}`;
 
@@ -23,6 +24,9 @@ export const en = {
   openFolder: 'Open a folder…',
   openHint: 'Or drop them anywhere: glTF, GLB, OBJ, PLY, STL, scene.json, each with its files, or a zip of them.',
   dropHere: 'Drop a model with its files, a folder or a zip — or an .hdr or .exr as light',
+  folderUnreadable:
+    'The browser does not let this page read the folder. Choose it with “Open a folder…”, or drop it as a zip.',
+  skyWaits: 'The picture is the environment now. To see its light, choose “Path tracing” as the method.',
   tooManyFiles: 'The folder holds more than 10,000 files. Choose the model’s own folder.',
 
   opening: (file: string) => `Opening ${file}`,
@@ -55,6 +59,19 @@ export const en = {
   report: (n: number) => `Import report: ${plural(n, 'note', 'notes')}`,
   reportKinds: { unsupported: 'Left out', changed: 'Changed', unused: 'Not used' },
   reportEntry: ({ message, count }: ReportEntry) => (count > 1 ? `${message} (${count} places)` : message),
+
+  save: 'Save',
+  saveAs: {
+    png: 'Picture (.png)',
+    exr: 'Light as floats (.exr)',
+    glb: 'Model (.glb)',
+    mitsuba: 'For Mitsuba 3 (.zip)',
+  },
+  saving: 'A file is being made.',
+  savePicture: 'A .png holds the picture alone: choose “Picture” above, or save an .exr.',
+  saved: (file: string, report: readonly ExportEntry[]) =>
+    [`${file} is saved. What its format lacks:`, ...report.map(({ message }) => message)].join('\n'),
+  notSaved: (reason: string) => `Nothing was saved: ${reason}`,
 
   environment: 'Environment',
   environmentKind: 'Light from all around',

@@ -1,6 +1,6 @@
 /** The light around the scene, chosen beside what the scene itself has. */
-import { computed, signal } from '@preact/signals';
-import { type EnvironmentMap, type Sky, studioSky } from 'mirrorball';
+import { batch, computed, effect, signal } from '@preact/signals';
+import { type EnvironmentMap, type Scene, type Sky, studioSky } from 'mirrorball';
 import { changeScene } from './actions.ts';
 import { shown } from './state.ts';
 
@@ -46,6 +46,26 @@ function apply(): void {
       ? { ...sky, horizon: times(sky.horizon), zenith: times(sky.zenith) }
       : { ...sky, scale: (sky.scale ?? 1) * strength, rotation: (((sky.rotation ?? 0) + turn + 540) % 360) - 180 };
   changeScene({ sky: next });
+}
+
+let choiceFor: Scene | null = null;
+
+/** A model that is opened stands in the light that was chosen for the one before; the page's own scenes come with theirs. */
+export function followScene(): void {
+  effect(() => {
+    const now = shown.value;
+    if (!now || now.original === choiceFor) return;
+    choiceFor = now.original;
+    const chosen = [environmentKind.peek(), environmentStrength.peek(), environmentTurn.peek()];
+    if (chosen.join() === 'scene,1,0') return;
+    if (now.id === 'file') queueMicrotask(apply);
+    else
+      batch(() => {
+        environmentKind.value = 'scene';
+        environmentStrength.value = 1;
+        environmentTurn.value = 0;
+      });
+  });
 }
 
 export function chooseEnvironment(kind: EnvironmentKind): void {

@@ -3,6 +3,7 @@ import type { Renderer, Scene } from 'mirrorball';
 import { takeScene, tellCannotCompare } from './actions.ts';
 import { mountApp } from './app.tsx';
 import { builtInScene, sceneIds } from './built-in-scenes.ts';
+import { followScene } from './environment.ts';
 import { dictionary, startLanguage } from './i18n.ts';
 import { notify, reasonOf } from './notices.ts';
 import { followPointers } from './pointer-gestures.ts';
@@ -41,6 +42,7 @@ function start(): void {
 
   followState();
   followRenderer();
+  followScene();
   followKeys();
   followPointers(document.getElementById('stage')!);
   if (parameters.ui) mountAfter(session);

@@ -4,7 +4,17 @@ import type { Dictionary } from './i18n.ts';
 /** A sentence over the picture. It is a function of the dictionary, so that it follows the language. */
 export interface Notice {
   /** One notice a subject: a newer one takes the place of the older. */
-  readonly subject: 'backend' | 'cpu' | 'device' | 'file' | 'focus' | 'parameters' | 'error' | 'path' | 'compare';
+  readonly subject:
+    | 'backend'
+    | 'cpu'
+    | 'device'
+    | 'file'
+    | 'focus'
+    | 'parameters'
+    | 'error'
+    | 'path'
+    | 'compare'
+    | 'save';
   readonly text: (dictionary: Dictionary) => string;
 }
 

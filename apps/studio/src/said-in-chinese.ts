@@ -1,6 +1,7 @@
-/** What readers of files tell, in Chinese. It comes with the first file; without it they stay in English. */
+/** What readers and writers of files tell, in Chinese. It comes with the first file; without it they stay in English. */
 import { signal } from '@preact/signals';
 import type { Problem, ReportEntry } from 'mirrorball';
+import type { ExportEntry } from 'mirrorball/scene-export';
 import type * as Tables from './chinese-tables.ts';
 
 const tables = signal<typeof Tables | null>(null);
@@ -22,3 +23,4 @@ function loaded(): typeof Tables | null {
 
 export const problemText = (problem: Problem): string => loaded()?.problemInChinese(problem) ?? problem.message;
 export const reportText = (entry: ReportEntry): string => loaded()?.reportInChinese(entry) ?? entry.message;
+export const savedText = (entry: ExportEntry): string => loaded()?.savedInChinese(entry) ?? entry.message;

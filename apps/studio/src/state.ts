@@ -106,13 +106,22 @@ export const dividers = computed<Dividers>(() =>
   chosenDividers.value ? fitDividers(chosenDividers.value, visibleShare.value) : evenDividers(visibleShare.value),
 );
 
-/** The picture's middle is where it can be seen, and nothing that matters is cropped. */
-const framing = computed(() => {
+/** What controls cover along the stage's edges. */
+const room = computed(() => {
   const [width, height] = [stageWidth.value, stageHeight.value];
   const sheet = controlsShown.value && isPhone.value;
   const top = sheet ? PHONE_STATUS_HEIGHT : 0;
   const bottom = sheet ? Math.max(sheetHeight.value - (pageHeight.value - height), 0) : 0;
-  return framingFor({ width, height, top, right: width * (1 - visibleShare.value), bottom });
+  return { width, height, top, right: width * (1 - visibleShare.value), bottom };
+});
+
+/** The picture's middle is where it can be seen, and nothing that matters is cropped. */
+const framing = computed(() => framingFor(room.value));
+
+/** Shares of the picture's width and height, from its left and top, that no panel covers. */
+export const openShares = computed(() => {
+  const { width, height, right, bottom } = room.value;
+  return [1 - right / Math.max(width, 1), 1 - bottom / Math.max(height, 1)] as const;
 });
 
 /** Why nothing can be compared now, by the text that says so: only pictures can be, by what the classic integrator knows. */

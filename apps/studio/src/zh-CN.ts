@@ -1,5 +1,5 @@
 import type { Dictionary } from './i18n.ts';
-import { problemText, reportText } from './said-in-chinese.ts';
+import { problemText, reportText, savedText } from './said-in-chinese.ts';
 
 export const zhCN: Dictionary = {
   title: 'Mirrorball 光线追踪',
@@ -21,6 +21,8 @@ export const zhCN: Dictionary = {
   openFolder: '打开文件夹…',
   openHint: '也可以直接拖到页面任意处：glTF、GLB、OBJ、PLY、STL 或 scene.json，连同用到的文件，或打包成 zip。',
   dropHere: '松开即可打开模型（连同用到的文件）、文件夹或 zip；.hdr、.exr 用作环境光',
+  folderUnreadable: '浏览器不允许本页读取拖入的文件夹，请用“打开文件夹…”选择，或打包成 zip 再拖入。',
+  skyWaits: '图片已设为环境光。要看到它的光照，请把渲染方法改为“路径追踪”。',
   tooManyFiles: '该文件夹中的文件超过 10,000 个，请只选择模型所在的文件夹。',
 
   opening: (file) => `正在打开 ${file}`,
@@ -53,6 +55,18 @@ export const zhCN: Dictionary = {
   report: (n) => `导入报告：${n} 条`,
   reportKinds: { unsupported: '不支持', changed: '有改动', unused: '未用到' },
   reportEntry: reportText,
+
+  save: '保存',
+  saveAs: {
+    png: '画面（.png）',
+    exr: '线性光数据（.exr）',
+    glb: '模型（.glb）',
+    mitsuba: 'Mitsuba 3 场景（.zip）',
+  },
+  saving: '正在生成文件。',
+  savePicture: '.png 只能保存画面，请先把“显示内容”改回“画面”，或保存为 .exr。',
+  saved: (file, report) => [`已保存 ${file}。该格式有以下不同：`, ...report.map(savedText)].join('\n'),
+  notSaved: (reason) => `保存失败：${reason}`,
 
   environment: '环境光',
   environmentKind: '光照来源',

@@ -7,6 +7,7 @@ const paths = {
   fullScreen: 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
   smallScreen: 'M9 4v5H4M20 9h-5V4M15 20v-5h5M4 15h5v5',
   open: 'M3 19V6h6l2 2.5h8V11M3 19l3-8h16l-3 8z',
+  save: 'M12 4v11M7 10.5l5 5 5-5M4 16v4h16v-4',
   frame: 'M4 8V4h4M16 4h4v4M20 16v4h-4M8 20H4v-4M9 9h6v6H9z',
   keys: 'M3 6.5h18v11H3zM7 10h.01M10.5 10h.01M14 10h.01M17.5 10h.01M8 14h8',
   close: 'M6 6l12 12M18 6L6 18',

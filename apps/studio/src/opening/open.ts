@@ -4,7 +4,8 @@ import { refusedFile, show } from '../actions.ts';
 import { takeSkyFile } from '../environment.ts';
 import { readyToReport } from '../i18n.ts';
 import { dismiss, notify, reasonOf } from '../notices.ts';
-import { TooManyFiles } from './given-files.ts';
+import { integrator } from '../state.ts';
+import { TooManyFiles, UnreadableFolder } from './given-files.ts';
 import type { Opened, OpenedEnvironment, PathFile, Phase } from './job.ts';
 import { openInWorker, openSkyInWorker } from './open-in-worker.ts';
 import { beginOpening, endOpening, opening } from './under-way.ts';
@@ -26,6 +27,7 @@ export async function openFiles(coming: Promise<readonly PathFile[]> | readonly 
   } catch (error) {
     if (mine.signal.aborted) return;
     if (error instanceof TooManyFiles) notify('file', (t) => t.tooManyFiles);
+    else if (error instanceof UnreadableFolder) notify('file', (t) => t.folderUnreadable);
     else notify('file', (t) => t.fileUnreadable(name, reasonOf(error)));
   } finally {
     endOpening(mine);
@@ -65,7 +67,9 @@ async function openSky(file: File, words: Promise<void>, signal: AbortSignal): P
   await words;
   if (!opened.ok) return refuse(opened.file, opened.problems);
   takeSkyFile(opened.file, opened.map);
-  if (opened.notes.length > 0) notify('file', () => opened.notes.join(' '));
+  const waits = integrator.peek() !== 'path';
+  if (waits || opened.notes.length > 0)
+    notify('file', (t) => [...opened.notes, ...(waits ? [t.skyWaits] : [])].join('\n'));
 }
 
 function refuse(name: string, problems: readonly Problem[]): void {

@@ -9,6 +9,7 @@ import { ModelSection } from './model-section.tsx';
 import { MotionSection, PlayButton } from './motion-section.tsx';
 import { PageSection } from './page-section.tsx';
 import { QualitySection } from './quality-section.tsx';
+import { SaveSection } from './save-section.tsx';
 import { SceneSection } from './scene-section.tsx';
 import { ViewSection } from './view-section.tsx';
 
@@ -36,6 +37,7 @@ export function Panel() {
         <ComparisonSection />
         <ViewSection />
         <EnvironmentSection />
+        <SaveSection />
         <QualitySection />
         <PageSection />
       </div>

@@ -1,3 +1,4 @@
+export { filmToSrgb } from '../display/srgb.ts';
 export {
   type Block,
   type Comparison,

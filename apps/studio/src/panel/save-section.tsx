@@ -1,0 +1,28 @@
+import { Button } from '../controls/button.tsx';
+import { dictionary } from '../i18n.ts';
+import { save, saving } from '../saving/save.ts';
+import type { SavedAs } from '../saving/written.ts';
+import { isStill, shownView } from '../state.ts';
+import { Section } from './section.tsx';
+
+/** The picture and the scene as files. */
+export function SaveSection() {
+  const t = dictionary.value;
+  const busy = saving.value !== null ? t.saving : null;
+  const isPicture = shownView.value === 'picture' || isStill.value;
+  const button = (as: SavedAs, idle: string | null = null) => (
+    <Button id={`save-${as}`} icon="save" onClick={() => void save(as)} idle={busy ?? idle}>
+      {t.saveAs[as]}
+    </Button>
+  );
+  return (
+    <Section id="save" title={t.save} foldable>
+      <div class="buttons">
+        {button('png', isPicture ? null : t.savePicture)}
+        {button('exr')}
+        {button('glb')}
+        {button('mitsuba')}
+      </div>
+    </Section>
+  );
+}
