@@ -93,7 +93,7 @@ for (const backend of backends) {
 // A dozen programs are compiled for it: on one backend only. tests/browser/textures.spec.ts looks textures up on both.
 test('webgl2: textures multiply every number of the layers', async ({ harness }) => {
   const cases = await harness.evaluate((b) => window.harness.layerTextures(b), 'webgl2' as const);
-  expect(cases.length).toBe(14);
+  expect(cases.length).toBe(15);
   for (const { what, difference, effect } of cases) {
     // The same random numbers: films differ by rounding, where that does not choose another way for a path.
     expect.soft(difference, what).toBeLessThan(2e-3);

@@ -108,6 +108,37 @@ describe('materials', () => {
     });
   });
 
+  // Names and places by the extensions' own texts.
+  test.each([
+    ['specular', 'specularTexture', 'specularLobe', 'weightTexture'],
+    ['specular', 'specularColorTexture', 'specularLobe', 'colorTexture'],
+    ['transmission', 'transmissionTexture', 'transmission', 'weightTexture'],
+    ['volume', 'thicknessTexture', 'volume', 'thicknessTexture'],
+    ['diffuse_transmission', 'diffuseTransmissionTexture', 'diffuseTransmission', 'weightTexture'],
+    ['diffuse_transmission', 'diffuseTransmissionColorTexture', 'diffuseTransmission', 'colorTexture'],
+    ['clearcoat', 'clearcoatTexture', 'clearcoat', 'weightTexture'],
+    ['clearcoat', 'clearcoatRoughnessTexture', 'clearcoat', 'roughnessTexture'],
+    ['clearcoat', 'clearcoatNormalTexture', 'clearcoat', 'normalTexture'],
+    ['sheen', 'sheenColorTexture', 'sheen', 'colorTexture'],
+    ['sheen', 'sheenRoughnessTexture', 'sheen', 'roughnessTexture'],
+    ['anisotropy', 'anisotropyTexture', 'anisotropy', 'texture'],
+    ['iridescence', 'iridescenceTexture', 'iridescence', 'weightTexture'],
+    ['iridescence', 'iridescenceThicknessTexture', 'iridescence', 'thicknessTexture'],
+  ] as const)(
+    'KHR_materials_%s: %s, in the set and place that it says, is a texture of its own',
+    async (name, field, group, as) => {
+      const extension = `KHR_materials_${name}`;
+      const transform = { KHR_texture_transform: { offset: [0.1, 0.2], rotation: Math.PI / 2, scale: [3, 4] } };
+      const extensions = { [extension]: { [field]: { index: 1, texCoord: 1, extensions: transform } } };
+      const material = await materialOf({ extensions }, (f) => {
+        f.json.extensionsUsed = [extension, 'KHR_texture_transform'];
+      });
+      const { [as]: use, ...others } = material[group] as unknown as Record<string, unknown>;
+      expect(use).toEqual({ texture: 'b', uvSet: 1, offset: [0.1, 0.2], rotation: 90, scale: [3, 4] });
+      expect(Object.keys(others).filter((key) => /texture$/i.test(key))).toEqual([]);
+    },
+  );
+
   test('a coat whose map goes by other coordinates than the base’s is told', async () => {
     const told = async (texCoord: number) => {
       const file = painted({ normalTexture: { index: 0 }, extensions: { KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatNormalTexture: { index: 1, texCoord } } } }); // biome-ignore format: one line

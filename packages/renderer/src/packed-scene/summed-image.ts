@@ -51,12 +51,14 @@ export class SummedImage {
     const { columns, rows } = this;
     const [left, right] = [u0 * columns - 0.5, u1 * columns + 0.5];
     const [top, bottom] = [v0 * rows - 0.5, v1 * rows + 0.5];
+    if (left >= 0 && top >= 0 && right <= columns && bottom <= rows) {
+      const sum = this.#within(right, bottom) - this.#within(left, bottom) - this.#within(right, top) + this.#within(left, top); // biome-ignore format: four corners
+      return shareOf(sum / ((right - left) * (bottom - top)));
+    }
     const [fromX, toX] = [termsOf(left, columns, wrapU), termsOf(right, columns, wrapU)];
     const [fromY, toY] = [termsOf(top, rows, wrapV), termsOf(bottom, rows, wrapV)];
     const sum = this.#at(toX, toY) - this.#at(fromX, toY) - this.#at(toX, fromY) + this.#at(fromX, fromY);
-    const mean = sum / ((right - left) * (bottom - top));
-    // What is left of equal sums.
-    return mean > 1e-9 ? Math.min(mean, 1) : 0;
+    return shareOf(sum / ((right - left) * (bottom - top)));
   }
 
   #at(x: Terms, y: Terms): number {
@@ -67,8 +69,10 @@ export class SummedImage {
 
   /** Of texels of even brightness. */
   #within(x: number, y: number): number {
-    const [i, j] = [Math.min(Math.floor(x), this.columns - 1), Math.min(Math.floor(y), this.rows - 1)];
-    const [s, t] = [x - i, y - j];
+    const i = Math.min(Math.floor(x), this.columns - 1);
+    const j = Math.min(Math.floor(y), this.rows - 1);
+    const s = x - i;
+    const t = y - j;
     const stride = this.columns + 1;
     const at = j * stride + i;
     const sums = this.#sums;
@@ -77,6 +81,9 @@ export class SummedImage {
     return above + t * (below - above);
   }
 }
+
+/** Without what rounding leaves of equal sums. */
+const shareOf = (mean: number): number => (mean > 1e-9 ? Math.min(mean, 1) : 0);
 
 function termsOf(x: number, size: number, wrap: Wrap): Terms {
   if (wrap === 'clamp') {

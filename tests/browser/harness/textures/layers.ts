@@ -28,6 +28,10 @@ const SMOOTH = { weight: 1, roughness: 0 };
 const BLACK: Part = { baseColor: [0, 0, 0], specularLobe: { weight: 0, color: [1, 1, 1] } };
 /** With a texture, and what that comes to; and what it must not, if that is not the same without a texture. */
 const CASES: Readonly<Record<string, readonly [textured: Part, plain: Part, other?: Part]>> = {
+  'metal and roughness': [
+    { metallic: 0.9, roughness: 0.8, metallicRoughnessTexture: use },
+    { metallic: 0.9 * B, roughness: 0.8 * G },
+  ],
   'specular weight': [
     { specularLobe: { weight: 0.9, color: [9, 9, 9], weightTexture: use } },
     { specularLobe: { weight: 0.9 * A, color: [9, 9, 9] } },

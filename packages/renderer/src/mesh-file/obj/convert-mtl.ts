@@ -108,8 +108,9 @@ function surface(source: MtlSource, illumination: number): Partial<Material> {
   const [metallic, given, exponent] = [source.number('Pm'), source.number('Pr'), source.number('Ns')];
   const highlight = source.color('Ks') ?? (source.has('map_Ks') ? [1, 1, 1] : [0, 0, 0]);
   const strength = share(Math.max(...highlight));
-  // An index of refraction says nothing of an opaque surface here.
+  // An index of refraction and what light takes on its way through say nothing of an opaque surface here.
   source.number('Ni');
+  source.color('Tf');
   const roughness = given ?? (exponent === undefined ? undefined : roughnessOfExponent(exponent));
   const rough = roughness === undefined ? {} : { roughness: share(roughness) };
   const isPhysical = metallic !== undefined || given !== undefined || source.has('map_Pr') || source.has('map_Pm');

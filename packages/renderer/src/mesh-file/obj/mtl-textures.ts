@@ -51,7 +51,7 @@ const MOST = 1e6;
 
 /** What stands behind the word, for a file in `folder`; or why no image can be read by it, in a few words. */
 export function readTexture(line: string, folder: string): MtlTexture | string {
-  const { options, numbers, ignored, rest } = readOptions(line);
+  const { options, numbers, ignored, rest } = readOptions(optionsFirst(line));
   const file = plainPath(rest);
   if (!IMAGE.test(file)) return `${quote(rest.trim())} is no image of a kind that is read`;
   if (folder.length + file.length > LONGEST || !/^\S(?:.*\S)?$/.test(file))
@@ -75,6 +75,13 @@ export function readTexture(line: string, folder: string): MtlTexture | string {
     ignored: channel !== undefined && !known ? [...ignored, '-imfchan'] : ignored,
   };
 }
+
+/** Some programs write the options behind the name. */
+function optionsFirst(line: string): string {
+  const [, name, options] = OPTIONS_LAST.exec(line) ?? [];
+  return name === undefined ? line : `${options} ${name}`;
+}
+const OPTIONS_LAST = new RegExp(`^([^-].*\\.(?:${IMAGE_ENDINGS.join('|')}))\\s+(-[a-z].*)$`, 'i');
 
 /** The options in front of a name, those with numbers and others; a name may have spaces. */
 function readOptions(line: string) {
@@ -111,6 +118,7 @@ export function plainPath(name: string): string {
   const slashes = name
     .trim()
     .replace(/^"(.*)"$/, '$1')
+    .replace(/\\ /g, ' ') // as in a shell
     .replace(/\\/g, '/')
     .replace(/\/{2,}/g, '/')
     .replace(/^(\.\/)+/, '');

@@ -45,6 +45,8 @@ test.each<[string, string[], Partial<Material>]>([
   ['a picture of colours', ['map_Kd wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png' } }],
   ['over a colour and a highlight', ['Kd 1 0.5 0', 'Ks 1 1 1', 'Ns 30', 'map_Kd a b.JPG'], { type: 'metallicRoughness', baseColor: [1, 0.5, 0], specular: 1, roughness: 0.5, baseColorTexture: { texture: 'a b.JPG' } }],
   ['with the folders of another machine', ['map_Kd C:\\tmp\\x\\wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png' } }],
+  ['with its options behind', ['map_Kd wood.png -s 2 2 -o 0 0'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png', scale: [2, 2], offset: [0, -1] } }],
+  ['with spaces as in a shell', ['map_Kd my\\ wood.png', 'Tf 1 1 1'], { ...PLASTIC, baseColorTexture: { texture: 'my wood.png' } }],
   ['in a folder', ['map_Kd .\\maps\\wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'maps/wood.png' } }],
   ['more than once', ['map_Kd -s 2 4 1 -o 0.25 0.5 -texres 9 wood.png'], { ...PLASTIC, baseColorTexture: { texture: 'wood.png', scale: [2, 4], offset: [0.25, -3.5] } }],
   ['with holes by its alpha', ['map_Kd leaf.png', 'map_d leaf.png'], { ...PLASTIC, alphaMode: 'blend', opacity: 1, baseColorTexture: { texture: 'leaf.png' } }],
