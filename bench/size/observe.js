@@ -58,11 +58,24 @@
       if (wish.usage & GPUBufferUsage.STORAGE && wish.size >= LEAST) bytes.set(buffer, wish.size);
       return buffer;
     };
-    const { destroy } = GPUBuffer.prototype;
-    GPUBuffer.prototype.destroy = function () {
-      destroy.call(this);
-      bytes.delete(this);
+    const { createTexture } = GPUDevice.prototype;
+    GPUDevice.prototype.createTexture = function (wish) {
+      const texture = createTexture.call(this, wish);
+      const size = texture.width * texture.height * 16;
+      // Data that shaders only read; a film is drawn into.
+      const data =
+        wish.format === 'rgba32float' &&
+        !(wish.usage & (GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.STORAGE_BINDING));
+      if (data && size >= LEAST) bytes.set(texture, size);
+      return texture;
     };
+    for (const kind of [GPUBuffer, GPUTexture]) {
+      const { destroy } = kind.prototype;
+      kind.prototype.destroy = function () {
+        destroy.call(this);
+        bytes.delete(this);
+      };
+    }
   }
 
   const difference = (/** @type {Uint8ClampedArray} */ a, /** @type {Uint8ClampedArray} */ b) =>
