@@ -2,6 +2,7 @@
  * Where to split a node by the surface area heuristic over bins (Wald 2007): primitives are sorted into slices by their
  * centres; for each border between two slices the cost of a split is area × count on the left plus the same on the right.
  */
+import type { Care } from './care.ts';
 import { centreOf, minLanes, NOTHING, packedArea } from './packed-box.ts';
 import { isNarrow, spreadAlong } from './split-range.ts';
 import { MOST_BINS, type Workspace } from './workspace.ts';
@@ -10,7 +11,7 @@ import { MOST_BINS, type Workspace } from './workspace.ts';
 const PLACES = 26;
 
 /** Small nodes are many, and their bins are mostly empty. Big ones are sampled, and finer bins cost them nothing. */
-const binsFor = (count: number): number => (count <= 32 ? 8 : count <= 1024 ? 16 : MOST_BINS);
+const binsFor = (count: number, { coarse }: Care): number => (count <= coarse ? 8 : count <= 1024 ? 16 : MOST_BINS);
 
 function clearBins(bins: Int32Array, count: number): void {
   const nothing = NOTHING | 0;
@@ -85,8 +86,8 @@ function sweepFromLeft({ bins, costs, best }: Workspace, count: number, axis: nu
 
 /** Leaves the cheapest border in `best`, and the area of the whole node. Some axis must have a spread. */
 export function weighBins(work: Workspace, begin: number, end: number, stride: number): void {
-  const { bins, best } = work;
-  const count = binsFor(end - begin);
+  const { bins, best, care } = work;
+  const count = binsFor(end - begin, care);
   best.cost = Infinity;
   for (let axis = 0; axis < 3; axis++) {
     if (isNarrow(work, axis)) continue;

@@ -33,29 +33,27 @@ export function boundItems(
   bounds[to + 5] = z1;
 }
 
+/**
+ * Along one axis, from where the bounds of both children stand. Without branches: which child goes farther is as good as random. A
+ * comparison, negated, is a mask, all ones or none, that chooses one of two places.
+ */
+function uniteAxis(bounds: Float32Array, to: number, first: number, second: number): void {
+  const firstIsLess = -(bounds[first]! < bounds[second]!) | 0;
+  bounds[to] = bounds[second ^ ((first ^ second) & firstIsLess)]!;
+  const a = first + 3;
+  const b = second + 3;
+  const secondIsLess = -(bounds[a]! < bounds[b]!) | 0;
+  bounds[to + 3] = bounds[a ^ ((a ^ b) & secondIsLess)]!;
+}
+
 /** Bounds of inner nodes from those of leaves. */
 export function uniteUpwards(nodeCount: number, links: Uint32Array, bounds: Float32Array): void {
   for (let i = nodeCount - 1; i >= 0; i--) {
     if (links[2 * i + 1] !== 0) continue;
     const to = 6 * i;
-    const second = 6 * links[2 * i]!;
-    let a = bounds[to + 6]!;
-    let b = bounds[second]!;
-    bounds[to] = a < b ? a : b;
-    a = bounds[to + 7]!;
-    b = bounds[second + 1]!;
-    bounds[to + 1] = a < b ? a : b;
-    a = bounds[to + 8]!;
-    b = bounds[second + 2]!;
-    bounds[to + 2] = a < b ? a : b;
-    a = bounds[to + 9]!;
-    b = bounds[second + 3]!;
-    bounds[to + 3] = a > b ? a : b;
-    a = bounds[to + 10]!;
-    b = bounds[second + 4]!;
-    bounds[to + 4] = a > b ? a : b;
-    a = bounds[to + 11]!;
-    b = bounds[second + 5]!;
-    bounds[to + 5] = a > b ? a : b;
+    const second = (6 * links[2 * i]!) | 0;
+    uniteAxis(bounds, to, to + 6, second);
+    uniteAxis(bounds, to + 1, to + 7, second + 1);
+    uniteAxis(bounds, to + 2, to + 8, second + 2);
   }
 }

@@ -51,6 +51,23 @@ function joinNext(boxes: Float32Array, at: number): void {
 const pairShare = ({ nodeCost, primitiveCost }: SplitRules): number =>
   (1.1 * (2 * primitiveCost - nodeCost)) / primitiveCost;
 
+/** How many places are looked at to see whether there are pairs at all. */
+const LOOKS = 256;
+
+/** Whether neighbours are hardly ever worth pairing: then looking at all of them takes longer than it saves. */
+function hardlyPair(boxes: Float32Array, count: number, share: number): boolean {
+  if (count < 4 * LOOKS) return false;
+  const stride = Math.floor((count - 2) / LOOKS);
+  let found = 0;
+  for (let k = 0; k < LOOKS; k++) {
+    // Both neighbours, since rectangles may begin at even places only.
+    for (let at = 6 * k * stride, end = at + 12; at < end; at += 6) {
+      if (share * areaOfBoth(boxes, at) <= halfAreaAt(boxes, at) + halfAreaAt(boxes, at + 6)) found++;
+    }
+  }
+  return found < LOOKS / 64;
+}
+
 /** Pairs in the mesh: fills `codes` and returns how many. The box of a pair replaces that of its first triangle. */
 function pairInMesh(boxes: Float32Array, count: number, share: number, codes: Uint32Array): number {
   let found = 0;
@@ -78,7 +95,9 @@ function eachAlone(count: number, codes: Uint32Array): number {
 /** Fills `order` with codes for sorting and returns how many. Boxes of pairs replace those of their first primitives. */
 export function pairPrimitives(boxes: Float32Array, count: number, rules: SplitRules, order: Uint32Array): number {
   if (rules.maxLeafSize < 2 || count < 2) return eachAlone(count, order);
-  return pairInMesh(boxes, count, pairShare(rules), order);
+  const share = pairShare(rules);
+  if (hardlyPair(boxes, count, share)) return eachAlone(count, order);
+  return pairInMesh(boxes, count, share, order);
 }
 
 function sortBoxes(from: Float32Array, sorted: Uint32Array, count: number, to: Float32Array): void {
@@ -93,7 +112,12 @@ function sortBoxes(from: Float32Array, sorted: Uint32Array, count: number, to: F
   }
 }
 
-/** Pairs in Morton's order: fills `codes` with those of items and returns how many. A share of Infinity makes none. */
+function sortedAlone(sorted: Uint32Array, count: number, codes: Uint32Array): number {
+  for (let k = 0; k < count; k++) codes[k] = 4 * k + (sorted[k]! & 1);
+  return count;
+}
+
+/** Pairs in Morton's order: fills `codes` with those of items and returns how many. */
 function pairSorted(
   boxes: Float32Array,
   sorted: Uint32Array,
@@ -135,8 +159,11 @@ function pack(work: Workspace, count: number): void {
 /** Boxes and records of the items, from what was `sorted` and its boxes. Returns how many items. */
 export function gatherItems(work: Workspace, boxes: Float32Array, count: number, rules: SplitRules): number {
   sortBoxes(boxes, work.sorted, count, work.boxes);
-  const share = rules.maxLeafSize > 1 ? pairShare(rules) : Infinity;
-  const items = pairSorted(work.boxes, work.sorted, count, share, work.order);
+  const share = pairShare(rules);
+  const items =
+    rules.maxLeafSize < 2 || hardlyPair(work.boxes, count, share)
+      ? sortedAlone(work.sorted, count, work.order)
+      : pairSorted(work.boxes, work.sorted, count, share, work.order);
   pack(work, items);
   return items;
 }

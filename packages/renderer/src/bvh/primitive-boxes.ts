@@ -1,40 +1,44 @@
 /** Boxes of primitives: six floats each, least x, y, z, greatest x, y, z. What builders start from. */
 import type { TriangleMesh } from './bvh.ts';
 
-const least = (a: number, b: number, c: number): number => {
-  const m = a < b ? a : b;
-  return m < c ? m : c;
-};
-const greatest = (a: number, b: number, c: number): number => {
-  const m = a > b ? a : b;
-  return m > c ? m : c;
-};
+/**
+ * Least and greatest of three positions' coordinates, chosen without branches: in random order, which is least is as good as random,
+ * and a wrong guess of the processor costs more than all of this. A comparison, negated, is a mask: all ones or none.
+ * Returns 0, or NaN when a coordinate is missing, infinite or no number: any such times 0 is NaN, which no sum loses.
+ */
+function writeExtent(
+  positions: Float32Array,
+  a: number,
+  b: number,
+  c: number,
+  boxes: Float32Array,
+  at: number,
+): number {
+  const p = positions[a]!;
+  const q = positions[b]!;
+  const r = positions[c]!;
+  const pq = -(p < q) | 0;
+  const qr = -(q < r) | 0;
+  const pr = -(p < r) | 0;
+  const swap = (a ^ b) & pq;
+  const other = (qr ^ pr) & pq;
+  const lesser = b ^ swap;
+  const greater = a ^ swap;
+  boxes[at] = positions[c ^ ((lesser ^ c) & (qr ^ other))]!;
+  boxes[at + 3] = positions[greater ^ ((greater ^ c) & (pr ^ other))]!;
+  return (p + q + r) * 0;
+}
 
-/** Returns 0, or NaN when a coordinate is missing, infinite or no number: any such times 0 is NaN, which no sum loses. */
+/** Returns 0, or NaN as `writeExtent` does. */
 function writeBoxes(positions: Float32Array, indices: Uint32Array, boxes: Float32Array): number {
   let finite = 0;
   for (let i = 0, at = 0; i < indices.length; i += 3, at += 6) {
     const a = indices[i]! * 3;
     const b = indices[i + 1]! * 3;
     const c = indices[i + 2]! * 3;
-    let p = positions[a]!;
-    let q = positions[b]!;
-    let r = positions[c]!;
-    boxes[at] = least(p, q, r);
-    boxes[at + 3] = greatest(p, q, r);
-    finite += (p + q + r) * 0;
-    p = positions[a + 1]!;
-    q = positions[b + 1]!;
-    r = positions[c + 1]!;
-    boxes[at + 1] = least(p, q, r);
-    boxes[at + 4] = greatest(p, q, r);
-    finite += (p + q + r) * 0;
-    p = positions[a + 2]!;
-    q = positions[b + 2]!;
-    r = positions[c + 2]!;
-    boxes[at + 2] = least(p, q, r);
-    boxes[at + 5] = greatest(p, q, r);
-    finite += (p + q + r) * 0;
+    finite += writeExtent(positions, a, b, c, boxes, at);
+    finite += writeExtent(positions, a + 1, b + 1, c + 1, boxes, at + 1);
+    finite += writeExtent(positions, a + 2, b + 2, c + 2, boxes, at + 2);
   }
   return finite;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { awkwardMeshes, landscape, soup } from '../../../../tests/fixtures/meshes.ts';
+import { awkwardMeshes, landscape, shuffled, soup } from '../../../../tests/fixtures/meshes.ts';
 import { between, seededRandom } from '../../../../tests/fixtures/random.ts';
 import { checkTree } from '../../../../tests/fixtures/tree-check.ts';
 import { buildBvh } from './build-bvh.ts';
@@ -57,14 +57,19 @@ test('refuses what is no place, and too few indices', () => {
   expect(() => planRefit(bvh, other)).toThrow('The tree has 18 triangles, the mesh 17');
 });
 
-test('a plan has every vertex of a leaf once', () => {
-  const mesh = landscape(seededRandom(65), 20);
+test('a plan has every leaf, in the order of the mesh’s vertices, and every vertex of a leaf once', () => {
+  const mesh = shuffled(seededRandom(66), landscape(seededRandom(65), 20));
   const bvh = buildBvh(mesh);
-  const { vertices, begins } = planRefit(bvh, mesh);
-  for (let i = 0; i < bvh.nodeCount; i++) {
+  const { leaves, vertices, begins } = planRefit(bvh, mesh);
+  let last = 0;
+  leaves.forEach((i, k) => {
     const leaf = bvh.order.subarray(firstPlace(bvh, i), firstPlace(bvh, i) + leafCount(bvh, i));
     const corners = [...leaf].flatMap((t) => [...mesh.indices.subarray(3 * t, 3 * t + 3)]);
-    expect([...vertices.subarray(begins[i], begins[i + 1])].sort()).toEqual([...new Set(corners)].sort());
-  }
+    expect([...vertices.subarray(begins[k], begins[k + 1])].sort()).toEqual([...new Set(corners)].sort());
+    expect(Math.min(...corners)).toBeGreaterThanOrEqual(last);
+    last = Math.min(...corners);
+  });
+  const all = Array.from({ length: bvh.nodeCount }, (_, i) => i).filter((i) => leafCount(bvh, i) > 0);
+  expect([...leaves].sort((a, b) => a - b)).toEqual(all);
   expect(vertices.length).toBeLessThan(0.7 * mesh.indices.length);
 });

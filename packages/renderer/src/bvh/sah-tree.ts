@@ -1,5 +1,6 @@
 /** The loop that splits nodes until all are leaves, depth first, with a stack of its own; it can pause between two nodes. */
 import { boundItems, uniteUpwards } from './bounds.ts';
+import { CAREFUL, QUICK } from './care.ts';
 import { gatherItems, pairPrimitives, placeItem } from './items.ts';
 import { sortByMorton } from './morton-order.ts';
 import { LEAF, type SplitRules, split } from './split.ts';
@@ -41,11 +42,12 @@ export class SahTree {
 
   /** Begins a tree over primitives with these boxes. */
   start(boxes: Float32Array, count: number): void {
-    const { work } = this;
+    const { rules, work } = this;
     work.fit(count);
-    const pairs = pairPrimitives(boxes, count, this.rules, work.order);
+    const pairs = pairPrimitives(boxes, count, rules, work.order);
     sortByMorton(work, boxes, pairs);
-    this.itemCount = gatherItems(work, boxes, pairs, this.rules);
+    this.itemCount = gatherItems(work, boxes, pairs, rules);
+    work.care = rules.maxLeafSize > 1 && this.itemCount === count ? QUICK : CAREFUL;
     this.primitiveCount = count;
     if (this.order.length < count) this.order = new Uint32Array(work.capacity);
     this.nodeCount = 0;

@@ -6,9 +6,6 @@
 import { centreOf, gridScale, minLanes, NOTHING, packBox, packedArea } from './packed-box.ts';
 import type { Workspace } from './workspace.ts';
 
-/** From twice as many primitives on, only about so many of a node are weighed. */
-export const SAMPLE = 256;
-
 /** Least spread of centres, in half cells, on which bins are still fine enough. */
 const FINE = 256;
 
@@ -48,10 +45,8 @@ function measureRange(work: Workspace, begin: number, end: number, stride: numbe
 }
 
 export const spreadAlong = ({ range }: Workspace, axis: number): number => range[axis + 3]! - range[axis]!;
-/** An axis along which centres spread less than this share of the widest spread is not tried. */
-const NARROW = 0.4;
 export const isNarrow = (work: Workspace, axis: number): boolean =>
-  spreadAlong(work, axis) < NARROW * widestSpread(work);
+  spreadAlong(work, axis) < work.care.narrow * widestSpread(work);
 
 export const widestSpread = (work: Workspace): number =>
   Math.max(spreadAlong(work, 0), spreadAlong(work, 1), spreadAlong(work, 2));
@@ -108,7 +103,8 @@ export function areaOfAll(work: Workspace, begin: number, end: number): number {
 /** Measures the `range` and returns the stride at which it did: 1 is every primitive. */
 export function prepareRange(work: Workspace, begin: number, end: number, all: boolean): number {
   const count = end - begin;
-  let stride = all || count < 2 * SAMPLE ? 1 : Math.floor(count / SAMPLE);
+  const { sample } = work.care;
+  let stride = all || count < 2 * sample ? 1 : Math.floor(count / sample);
   measureRange(work, begin, end, stride);
   if (widestSpread(work) >= FINE) return stride;
   if (stride > 1) {

@@ -4,7 +4,7 @@ import { splitAtBest, weighBins } from './binned-split.ts';
 import { DEFAULT_COSTS } from './bvh.ts';
 import { splitFewAtBest, weighFew, weighTwo } from './exact-split.ts';
 import { areaOfAll, prepareRange, widestSpread } from './split-range.ts';
-import { FEW, type Workspace } from './workspace.ts';
+import type { Workspace } from './workspace.ts';
 
 export interface SahOptions {
   /** Nodes of so many primitives or fewer are not split. Default 1. */
@@ -56,7 +56,7 @@ export function split(work: Workspace, begin: number, end: number, rules: SplitR
   let stride = prepareRange(work, begin, end, false);
   // All centres are the same: the middle of Morton's order is as good as any place.
   if (widestSpread(work) === 0) return primitives > 0 ? LEAF : (begin + end) >> 1;
-  if (count <= FEW) {
+  if (count <= work.care.few) {
     weighFew(work, begin, end);
     if (leafIsCheaper(work, rules, primitives)) return LEAF;
     return splitFewAtBest(work, begin, end);

@@ -2,11 +2,10 @@
  * The arrays of a build. They grow and never shrink, so that a tree built every frame allocates nothing. What belongs to one
  * split lies here too and not in modules: V8 is quick with what comes in an argument, not with a bundler's `var`.
  */
+import { CAREFUL, type Care, MOST_FEW } from './care.ts';
 import { RECORD } from './packed-box.ts';
 
 export const MOST_BINS = 32;
-/** So many items or fewer are split exactly. */
-export const FEW = 12;
 
 export class Workspace {
   // Of one split: see split-range.ts, binned-split.ts and exact-split.ts.
@@ -21,12 +20,13 @@ export class Workspace {
   readonly costs = new Float64Array(MOST_BINS);
   /** The best border found so far: left of this bin; and the packed half area of the node. */
   readonly best = { cost: Infinity, area: 0.5, axis: 0, bin: 0, factor: 0 };
-  readonly line = new Uint32Array(FEW);
-  readonly bestLine = new Uint32Array(FEW);
-  readonly centres = new Int32Array(FEW);
+  readonly line = new Uint32Array(MOST_FEW);
+  readonly bestLine = new Uint32Array(MOST_FEW);
+  readonly centres = new Int32Array(MOST_FEW);
 
   // Of one tree. Primitives are numbered as they came; items are explained in items.ts.
 
+  care: Care = CAREFUL;
   /** Items for which there is room. */
   capacity = 0;
   readonly union = new Float64Array(6);
