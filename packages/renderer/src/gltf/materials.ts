@@ -1,5 +1,6 @@
 /** Materials of a file: glTF 2.0's, and the extensions that belong to them. Numbers beyond their range are told and cut. */
 import type { Anisotropy, Clearcoat, DiffuseTransmission, Iridescence, MaterialLayers, Sheen, SpecularLobe, Transmission, Volume } from '../scene/material-layers.ts'; // biome-ignore format: one list
+import { MATTE } from '../scene/materials.ts';
 import type { Color, Material } from '../scene/scene.ts';
 import type { TextureUse } from '../scene/textures.ts';
 import { extensionOf, type MaterialJson } from './json.ts';
@@ -12,21 +13,7 @@ const BRIGHTEST = 1e6;
 const degrees = (radians: number): number => (radians * 180) / Math.PI;
 
 /** Everything that glTF's default material says, and what Mirrorball's has beyond it. */
-const BASE: Omit<Material, keyof MaterialLayers> = {
-  type: 'metallicRoughness',
-  baseColor: [1, 1, 1],
-  roughness: 1,
-  specular: 0,
-  reflectivity: 0,
-  metallic: 1,
-  ior: 1.5,
-  conductor: { eta: [0, 0, 0], k: [0, 0, 0] },
-  attenuationColor: [1, 1, 1],
-  attenuationDistance: 0,
-  thin: false,
-  emission: [0, 0, 0],
-  energyCompensation: false,
-};
+const BASE: Omit<Material, keyof MaterialLayers> = { ...MATTE, type: 'metallicRoughness', metallic: 1 };
 
 type Fields = Readonly<Record<string, number | number[] | TextureInfo | undefined>>;
 

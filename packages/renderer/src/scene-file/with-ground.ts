@@ -1,3 +1,4 @@
+import { MATTE } from '../scene/materials.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Material, MeshShape, Scene } from '../scene/scene.ts';
 import { boundsAt } from '../scene/scene-bounds.ts';
@@ -7,21 +8,7 @@ import { isParsedScene, trustScene } from './trusted-scenes.ts';
 const REACH = 12;
 
 /** Plain grey, of a type that models have: a scene with it needs no other program. */
-const FLOOR: Material = {
-  type: 'metallicRoughness',
-  baseColor: [0.4, 0.4, 0.4],
-  roughness: 0.9,
-  specular: 0,
-  reflectivity: 0,
-  metallic: 0,
-  ior: 1.5,
-  conductor: { eta: [0, 0, 0], k: [0, 0, 0] },
-  attenuationColor: [1, 1, 1],
-  attenuationDistance: 0,
-  thin: false,
-  emission: [0, 0, 0],
-  energyCompensation: false,
-};
+const FLOOR: Material = { ...MATTE, type: 'metallicRoughness', baseColor: [0.4, 0.4, 0.4], roughness: 0.9 };
 
 /**
  * The scene on a plain round floor, which shows where things stand by the shadows that it catches. It lies just below the lowest point that

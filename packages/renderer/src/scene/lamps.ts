@@ -2,6 +2,7 @@
  * Lights that rays can meet are shapes: this step gives every visible sphere or quad light a shape of its own, so that later stages
  * know one kind of thing to hit. Only the path integrator wants it; the classic one draws its lights itself.
  */
+import { MATTE } from './materials.ts';
 import type { Color, Light, Material, QuadLight, Scene, Shape, SphereLight } from './scene.ts';
 
 export interface SceneWithLamps {
@@ -34,21 +35,7 @@ function lampShape(light: LampLight, material: string): Shape {
 }
 
 /** Gives nothing back of what falls on it. */
-const black = (emission: Color): Material => ({
-  type: 'diffuse',
-  baseColor: [0, 0, 0],
-  roughness: 1,
-  specular: 0,
-  reflectivity: 0,
-  metallic: 0,
-  ior: 1.5,
-  conductor: { eta: [0, 0, 0], k: [0, 0, 0] },
-  attenuationColor: [1, 1, 1],
-  attenuationDistance: 0,
-  thin: false,
-  emission,
-  energyCompensation: false,
-});
+const black = (emission: Color): Material => ({ ...MATTE, baseColor: [0, 0, 0], emission });
 
 export function lampsAsShapes(scene: Scene): SceneWithLamps {
   const shapes: Record<string, Shape> = Object.assign(Object.create(null), scene.shapes);

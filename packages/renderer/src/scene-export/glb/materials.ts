@@ -1,5 +1,6 @@
 /** Materials as glTF has them: metallic-roughness and the Khronos extensions. */
 import { MATERIAL_FIELDS, TEXTURE_FIELDS } from '../../gltf/pointers.ts';
+import { MATTE } from '../../scene/materials.ts';
 import type { Material, Scene } from '../../scene/scene.ts';
 import type { NormalTextureUse, TextureUse } from '../../scene/textures.ts';
 import type { ExportReport } from '../export-report.ts';
@@ -132,19 +133,9 @@ export class MaterialWriter {
 
 /** Reflects nothing at all. */
 const BLACK: Material = {
+  ...MATTE,
   type: 'metallicRoughness',
   baseColor: [0, 0, 0],
-  roughness: 1,
-  specular: 0,
-  reflectivity: 0,
-  metallic: 0,
-  ior: 1.5,
-  conductor: { eta: [0, 0, 0], k: [0, 0, 0] },
-  attenuationColor: [1, 1, 1],
-  attenuationDistance: 0,
-  thin: false,
-  emission: [0, 0, 0],
-  energyCompensation: false,
   specularLobe: { weight: 0, color: [1, 1, 1] },
 };
 
