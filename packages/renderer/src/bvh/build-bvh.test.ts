@@ -12,7 +12,6 @@ import { seededRandom } from '../../../../tests/fixtures/random.ts';
 import { checkTree } from '../../../../tests/fixtures/tree-check.ts';
 import { buildBvh, buildInSteps } from './build-bvh.ts';
 import { type Bvh, leafCount, sahCost, type TriangleMesh } from './bvh.ts';
-import { buildFastBvh } from './fast-tree.ts';
 import { triangleBoxes } from './primitive-boxes.ts';
 
 const random = seededRandom(71);
@@ -36,12 +35,6 @@ describe.each(Object.entries(meshes))('%s (seed 71)', (_, mesh) => {
     const bvh = buildBvh(mesh, options);
     const largest = checkTree(bvh, triangleBoxes(mesh));
     expect(largest).toBeLessThanOrEqual(options.maxLeafSize ?? 4);
-    expect(bvh.depth).toBeLessThanOrEqual(64);
-  });
-
-  test('the fast tree too', () => {
-    const bvh = buildFastBvh(mesh);
-    expect(checkTree(bvh, triangleBoxes(mesh))).toBeLessThanOrEqual(4);
     expect(bvh.depth).toBeLessThanOrEqual(64);
   });
 
@@ -154,7 +147,6 @@ describe('what is no mesh is refused', () => {
   ])('%s', (_, places, indices, problem) => {
     const mesh = { positions: Float32Array.from(places), indices: Uint32Array.from(indices) };
     expect(() => buildBvh(mesh)).toThrow(problem);
-    expect(() => buildFastBvh(mesh)).toThrow(problem);
   });
 
   test('but a position that no triangle uses may be anything', () => {

@@ -44,22 +44,16 @@ export class Workspace {
   /** Where the record of each item starts: what splits sort. */
   order = new Uint32Array(0);
 
-  /** Room to sort so many primitives. */
-  fitSorting(count: number): void {
-    if (count <= this.codes.length) return;
-    const capacity = Math.max(count, this.codes.length * 2);
+  /** Room for so many primitives. */
+  fit(count: number): void {
+    if (count <= this.capacity) return;
+    const capacity = Math.max(count, this.capacity * 2);
+    this.capacity = capacity;
     this.codes = new Uint32Array(capacity);
     this.sortedCodes = new Uint32Array(capacity);
     this.sorted = new Uint32Array(capacity);
     this.order = new Uint32Array(capacity);
-  }
-
-  /** Room for so many items too. */
-  fit(count: number): void {
-    this.fitSorting(count);
-    if (count <= this.capacity) return;
-    this.capacity = this.codes.length;
-    this.boxes = new Float32Array(this.capacity * 6);
-    this.records = new Int32Array(this.capacity * RECORD);
+    this.boxes = new Float32Array(capacity * 6);
+    this.records = new Int32Array(capacity * RECORD);
   }
 }

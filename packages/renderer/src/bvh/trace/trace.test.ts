@@ -3,7 +3,6 @@ import { awkwardMeshes, bumpySphere, landscape, meshOf, shuffled, soup } from '.
 import { between, pick, type Random, randomDirection, seededRandom } from '../../../../../tests/fixtures/random.ts';
 import { buildBvh } from '../build-bvh.ts';
 import type { TriangleMesh } from '../bvh.ts';
-import { buildFastBvh } from '../fast-tree.ts';
 import { bvhSource, type NodeSource } from './node-source.ts';
 import { anyHit, closestByBruteForce, closestHit, tryTriangle } from './trace.ts';
 import { hitTriangle, type Ray, shearRay } from './watertight.ts';
@@ -14,7 +13,6 @@ function sourcesOf(mesh: TriangleMesh): Readonly<Record<string, NodeSource>> {
   return {
     good: bvhSource(buildBvh(mesh, { maxLeafSize: 3 })),
     'larger leaves': bvhSource(buildBvh(mesh, { leafSize: 8 })),
-    fast: bvhSource(buildFastBvh(mesh)),
   };
 }
 
