@@ -117,7 +117,7 @@ function normalizeEach(vectors: Float32Array, stride: number): void {
 }
 
 /** Whether all joints turn and scale evenly, without mirror images, so that normals go the way of directions. */
-function keepsAngles(joints: Float32Array): boolean {
+export function keepsAngles(joints: Float32Array): boolean {
   for (let at = 0; at < joints.length; at += AFFINE_LENGTH) {
     const c = cofactors(joints, at);
     // For a turn times s the cofactors are the matrix times s.
