@@ -68,8 +68,8 @@ const restWords = ({ positions, normals, tangents, skin, morphTargets = [] }: Me
 
 /** Rows that the plan of these meshes needs at most. */
 export function mostPlanRows(meshes: readonly Mesh[]): number {
-  // Of shares, of lists of nodes, and of the rest there are fewer words than triangles.
-  const each = (mesh: Mesh) => restWords(mesh) + mesh.indices.length + 256 + 3 * (mesh.morphTargets?.length ?? 0);
+  // Shares and lists of nodes are fewer words than vertices and corners; a record, and what fills up rows, is little.
+  const each = (mesh: Mesh) => restWords(mesh) + vertexCount(mesh) + mesh.indices.length + 3 * targetsOf(mesh).length + 256; // biome-ignore format: a sum
   return meshes.reduce((sum, mesh) => sum + each(mesh), 0) / GEOMETRY_ROW;
 }
 
