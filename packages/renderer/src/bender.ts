@@ -60,7 +60,9 @@ export class Bender {
 
   #take(bending: Bending, geometry: DataBuffer): Held {
     const { planRows, parts, placeRows, poses } = bending;
-    const data = [planRows, poses.u32.length / 4, placeRows].map((rows) => this.#device.createData(rows, 'bent meshes'));
+    const data = [planRows, poses.u32.length / 4, placeRows].map((rows) =>
+      this.#device.createData(rows, 'bent meshes'),
+    );
     const [plan, pose, places] = data as [DataBuffer, DataBuffer, DataBuffer];
     for (const { row, words } of parts) plan.write(row, words);
     const inputs = [geometry, plan, pose, places];

@@ -1,16 +1,20 @@
 /** Meshes that the device bends, word by word beside those that this thread bends. */
 import { Bender } from '../../../packages/renderer/src/bender.ts';
+import { FrameController } from '../../../packages/renderer/src/frame-controller.ts';
 import { GeometryBuffer } from '../../../packages/renderer/src/geometry-buffer.ts';
 import type { Device } from '../../../packages/renderer/src/gpu/device.ts';
-import { openWebGpu } from '../../../packages/renderer/src/headless/index.ts';
+import { DEFAULT_SETTINGS, openWebGpu } from '../../../packages/renderer/src/headless/index.ts';
 import { loadGeometryPacker } from '../../../packages/renderer/src/packed-scene/geometry-packer.ts';
 import { fieldOffset, GEOMETRY_ROW } from '../../../packages/renderer/src/packed-scene/layout.ts';
 import type { PackedGeometry } from '../../../packages/renderer/src/packed-scene/pack-geometry.ts';
 import { type PackedMesh, wordsOf } from '../../../packages/renderer/src/packed-scene/packed-mesh.ts';
 import { treeCost } from '../../../packages/renderer/src/packed-scene/tree-cost.ts';
-import { Motion } from '../../../packages/renderer/src/scene/motion.ts';
+import { type Moment, Motion, stillMoment } from '../../../packages/renderer/src/scene/motion.ts';
+import { posedSceneAt } from '../../../packages/renderer/src/scene/posed.ts';
 import type { Scene } from '../../../packages/renderer/src/scene/scene.ts';
+import { Stages } from '../../../packages/renderer/src/stages.ts';
 import { bendingScenes } from '../../fixtures/bending.ts';
+import { arm } from '../../fixtures/motion.ts';
 
 type Words = Uint32Array<ArrayBuffer>;
 
@@ -160,15 +164,60 @@ export interface BentScene extends BentDifference {
   readonly unlikeDirect: number;
 }
 
-export async function bentByDevice(times: readonly number[], gpu?: GPU): Promise<Record<string, BentScene>> {
-  const device = await openWebGpu(null, { gpu, computes: true });
+async function compareWords(device: Device, times: readonly number[]): Promise<Record<string, BentScene>> {
   const bender = await Bender.create(device, device.compute!);
   const found: Record<string, BentScene> = {};
   for (const [name, scene] of Object.entries(bendingScenes())) {
     const { difference, words } = await playBent(device, bender, scene, times);
     const direct = await playBent(device, bender, { ...scene }, times.slice(-1));
-    found[name] = { ...difference, unlikeDirect: words.reduce((n, word, i) => n + (word === direct.words[i] ? 0 : 1), 0) };
+    found[name] = {
+      ...difference,
+      unlikeDirect: words.reduce((n, word, i) => n + (word === direct.words[i] ? 0 : 1), 0),
+    };
   }
-  device.destroy();
   return found;
+}
+
+const SIZE = 32;
+
+/** Normals that the camera sees at these moments, one after the other. */
+async function normalsAt(stages: Stages, moments: readonly Moment[]): Promise<Float32Array[]> {
+  const films: Float32Array[] = [];
+  for (const moment of moments) {
+    const settings = { ...DEFAULT_SETTINGS, ...moment.scene.render, view: 'normal' } as const;
+    const shot = { ...moment, camera: moment.scene.camera, settings, raysPerPixel: 1 };
+    await stages.ready(shot);
+    stages.film.reserve(SIZE, SIZE, 2);
+    stages.begin(shot, SIZE, SIZE);
+    await stages.addSamples(1, new FrameController(), () => {}, () => false); // biome-ignore format: one call
+    films.push(await stages.device.read(stages.film.current.layers[1]!, SIZE, SIZE));
+  }
+  stages.leaveModel();
+  return films;
+}
+
+/** Values of the last of some films that are off by more than this. */
+const unlike = (films: readonly Float32Array[], other: readonly Float32Array[], most: number): number =>
+  films.at(-1)!.reduce((n, x, i) => n + (Math.abs(x - other.at(-1)![i]!) <= most ? 0 : 1), 0);
+
+/** Words of meshes, and films of a scene with some, bent by the device, by this thread, and after other times. */
+export async function bentByDevice(times: readonly number[], gpu?: GPU) {
+  const device = await openWebGpu(null, { gpu, computes: true });
+  const scenes = await compareWords(device, times);
+  const stages = await Stages.open(device);
+  const motionOf = (scene: Scene) => (time: number) => new Motion(scene).at(time);
+  const [scene, last] = [arm(30, 10), times.at(-1)!];
+  const played = await normalsAt(stages, times.map(motionOf(scene)));
+  const before = device.counts.buffers;
+  const direct = await normalsAt(stages, [motionOf({ ...scene })(last)]);
+  // Bent as plain data, which knows nothing of frames.
+  const here = await normalsAt(stages, [stillMoment(posedSceneAt(scene, last))]);
+  const films = {
+    moves: unlike(played.slice(0, 1), played, 0),
+    unlikeDirect: unlike(played, direct, 0),
+    unlikeHere: unlike(played, here, 1e-3),
+  };
+  const left = device.counts.buffers - before;
+  device.destroy();
+  return { scenes, films, left };
 }

@@ -14,7 +14,8 @@ export const BENT_MESH = {
   influences: 'joints of a vertex; 0: none moves it',
   joints: 'word of the plan: numbers of joints, two in a word, those of a vertex side by side',
   weights: 'word of the plan: as many floats',
-  targets: 'word of the plan: for each morph target where its positions, normals and tangents begin, or NONE; all have x, y, z',
+  targets:
+    'word of the plan: for each morph target where its positions, normals and tangents begin, or NONE; all have x, y, z',
   pose: 'word of the poses: BENT_POSE',
   matrices: 'word of the poses: 12 numbers a joint, row by row',
   places: 'word of the places: x, y, z of each vertex as it is bent',

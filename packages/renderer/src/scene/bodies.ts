@@ -36,7 +36,10 @@ export interface Body {
 const PARTS = { translation: 0, rotation: 3, scale: 6 } as const;
 
 class MovingBody implements Body {
-  readonly pose: { weights: readonly number[] | undefined; readonly joints: Float32Array<ArrayBuffer> | undefined } | null;
+  readonly pose: {
+    weights: readonly number[] | undefined;
+    readonly joints: Float32Array<ArrayBuffer> | undefined;
+  } | null;
   poseRevision = 0;
   #form: Deformed | null = null;
   /** The pose that it was made of. */

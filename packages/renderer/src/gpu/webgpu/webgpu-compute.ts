@@ -4,9 +4,9 @@ import {
   type DataBuffer,
   type DeviceCounts,
   DeviceError,
-  type Kernels,
   type KernelSource,
   type KernelStep,
+  type Kernels,
   type Work,
 } from '../device.ts';
 
