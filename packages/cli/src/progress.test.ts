@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { secondsLeft, startProgress } from './progress.ts';
+import { secondsLeft, startProgress, startTrees } from './progress.ts';
 import { duration, openTerminal, type Terminal } from './terminal.ts';
 
 const goal = { picture: 'a.exr', held: 0, wanted: 100 };
@@ -27,6 +27,26 @@ test('plain lines now and then where nothing can be drawn over itself', () => {
   expect(notes[0]).toBe('a.exr: 5 of 100 samples, error –, 1 min 35 s left');
   expect(notes.at(-1)).toBe('a.exr: 30 of 100 samples, error 1.2 %, 1 min 10 s left');
   expect(notes).toHaveLength(6);
+});
+
+test('trees: a line now and then when they take long, else none; numbers for programs', () => {
+  const toldAt = (seconds: number, json: boolean) => {
+    const notes: string[] = [];
+    const events: unknown[] = [];
+    const silent = { json, live: false, result: () => {}, error: () => {} };
+    const terminal: Terminal = { ...silent, note: (text) => notes.push(text), event: (...e) => events.push(e) };
+    let now = 0;
+    const trees = startTrees(terminal, 'a.exr', () => now);
+    for (let k = 0; k < 100; k++) {
+      now = (seconds * k) / 100;
+      trees.update(k / 100);
+    }
+    trees.stop();
+    return { notes, events };
+  };
+  expect(toldAt(4, false).notes).toEqual([]);
+  expect(toldAt(12, false).notes).toEqual(['a.exr: building trees, 42 %', 'a.exr: building trees, 84 %']);
+  expect(toldAt(1, true).events).toEqual([['preparing', { picture: 'a.exr', step: 'trees', done: 0.5 }]]);
 });
 
 test('durations as people say them', () => {

@@ -6,6 +6,8 @@ import { duration, percent, type Terminal } from './terminal.ts';
 /** Seconds between two lines when nothing can be drawn over itself, and between two objects. */
 const LINE_EVERY = 5;
 const OBJECT_EVERY = 0.5;
+/** Seconds before there is a bar for what comes before the samples. */
+const MOMENT = 0.3;
 
 export interface Progress {
   update(samples: number, error: number | null): void;
@@ -64,10 +66,44 @@ export function startProgress(terminal: Terminal, goal: Goal, now = () => perfor
   };
 }
 
+/** Work before the first sample of which the share that is done is known. */
+export interface Preparation {
+  update(share: number): void;
+  /** Takes the bar away. */
+  stop(): void;
+}
+
+/** Trees over the meshes of a picture. Nothing is told where it takes no longer than a moment. */
+export function startTrees(terminal: Terminal, picture: string, now = () => performance.now() / 1000): Preparation {
+  const started = now();
+  let told = started;
+  let bar: SingleBar | null = null;
+  const every = terminal.json ? OBJECT_EVERY : LINE_EVERY;
+  return {
+    update(share) {
+      if (terminal.live && now() - started >= MOMENT) bar ??= openTreeBar(picture);
+      bar?.update(Math.floor(100 * share));
+      if (bar || now() - told < every) return;
+      told = now();
+      terminal.event('preparing', { picture, step: 'trees', done: share });
+      terminal.note(`${picture}: building trees, ${Math.floor(100 * share)} %`);
+    },
+    stop: () => bar?.stop(),
+  };
+}
+
+const openTreeBar = (picture: string): SingleBar =>
+  startBar(`${basename(picture)} [{bar}] {percentage} %  building trees`, 100, 0);
+
 function openBar({ picture, held, wanted }: Goal): SingleBar {
+  const format = `${basename(picture)} [{bar}] {value}/{total} samples  error {error}  {left} left`;
+  return startBar(format, wanted, held, { error: '–', left: '–' });
+}
+
+function startBar(format: string, total: number, value: number, fields: object = {}): SingleBar {
   const bar = new SingleBar({
     barsize: 24,
-    format: `${basename(picture)} [{bar}] {value}/{total} samples  error {error}  {left} left`,
+    format,
     formatValue: (value, _, type) => String(type === 'value' ? Math.floor(value) : value),
     stream: process.stderr,
     hideCursor: true,
@@ -78,6 +114,6 @@ function openBar({ picture, held, wanted }: Goal): SingleBar {
     // The bar would take Ctrl+C for itself.
     gracefulExit: false,
   });
-  bar.start(wanted, held, { error: '–', left: '–' });
+  bar.start(total, value, fields);
   return bar;
 }

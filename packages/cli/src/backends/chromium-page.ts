@@ -16,7 +16,6 @@ const TELL_EVERY = 100;
 
 let tracer: GpuFilmTracer | null = null;
 let running = new AbortController();
-let told = 0;
 
 async function open(): Promise<string> {
   const reasons: string[] = [];
@@ -34,14 +33,20 @@ async function open(): Promise<string> {
   throw new Error(reasons.join(' '));
 }
 
+/** Tells at once, and then not until a while has passed. */
+function seldom(tell: (number: number) => Promise<void>): (number: number) => void {
+  let told = -Infinity;
+  return (number) => {
+    if (performance.now() - told < TELL_EVERY) return;
+    told = performance.now();
+    void tell(number);
+  };
+}
+
 async function trace({ first, count, onto, stopped }: PageTask): Promise<string> {
   running = new AbortController();
   if (stopped) running.abort();
-  const onProgress = (samples: number) => {
-    if (performance.now() - told < TELL_EVERY) return;
-    told = performance.now();
-    void window.mirrorballProgress(samples);
-  };
+  const onProgress = seldom((samples) => window.mirrorballProgress(samples));
   return toBase64(
     await tracer!.trace(first, count, onto === null ? null : fromBase64(onto), { signal: running.signal, onProgress }),
   );
@@ -81,7 +86,11 @@ function forget(numbers: readonly number[]): void {
   for (const number of numbers) contents.delete(number);
 }
 
-const begin = (job: FilmJob): Promise<void> => tracer!.begin(attach(job, (number) => contents.get(number)!));
+const begin = (job: FilmJob): Promise<void> =>
+  tracer!.begin(
+    attach(job, (number) => contents.get(number)!),
+    { onProgress: seldom((share) => window.mirrorballBuilt(share)) },
+  );
 
 const mirrorballPage = { open, openContent, addToContent, forget, begin, trace, stop: () => running.abort() };
 
@@ -89,6 +98,7 @@ declare global {
   interface Window {
     mirrorballPage: typeof mirrorballPage;
     mirrorballProgress: (samples: number) => Promise<void>;
+    mirrorballBuilt: (share: number) => Promise<void>;
   }
 }
 window.mirrorballPage = mirrorballPage;

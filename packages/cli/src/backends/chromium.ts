@@ -3,7 +3,14 @@
  * and nothing else. The page is served by interception: an https address gives it WebGPU, and nothing goes to the network.
  */
 import { existsSync, readFileSync } from 'node:fs';
-import { DeviceError, type FilmJob, type FilmSums, type FilmTracer, type TraceOptions } from 'mirrorball/headless';
+import {
+  type BeginOptions,
+  DeviceError,
+  type FilmJob,
+  type FilmSums,
+  type FilmTracer,
+  type TraceOptions,
+} from 'mirrorball/headless';
 import type { Browser, Page } from 'playwright-core';
 import { workerEntry } from '../entry.ts';
 import { findChromium, HARDWARE_FLAGS, SOFTWARE_FLAGS } from './find-chromium.ts';
@@ -55,6 +62,7 @@ async function openPage(browser: Browser): Promise<FilmTracer> {
   const description = await page.evaluate(() => window.mirrorballPage.open());
   const tracer = new ChromiumFilmTracer(browser, page, `Chromium ${browser.version()}: ${description}`);
   await page.exposeFunction('mirrorballProgress', (samples: number) => tracer.progress(samples));
+  await page.exposeFunction('mirrorballBuilt', (share: number) => tracer.built(share));
   return tracer;
 }
 
@@ -67,6 +75,7 @@ class ChromiumFilmTracer implements FilmTracer {
   #sent: ReadonlyMap<object, number> = new Map();
   #contents = 0;
   progress: (samples: number) => void = () => {};
+  built: (share: number) => void = () => {};
 
   constructor(browser: Browser, page: Page, description: string) {
     this.#browser = browser;
@@ -79,7 +88,8 @@ class ChromiumFilmTracer implements FilmTracer {
     this.#gone.catch(() => {}); // heard where something waits
   }
 
-  async begin(job: FilmJob): Promise<void> {
+  async begin(job: FilmJob, { onProgress = () => {} }: BeginOptions = {}): Promise<void> {
+    this.built = onProgress;
     const wanted = new Map<object, number>();
     const slim = detachContents(job, (content) => {
       const number = wanted.get(content) ?? this.#sent.get(content) ?? this.#contents++;

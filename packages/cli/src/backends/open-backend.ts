@@ -29,7 +29,7 @@ export async function openNamed(name: BackendName): Promise<FilmTracer> {
   const tracer = await (kept.get(name) ?? kept.set(name, OPEN[name]()).get(name)!);
   return {
     description: tracer.description,
-    begin: (job) => tracer.begin(job),
+    begin: (...job) => tracer.begin(...job),
     trace: (...samples) => tracer.trace(...samples),
     dispose: () => {},
   };

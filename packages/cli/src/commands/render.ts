@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { basename } from 'node:path';
-import type { FilmArea, FilmJob, FilmSettings } from 'mirrorball/headless';
+import type { FilmArea, FilmJob, FilmSettings, FilmTracer } from 'mirrorball/headless';
 import { posedSceneAt, type Scene } from 'mirrorball/scene';
 import { writeScene } from 'mirrorball/scene-file';
 import { AccumulatedFilm } from '../accumulated-film.ts';
@@ -17,7 +17,7 @@ import { type Frame, framesOf } from '../frames.ts';
 import { type Interruption, listenForInterruption } from '../interruption.ts';
 import { type Part, readPart, writePart } from '../part-file.ts';
 import { checkOutputName, isPart, PART, writeFilm } from '../picture-file.ts';
-import { startProgress } from '../progress.ts';
+import { startProgress, startTrees } from '../progress.ts';
 import { areaOf, inParts, settingsOf, wantedOf } from '../render-request.ts';
 import { type Ending, type FilmGoal, runFilm } from '../run-film.ts';
 import { countOf, formatRanges, missingFrom } from '../sample-ranges.ts';
@@ -200,7 +200,7 @@ async function trace(
   const held = film.samples;
   if (missingFrom(goal.wanted, film.ranges).length === 0) return { ending: 'all samples', seconds: 0, held };
   const { name, tracer } = await backend();
-  await tracer.begin(job);
+  await begin(tracer, job, terminal, frame.name);
   const missing = countOf(missingFrom(goal.wanted, film.ranges));
   const { untilError, untilTime } = goal;
   terminal.event('start', { picture: frame.name, backend: name, time: frame.time, held, wanted: held + missing });
@@ -217,6 +217,15 @@ async function trace(
     return { ending, seconds: (performance.now() - started) / 1000, held };
   } finally {
     progress.stop();
+  }
+}
+
+async function begin(tracer: FilmTracer, job: FilmJob, terminal: Terminal, picture: string): Promise<void> {
+  const trees = startTrees(terminal, picture);
+  try {
+    await tracer.begin(job, { onProgress: trees.update });
+  } finally {
+    trees.stop();
   }
 }
 

@@ -52,11 +52,16 @@ export interface TraceOptions {
   readonly onProgress?: (samples: number) => void;
 }
 
+export interface BeginOptions {
+  /** Called with the share of the trees over meshes that are built, 0 … 1, when there are any to build. */
+  readonly onProgress?: (built: number) => void;
+}
+
 export interface FilmTracer {
   /** What traces, in words. */
   readonly description: string;
   /** What to trace from now on. */
-  begin(job: FilmJob): Promise<void>;
+  begin(job: FilmJob, options?: BeginOptions): Promise<void>;
   /**
    * Adds the film samples `first` … `first + count − 1` in this order, in float32, to `onto` (to zero when null). Every pixel of
    * the result (but of `data`) has the same number of samples in its alpha. Traced in one call or several, on top of one another,

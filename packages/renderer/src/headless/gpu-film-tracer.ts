@@ -3,10 +3,18 @@ import { FrameController } from '../frame-controller.ts';
 import { type Device, DeviceError } from '../gpu/device.ts';
 import { MOST_GROUPS, SAMPLES_OF_GROUP } from '../integrator/path/path.ts';
 import type { ProgramPlan } from '../integrator/path/path-programs.ts';
+import { packHere } from '../packed-scene/geometry-packer.ts';
 import { stillMoment } from '../scene/motion.ts';
 import { Stages } from '../stages.ts';
 import { DEFAULT_SETTINGS, raysPerPixel } from '../view.ts';
-import { type FilmJob, type FilmSums, type FilmTracer, samplesIn, type TraceOptions } from './film-tracer.ts';
+import {
+  type BeginOptions,
+  type FilmJob,
+  type FilmSums,
+  type FilmTracer,
+  samplesIn,
+  type TraceOptions,
+} from './film-tracer.ts';
 
 /** Films of 16-bit floats sum up fewer samples than this; places and numbers of shapes would not survive in them. */
 const LEAST_FILM_SAMPLES = 1024;
@@ -47,7 +55,7 @@ export class GpuFilmTracer implements FilmTracer {
     return this.#device.description;
   }
 
-  async begin(job: FilmJob): Promise<void> {
+  async begin(job: FilmJob, { onProgress }: BeginOptions = {}): Promise<void> {
     const { scene, settings, width, height, area, content: wanted = 'light' } = job;
     if (wanted !== 'light' && this.#device.maxFilmSamples < LEAST_FILM_SAMPLES)
       throw new DeviceError('This graphics device draws into 16-bit floats only, which cannot hold AOVs.');
@@ -59,6 +67,8 @@ export class GpuFilmTracer implements FilmTracer {
     const { film } = this.#stages;
     const subject = { content, scene, camera: scene.camera, settings: { ...DEFAULT_SETTINGS, ...settings } };
     await this.#orLost(this.#stages.ready(subject));
+    // What has been packed is not packed again.
+    await packHere(scene, onProgress);
     // The area alone: a part of a picture that is too large for the device is none.
     film.reserve(area.width, area.height, this.#stages.layersFor(subject));
     this.#stages.begin({ ...subject, ...stillMoment(scene), raysPerPixel: rays, area }, width, height);
