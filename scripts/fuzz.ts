@@ -4,6 +4,9 @@
  * this machine's GPU without a browser. `--first 5000` begins later. Bad scenes go to `--keep` (test-results/fuzz), as they were
  * drawn and with all left out that can be.
  *
+ * `npm run fuzz -- --models 1000 --seed 1` takes scenes with meshes, textures, layers and instances, which must also give the same film
+ * twice and show the sky where the reference tracer sees nothing else. Kept ones have their arrays as lists; --first draws them again.
+ *
  * `npm run fuzz -- --files 20000 --seed 1` breaks files of all kinds instead and opens them: see fuzz/break-files.ts.
  */
 import { mkdirSync } from 'node:fs';
@@ -16,6 +19,7 @@ import { FUZZ_BACKENDS, type FuzzBackend, openFuzzer } from './fuzz/fuzzers.ts';
 const { values } = parseArgs({
   options: {
     files: { type: 'string' },
+    models: { type: 'string' },
     scenes: { type: 'string', default: '1000' },
     first: { type: 'string', default: '0' },
     seed: { type: 'string', default: '1' },
@@ -23,13 +27,14 @@ const { values } = parseArgs({
     keep: { type: 'string', default: 'test-results/fuzz' },
   },
 });
-function whole(name: 'files' | 'scenes' | 'first' | 'seed'): number {
+function whole(name: 'files' | 'models' | 'scenes' | 'first' | 'seed'): number {
   const number = Number(values[name]);
   if (!Number.isInteger(number) || number < 0)
     throw new Error(`--${name} is ${values[name]}, and has to be a whole number.`);
   return number;
 }
-const [scenes, first, seed] = [whole('scenes'), whole('first'), whole('seed')];
+const kind = values.models === undefined ? 'shapes' : 'models';
+const [scenes, first, seed] = [whole(kind === 'models' ? 'models' : 'scenes'), whole('first'), whole('seed')];
 const chosen = FUZZ_BACKENDS.filter((name) => name === values.backend);
 if (values.backend !== undefined && chosen.length === 0)
   throw new Error(`There is no backend ${values.backend}; there are ${FUZZ_BACKENDS.join(', ')}.`);
@@ -47,18 +52,21 @@ async function fuzz(backend: FuzzBackend): Promise<number> {
   console.log(`${backend}: ${fuzzer.description}`);
   try {
     for (let at = first; at < first + scenes; at += CALL) {
-      const report = await fuzzer.fuzz(seed, at, Math.min(CALL, first + scenes - at));
+      const report = await fuzzer.fuzz(kind, seed, at, Math.min(CALL, first + scenes - at));
       milliseconds += report.milliseconds;
       for (const one of report.bad) {
         mkdirSync(folder, { recursive: true });
         const path = await keepScene(`fuzz-${one.index}`, one.scene, (name) => join(folder, name));
-        console.log(`  scene ${one.index}, pixel ${one.pixel}, sample ${one.sample}: ${one.value.join(' ')}; ${path}`);
+        console.log(
+          `  scene ${one.index}: ${one.what}, pixel ${one.pixel}, sample ${one.sample}: ${one.value.join(' ')}; ${path}`,
+        );
         if (++bad > MOST_LEAST) continue;
-        const least = await fuzzer.least(seed, one.index);
+        const least = await fuzzer.least(kind, seed, one.index);
         if (least) await keepScene(`fuzz-${one.index}-least`, least.scene, (name) => join(folder, name));
       }
       const done = at + CALL - first;
-      if (done % 500 === 0) console.log(`  ${done} scenes, ${bad} bad, ${(milliseconds / done).toFixed(1)} ms each`);
+      if (done % (kind === 'models' ? 50 : 500) === 0)
+        console.log(`  ${done} scenes, ${bad} bad, ${(milliseconds / done).toFixed(1)} ms each`);
     }
   } finally {
     await fuzzer.close();

@@ -9,8 +9,8 @@ export async function openDawnFuzzer(): Promise<Fuzzer> {
   const { tracer, fuzzScenes, leastOf } = await openDawnTracer();
   return {
     description: tracer.description,
-    fuzz: (seed, first, count) => fuzzScenes(tracer, seed, first, count),
-    least: (seed, index) => leastOf(tracer, seed, index),
+    fuzz: (kind, seed, first, count) => fuzzScenes(tracer, kind, seed, first, count),
+    least: (kind, seed, index) => leastOf(tracer, kind, seed, index),
     close: () => server.close(),
   };
 }

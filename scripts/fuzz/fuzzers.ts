@@ -1,7 +1,7 @@
 /** What traces random scenes: a headless Chromium on either backend, or the GPU of this machine through Dawn for Node. */
 import { chromium } from '@playwright/test';
 import { serveHarness } from '../../tests/browser/serve-harness.ts';
-import type { BadScene, FuzzReport } from '../../tests/fixtures/fuzz/fuzz.ts';
+import type { BadScene, FuzzKind, FuzzReport } from '../../tests/fixtures/fuzz/fuzz.ts';
 import { chromiumFlags } from '../chromium.mjs';
 import { ensureChromium } from '../install-chromium.mjs';
 import { openDawnFuzzer } from './dawn-fuzzer.ts';
@@ -11,8 +11,8 @@ export type FuzzBackend = (typeof FUZZ_BACKENDS)[number];
 
 export interface Fuzzer {
   readonly description: string;
-  fuzz(seed: number, first: number, count: number): Promise<FuzzReport>;
-  least(seed: number, index: number): Promise<BadScene | null>;
+  fuzz(kind: FuzzKind, seed: number, first: number, count: number): Promise<FuzzReport>;
+  least(kind: FuzzKind, seed: number, index: number): Promise<BadScene | null>;
   close(): Promise<void>;
 }
 
@@ -35,15 +35,21 @@ async function openChromiumFuzzer(backend: 'webgpu' | 'webgl2'): Promise<Fuzzer>
   await page.waitForFunction(() => window.harness !== undefined);
   return {
     description: `Chromium ${browser.version()}`,
-    fuzz: (seed, first, count) =>
+    fuzz: (kind, seed, first, count) =>
       inTime(
         `Scenes ${first} to ${first + count - 1}`,
-        page.evaluate(([b, s, f, n]) => window.harness.fuzz(b, s, f, n), [backend, seed, first, count] as const),
+        page.evaluate(([b, k, s, f, n]) => window.harness.fuzz(b, k, s, f, n), [
+          backend,
+          kind,
+          seed,
+          first,
+          count,
+        ] as const),
       ),
-    least: (seed, index) =>
+    least: (kind, seed, index) =>
       inTime(
         `Cutting down scene ${index}`,
-        page.evaluate(([b, s, i]) => window.harness.fuzzLeast(b, s, i), [backend, seed, index] as const),
+        page.evaluate(([b, k, s, i]) => window.harness.fuzzLeast(b, k, s, i), [backend, kind, seed, index] as const),
       ),
     close: async () => {
       await browser.close();

@@ -12,7 +12,7 @@ for (const backend of backends)
   test(`${backend}: no light that is negative, infinite or no number in ${SCENES} random scenes (seed ${SEED})`, async ({
     harness,
   }, testInfo) => {
-    const { traced, bad } = await harness.evaluate(([b, s, n]) => window.harness.fuzz(b, s, 0, n), [
+    const { traced, bad } = await harness.evaluate(([b, s, n]) => window.harness.fuzz(b, 'shapes', s, 0, n), [
       backend,
       SEED,
       SCENES,
