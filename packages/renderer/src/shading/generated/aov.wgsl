@@ -667,6 +667,16 @@ const parallel = 1e-12;
 // References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
 const instances = 0x80000000u;
 
+// Of floats above 0 the order is that of their bits, and all below 0 are less; where WGSL's own `max` and `min` are asked for what may be
+// no number, a software rasteriser looks for that, with some twenty operations. What comes out below 0 is not exact, and does not count.
+fn larger(a: vec4f, b: vec4f) -> vec4f {
+  return max(a, b);
+}
+
+fn smaller(a: vec4f, b: vec4f) -> vec4f {
+  return min(a, b);
+}
+
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;

@@ -331,16 +331,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b = (half_ ^ (half_ >> 16u));
+    uint b_2 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b);
+    uint _e19 = scramble(_e18, b_2);
     uint _e21 = s.sample_;
     uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b >> 16u) | (b << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_2 >> 16u) | (b_2 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -749,16 +749,16 @@ vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
     float sine2_ = (1.0 - cosine2_);
     vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
-    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta * k) / larger);
-    vec3 a = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
-    vec3 b_1 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_1 * b_1) + vec3(1e-20));
-    vec3 acrossFar = (a + vec3(cosine));
-    vec3 acrossNear = (a - vec3(cosine));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 smaller_1 = ((eta * k) / larger_1);
+    vec3 a_2 = mix(smaller_1, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_3 = mix(larger_1, smaller_1, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_3 * b_3) + vec3(1e-20));
+    vec3 acrossFar = (a_2 + vec3(cosine));
+    vec3 acrossNear = (a_2 - vec3(cosine));
     vec3 across_3 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a * cosine) + vec3(sine2_));
-    vec3 alongNear = ((a * cosine) - vec3(sine2_));
+    vec3 alongFar = ((a_2 * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a_2 * cosine) - vec3(sine2_));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_3) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
@@ -793,6 +793,14 @@ Material fetchMaterial(uint i_13) {
     vec4 _e2 = tableTexel(3u, i_13);
     vec4 _e4 = tableTexel(4u, i_13);
     return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
+}
+
+vec4 larger(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
+vec4 smaller(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
 }
 
 void main() {

@@ -298,6 +298,7 @@ const uint leaving = 2415919102u;
 const uint leastToGreatest = 3u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
+const int notEntered = 1900671690;
 const uint countShift = 28u;
 const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
@@ -392,8 +393,8 @@ layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_6 = ((x * 747796405u) + 2891336453u);
-    uint w_1 = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
-    return ((w_1 >> 22u) ^ w_1);
+    uint w_2 = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -541,16 +542,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_1 = (half_ ^ (half_ >> 16u));
+    uint b_3 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_1);
+    uint _e19 = scramble(_e18, b_3);
     uint _e21 = s.sample_;
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_1 >> 16u) | (b_1 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_3 >> 16u) | (b_3 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -934,28 +935,44 @@ MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
     return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
+vec4 larger(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
 vec4 planes(uint row_7, float inverse_, float offset_2) {
     uvec4 _e3 = geometryRow(row_7);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 smaller(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
 }
 
 vec4 enterChildren(uint node, SlabRay r, float t_2) {
     uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e25 = larger(_e16, _e24);
     vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e36 = larger(_e33, vec4(0.0));
+    vec4 _e37 = larger(_e25, _e36);
     vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
     vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e52 = smaller(_e44, _e51);
     vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+    vec4 _e60 = smaller(_e52, _e59);
+    vec4 _e66 = smaller((_e60 * 1.000001), vec4(t_2));
+    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
 }
 
-float edge(vec2 a, vec2 b) {
-    float p_11 = (a.x * b.y);
-    float q_3 = (a.y * b.x);
-    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
+float edge(vec2 a_2, vec2 b_2) {
+    float p_11 = (a_2.x * b_2.y);
+    float q_3 = (a_2.y * b_2.x);
+    return ((a_2.x * b_2.y + -(q_3)) - (a_2.y * b_2.x + -(p_11)));
+}
+
+bool isWithin(float u_3, float v_3, float w_1) {
+    return pick(pick(pick((u_3 >= 0.0), (v_3 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_3 <= 0.0), (v_3 <= 0.0), false), (w_1 <= 0.0), false));
 }
 
 Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
@@ -970,9 +987,9 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     float _e37 = edge(pb, pa);
     float sum = ((_e35 + _e36) + _e37);
     float side = pick((sum < 0.0), -1.0, 1.0);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    bool _e45 = isWithin(_e35, _e36, _e37);
     float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
+    return Crossing(pick(_e45, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1109,113 +1126,114 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 SlabRay _e219 = slabs;
                 float _e220 = most;
                 vec4 _e221 = enterChildren(node_1, _e219, _e220);
-                bool a_1 = (_e221.x < _e221.z);
-                bool b_2 = (_e221.y < _e221.w);
-                uvec2 r0_ = pick(a_1, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_2, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
-                float far0_ = max(_e221.x, _e221.z);
-                float far1_ = max(_e221.y, _e221.w);
-                float near0_ = min(_e221.x, _e221.z);
-                float near1_ = min(_e221.y, _e221.w);
+                ivec4 t_10 = floatBitsToInt(_e221);
+                bool a_3 = (t_10.x < t_10.z);
+                bool b_4 = (t_10.y < t_10.w);
+                uvec2 r0_ = pick(a_3, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
+                uvec2 r1_ = pick(b_4, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                int far0_ = max(t_10.x, t_10.z);
+                int far1_ = max(t_10.y, t_10.w);
+                int near0_ = min(t_10.x, t_10.z);
+                int near1_ = min(t_10.y, t_10.w);
                 uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                float far2_ = min(far0_, far1_);
-                float near2_ = max(near0_, near1_);
+                int far2_ = min(far0_, far1_);
+                int near2_ = max(near0_, near1_);
                 uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e281 = top;
-                stack[_e281] = ra.x;
-                uint _e284 = top;
-                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
-                uint _e293 = top;
-                stack[_e293] = rm.x;
-                uint _e296 = top;
-                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
-                uint _e305 = top;
-                stack[_e305] = rm.y;
-                uint _e308 = top;
-                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
-                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
+                uint _e282 = top;
+                stack[_e282] = ra.x;
+                uint _e285 = top;
+                top = (_e285 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e294 = top;
+                stack[_e294] = rm.x;
+                uint _e297 = top;
+                top = (_e297 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e306 = top;
+                stack[_e306] = rm.y;
+                uint _e309 = top;
+                top = (_e309 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
             }
-            uint _e322 = waiting;
-            uint _e325 = current;
-            bool takes = pick((_e322 == noLeaf), (_e325 >= leaves), false);
-            uint _e329 = waiting;
-            uint _e330 = current;
-            waiting = pick(takes, _e330, _e329);
-            uint _e332 = current;
-            current = pick(takes, unread, _e332);
-            uint _e335 = waiting;
-            if ((_e335 != noLeaf)) {
-                uint _e338 = waiting;
-                uint place_4 = (_e338 & placeMask);
-                uint _e341 = waiting;
-                waiting = ((_e341 + 1u) - 268435456u);
-                uint _e346 = waiting;
-                uint _e348 = waiting;
-                waiting = pick((_e348 < leaves), noLeaf, _e346);
-                MeshRay _e352 = ray_2;
-                uint _e353 = triangles;
-                Triangle _e357 = fetchTriangle((_e353 + (place_4 * triangleRows)));
-                Crossing _e358 = crossTriangle(_e352, _e357);
-                float _e367 = most;
-                uint _e372 = own;
-                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_4 != _e372), false);
-                const bool _e377 = hasOneSided;
-                if (_e377) {
-                    bool _e378 = nearer;
-                    uint _e380 = cover;
-                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
+            uint _e323 = waiting;
+            uint _e326 = current;
+            bool takes = pick((_e323 == noLeaf), (_e326 >= leaves), false);
+            uint _e330 = waiting;
+            uint _e331 = current;
+            waiting = pick(takes, _e331, _e330);
+            uint _e333 = current;
+            current = pick(takes, unread, _e333);
+            uint _e336 = waiting;
+            if ((_e336 != noLeaf)) {
+                uint _e339 = waiting;
+                uint place_4 = (_e339 & placeMask);
+                uint _e342 = waiting;
+                waiting = ((_e342 + 1u) - 268435456u);
+                uint _e347 = waiting;
+                uint _e349 = waiting;
+                waiting = pick((_e349 < leaves), noLeaf, _e347);
+                MeshRay _e353 = ray_2;
+                uint _e354 = triangles;
+                Triangle _e358 = fetchTriangle((_e354 + (place_4 * triangleRows)));
+                Crossing _e359 = crossTriangle(_e353, _e358);
+                float _e368 = most;
+                uint _e373 = own;
+                nearer = pick(pick(pick(_e359.within, (_e359.depth > (rays.least * _e359.sum)), false), (_e359.depth < (_e368 * _e359.sum)), false), (place_4 != _e373), false);
+                const bool _e378 = hasOneSided;
+                if (_e378) {
+                    bool _e379 = nearer;
+                    uint _e381 = cover;
+                    nearer = pick(_e379, pick(_e359.front, true, ((_e381 & isOneSided) == 0u)), false);
                 }
-                float inverse_2 = (1.0 / _e358.sum);
-                float t_10 = (_e358.depth * inverse_2);
-                vec2 weights_3 = (_e358.weights * inverse_2);
-                const bool _e395 = hasCutouts;
-                if (_e395) {
-                    bool _e396 = nearer;
-                    uint _e397 = cover;
-                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
-                        uint _e403 = instance_1;
-                        doubted = MeshHit(t_10, _e403, place_4, weights_3, false);
+                float inverse_2 = (1.0 / _e359.sum);
+                float t_11 = (_e359.depth * inverse_2);
+                vec2 weights_3 = (_e359.weights * inverse_2);
+                const bool _e396 = hasCutouts;
+                if (_e396) {
+                    bool _e397 = nearer;
+                    uint _e398 = cover;
+                    if (pick(_e397, ((_e398 & coverRow) != 0u), false)) {
+                        uint _e404 = instance_1;
+                        doubted = MeshHit(t_11, _e404, place_4, weights_3, false);
                         nearer = false;
                     }
                 }
-                bool _e407 = nearer;
-                bool _e408 = toLight;
-                bool blocks = pick(_e407, _e408, false);
-                bool _e410 = nearer;
-                bool _e411 = toLight;
-                bool counts = pick(_e410, !(_e411), false);
-                float _e414 = most;
-                bool _e415 = nearer;
-                most = pick(_e415, t_10, _e414);
-                float _e419 = found_5.t;
-                found_5.t = pick(counts, t_10, _e419);
-                uint _e423 = found_5.instance;
-                uint _e424 = instance_1;
-                found_5.instance = pick(counts, _e424, _e423);
-                uint _e428 = found_5.triangle;
-                found_5.triangle = pick(counts, place_4, _e428);
-                vec2 _e432 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e432);
-                bool _e436 = found_5.blocked;
-                found_5.blocked = pick(_e436, true, blocks);
-                uint _e438 = waiting;
-                waiting = pick(blocks, noLeaf, _e438);
-                uint _e441 = current;
-                current = pick(blocks, ending, _e441);
+                bool _e408 = nearer;
+                bool _e409 = toLight;
+                bool blocks = pick(_e408, _e409, false);
+                bool _e411 = nearer;
+                bool _e412 = toLight;
+                bool counts = pick(_e411, !(_e412), false);
+                float _e415 = most;
+                bool _e416 = nearer;
+                most = pick(_e416, t_11, _e415);
+                float _e420 = found_5.t;
+                found_5.t = pick(counts, t_11, _e420);
+                uint _e424 = found_5.instance;
+                uint _e425 = instance_1;
+                found_5.instance = pick(counts, _e425, _e424);
+                uint _e429 = found_5.triangle;
+                found_5.triangle = pick(counts, place_4, _e429);
+                vec2 _e433 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e433);
+                bool _e437 = found_5.blocked;
+                found_5.blocked = pick(_e437, true, blocks);
+                uint _e439 = waiting;
+                waiting = pick(blocks, noLeaf, _e439);
+                uint _e442 = current;
+                current = pick(blocks, ending, _e442);
             }
-            uint _e444 = waiting;
-            uint _e447 = current;
-            bool _e448 = isAmongInstances(_e447);
-            const bool _e451 = hasCutouts;
-            uint _e453 = doubted.instance;
-            if (pick(pick((_e444 == noLeaf), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
+            uint _e445 = waiting;
+            uint _e448 = current;
+            bool _e449 = isAmongInstances(_e448);
+            const bool _e452 = hasCutouts;
+            uint _e454 = doubted.instance;
+            if (pick(pick((_e445 == noLeaf), _e449, false), true, pick(_e452, (_e454 != noInstance), false))) {
                 break;
             }
         }
     }
-    MeshHit _e458 = found_5;
-    return _e458;
+    MeshHit _e459 = found_5;
+    return _e459;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1356,15 +1374,15 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
+    float t_12 = pick(entering, _e5.near, _e5.far);
     vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
+    bool onX = (crossed.x == t_12);
+    bool onY = pick(!(onX), (crossed.y == t_12), false);
     return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 turnedBack(vec4 q_2, vec3 v_3) {
-    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
+vec3 turnedBack(vec4 q_2, vec3 v_4) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_4);
     return _e6;
 }
 
@@ -1645,11 +1663,11 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     vec3 across_3 = (n - (dot(n, g_1) * g_1));
     vec3 x_12 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
     float ox = dot(o_1, x_12);
-    float a_2 = max(((ox * ox) + (oz * oz)), 1e-20);
-    float b_3 = (2.0 * (a_2 + (oz * least)));
+    float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
+    float b_5 = (2.0 * (a_4 + (oz * least)));
     float c_4 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_4)), 0.0));
-    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_3 + root), (b_3 - root))) / a_2), 0.0, 1.0);
+    float root = sqrt(max(((b_5 * b_5) - ((4.0 * a_4) * c_4)), 0.0));
+    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_5 + root), (b_5 - root))) / a_4), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_12) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
     return pick((dot(g_1, reflected) >= least), n, raised);
@@ -1692,10 +1710,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_6 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_12 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_12);
+    vec3 t_13 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_13);
     float hand_1 = pick(pick(own_6, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_13) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -1781,16 +1799,16 @@ vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
     float sine2_ = (1.0 - cosine2_);
     vec3 difference = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k) * k)));
-    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_3 * k) / larger);
-    vec3 a_3 = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
-    vec3 b_4 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_4 * b_4) + vec3(1e-20));
-    vec3 acrossFar = (a_3 + vec3(cosine));
-    vec3 acrossNear = (a_3 - vec3(cosine));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 smaller_1 = ((eta_3 * k) / larger_1);
+    vec3 a_5 = mix(smaller_1, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_6 = mix(larger_1, smaller_1, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_6 * b_6) + vec3(1e-20));
+    vec3 acrossFar = (a_5 + vec3(cosine));
+    vec3 acrossNear = (a_5 - vec3(cosine));
     vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_3 * cosine) + vec3(sine2_));
-    vec3 alongNear = ((a_3 * cosine) - vec3(sine2_));
+    vec3 alongFar = ((a_5 * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a_5 * cosine) - vec3(sine2_));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }

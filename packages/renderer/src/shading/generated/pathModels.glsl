@@ -480,6 +480,7 @@ const uint leaving = 2415919102u;
 const uint leastToGreatest = 3u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
+const int notEntered = 1900671690;
 const uint countShift = 28u;
 const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
@@ -609,8 +610,8 @@ layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_25 = ((x * 747796405u) + 2891336453u);
-    uint w_4 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
-    return ((w_4 >> 22u) ^ w_4);
+    uint w_5 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    return ((w_5 >> 22u) ^ w_5);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -758,16 +759,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_6 = (half_ ^ (half_ >> 16u));
+    uint b_8 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_6);
+    uint _e19 = scramble(_e18, b_8);
     uint _e21 = s.sample_;
     uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_2), _e8);
     uint _e33 = reverseHalves((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_6 >> 16u) | (b_6 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_8 >> 16u) | (b_8 << 16u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -1187,28 +1188,44 @@ MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
     return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
 }
 
+vec4 larger0_(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
 vec4 planes(uint row_7, float inverse_, float offset_2) {
     uvec4 _e3 = geometryRow(row_7);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 smaller0_(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
 }
 
 vec4 enterChildren(uint node, SlabRay r, float t_2) {
     uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
     vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
     vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e25 = larger0_(_e16, _e24);
     vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
+    vec4 _e36 = larger0_(_e33, vec4(0.0));
+    vec4 _e37 = larger0_(_e25, _e36);
     vec4 _e44 = planes((node + far_5.x), r.inverse_.x, r.offset.x);
     vec4 _e51 = planes((node + far_5.y), r.inverse_.y, r.offset.y);
+    vec4 _e52 = smaller0_(_e44, _e51);
     vec4 _e59 = planes((node + far_5.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
+    vec4 _e60 = smaller0_(_e52, _e59);
+    vec4 _e66 = smaller0_((_e60 * 1.000001), vec4(t_2));
+    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
 }
 
-float edge(vec2 a, vec2 b) {
-    float p_17 = (a.x * b.y);
-    float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
+float edge(vec2 a_2, vec2 b_2) {
+    float p_17 = (a_2.x * b_2.y);
+    float q_6 = (a_2.y * b_2.x);
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_17)));
+}
+
+bool isWithin(float u_4, float v_3, float w_1) {
+    return pick(pick(pick((u_4 >= 0.0), (v_3 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_4 <= 0.0), (v_3 <= 0.0), false), (w_1 <= 0.0), false));
 }
 
 Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
@@ -1223,9 +1240,9 @@ Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
     float _e37 = edge(pb, pa);
     float sum_2 = ((_e35 + _e36) + _e37);
     float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
+    bool _e45 = isWithin(_e35, _e36, _e37);
     float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
+    return Crossing(pick(_e45, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1362,113 +1379,114 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 SlabRay _e219 = slabs;
                 float _e220 = most;
                 vec4 _e221 = enterChildren(node_2, _e219, _e220);
-                bool a_3 = (_e221.x < _e221.z);
-                bool b_7 = (_e221.y < _e221.w);
-                uvec2 r0_ = pick(a_3, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_7, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
-                float far0_ = max(_e221.x, _e221.z);
-                float far1_ = max(_e221.y, _e221.w);
-                float near0_ = min(_e221.x, _e221.z);
-                float near1_ = min(_e221.y, _e221.w);
+                ivec4 t_13 = floatBitsToInt(_e221);
+                bool a_5 = (t_13.x < t_13.z);
+                bool b_9 = (t_13.y < t_13.w);
+                uvec2 r0_ = pick(a_5, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
+                uvec2 r1_ = pick(b_9, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                int far0_ = max(t_13.x, t_13.z);
+                int far1_ = max(t_13.y, t_13.w);
+                int near0_ = min(t_13.x, t_13.z);
+                int near1_ = min(t_13.y, t_13.w);
                 uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
                 uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                float far2_ = min(far0_, far1_);
-                float near2_ = max(near0_, near1_);
+                int far2_ = min(far0_, far1_);
+                int near2_ = max(near0_, near1_);
                 uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e281 = top;
-                stack[_e281] = ra.x;
-                uint _e284 = top;
-                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
-                uint _e293 = top;
-                stack[_e293] = rm.x;
-                uint _e296 = top;
-                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
-                uint _e305 = top;
-                stack[_e305] = rm.y;
-                uint _e308 = top;
-                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
-                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
+                uint _e282 = top;
+                stack[_e282] = ra.x;
+                uint _e285 = top;
+                top = (_e285 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e294 = top;
+                stack[_e294] = rm.x;
+                uint _e297 = top;
+                top = (_e297 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e306 = top;
+                stack[_e306] = rm.y;
+                uint _e309 = top;
+                top = (_e309 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
             }
-            uint _e322 = waiting;
-            uint _e325 = current;
-            bool takes = pick((_e322 == noLeaf0_), (_e325 >= leaves), false);
-            uint _e329 = waiting;
-            uint _e330 = current;
-            waiting = pick(takes, _e330, _e329);
-            uint _e332 = current;
-            current = pick(takes, unread, _e332);
-            uint _e335 = waiting;
-            if ((_e335 != noLeaf0_)) {
-                uint _e338 = waiting;
-                uint place_6 = (_e338 & placeMask);
-                uint _e341 = waiting;
-                waiting = ((_e341 + 1u) - 268435456u);
-                uint _e346 = waiting;
-                uint _e348 = waiting;
-                waiting = pick((_e348 < leaves), noLeaf0_, _e346);
-                MeshRay _e352 = ray_2;
-                uint _e353 = triangles;
-                Triangle _e357 = fetchTriangle((_e353 + (place_6 * triangleRows)));
-                Crossing _e358 = crossTriangle(_e352, _e357);
-                float _e367 = most;
-                uint _e372 = own;
-                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_6 != _e372), false);
-                const bool _e377 = hasOneSided;
-                if (_e377) {
-                    bool _e378 = nearer;
-                    uint _e380 = cover;
-                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
+            uint _e323 = waiting;
+            uint _e326 = current;
+            bool takes = pick((_e323 == noLeaf0_), (_e326 >= leaves), false);
+            uint _e330 = waiting;
+            uint _e331 = current;
+            waiting = pick(takes, _e331, _e330);
+            uint _e333 = current;
+            current = pick(takes, unread, _e333);
+            uint _e336 = waiting;
+            if ((_e336 != noLeaf0_)) {
+                uint _e339 = waiting;
+                uint place_6 = (_e339 & placeMask);
+                uint _e342 = waiting;
+                waiting = ((_e342 + 1u) - 268435456u);
+                uint _e347 = waiting;
+                uint _e349 = waiting;
+                waiting = pick((_e349 < leaves), noLeaf0_, _e347);
+                MeshRay _e353 = ray_2;
+                uint _e354 = triangles;
+                Triangle _e358 = fetchTriangle((_e354 + (place_6 * triangleRows)));
+                Crossing _e359 = crossTriangle(_e353, _e358);
+                float _e368 = most;
+                uint _e373 = own;
+                nearer = pick(pick(pick(_e359.within, (_e359.depth > (rays.least * _e359.sum)), false), (_e359.depth < (_e368 * _e359.sum)), false), (place_6 != _e373), false);
+                const bool _e378 = hasOneSided;
+                if (_e378) {
+                    bool _e379 = nearer;
+                    uint _e381 = cover;
+                    nearer = pick(_e379, pick(_e359.front, true, ((_e381 & isOneSided) == 0u)), false);
                 }
-                float inverse_2 = (1.0 / _e358.sum);
-                float t_13 = (_e358.depth * inverse_2);
-                vec2 weights_3 = (_e358.weights * inverse_2);
-                const bool _e395 = hasCutouts;
-                if (_e395) {
-                    bool _e396 = nearer;
-                    uint _e397 = cover;
-                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
-                        uint _e403 = instance_1;
-                        doubted = MeshHit(t_13, _e403, place_6, weights_3, false);
+                float inverse_2 = (1.0 / _e359.sum);
+                float t_14 = (_e359.depth * inverse_2);
+                vec2 weights_3 = (_e359.weights * inverse_2);
+                const bool _e396 = hasCutouts;
+                if (_e396) {
+                    bool _e397 = nearer;
+                    uint _e398 = cover;
+                    if (pick(_e397, ((_e398 & coverRow) != 0u), false)) {
+                        uint _e404 = instance_1;
+                        doubted = MeshHit(t_14, _e404, place_6, weights_3, false);
                         nearer = false;
                     }
                 }
-                bool _e407 = nearer;
-                bool _e408 = toLight;
-                bool blocks = pick(_e407, _e408, false);
-                bool _e410 = nearer;
-                bool _e411 = toLight;
-                bool counts = pick(_e410, !(_e411), false);
-                float _e414 = most;
-                bool _e415 = nearer;
-                most = pick(_e415, t_13, _e414);
-                float _e419 = found_5.t;
-                found_5.t = pick(counts, t_13, _e419);
-                uint _e423 = found_5.instance;
-                uint _e424 = instance_1;
-                found_5.instance = pick(counts, _e424, _e423);
-                uint _e428 = found_5.triangle;
-                found_5.triangle = pick(counts, place_6, _e428);
-                vec2 _e432 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e432);
-                bool _e436 = found_5.blocked;
-                found_5.blocked = pick(_e436, true, blocks);
-                uint _e438 = waiting;
-                waiting = pick(blocks, noLeaf0_, _e438);
-                uint _e441 = current;
-                current = pick(blocks, ending, _e441);
+                bool _e408 = nearer;
+                bool _e409 = toLight;
+                bool blocks = pick(_e408, _e409, false);
+                bool _e411 = nearer;
+                bool _e412 = toLight;
+                bool counts = pick(_e411, !(_e412), false);
+                float _e415 = most;
+                bool _e416 = nearer;
+                most = pick(_e416, t_14, _e415);
+                float _e420 = found_5.t;
+                found_5.t = pick(counts, t_14, _e420);
+                uint _e424 = found_5.instance;
+                uint _e425 = instance_1;
+                found_5.instance = pick(counts, _e425, _e424);
+                uint _e429 = found_5.triangle;
+                found_5.triangle = pick(counts, place_6, _e429);
+                vec2 _e433 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e433);
+                bool _e437 = found_5.blocked;
+                found_5.blocked = pick(_e437, true, blocks);
+                uint _e439 = waiting;
+                waiting = pick(blocks, noLeaf0_, _e439);
+                uint _e442 = current;
+                current = pick(blocks, ending, _e442);
             }
-            uint _e444 = waiting;
-            uint _e447 = current;
-            bool _e448 = isAmongInstances(_e447);
-            const bool _e451 = hasCutouts;
-            uint _e453 = doubted.instance;
-            if (pick(pick((_e444 == noLeaf0_), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
+            uint _e445 = waiting;
+            uint _e448 = current;
+            bool _e449 = isAmongInstances(_e448);
+            const bool _e452 = hasCutouts;
+            uint _e454 = doubted.instance;
+            if (pick(pick((_e445 == noLeaf0_), _e449, false), true, pick(_e452, (_e454 != noInstance), false))) {
                 break;
             }
         }
     }
-    MeshHit _e458 = found_5;
-    return _e458;
+    MeshHit _e459 = found_5;
+    return _e459;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1589,15 +1607,15 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_14 = pick(entering, _e5.near, _e5.far);
+    float t_15 = pick(entering, _e5.near, _e5.far);
     vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_14);
-    bool onY = pick(!(onX), (crossed.y == t_14), false);
+    bool onX = (crossed.x == t_15);
+    bool onY = pick(!(onX), (crossed.y == t_15), false);
     return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 turnedBack(vec4 q_2, vec3 v_3) {
-    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
+vec3 turnedBack(vec4 q_2, vec3 v_4) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_4);
     return _e6;
 }
 
@@ -1878,11 +1896,11 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     vec3 across_3 = (n - (dot(n, g_1) * g_1));
     vec3 x_19 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
     float ox = dot(o_1, x_19);
-    float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
-    float b_8 = (2.0 * (a_4 + (oz * least)));
+    float a_6 = max(((ox * ox) + (oz * oz)), 1e-20);
+    float b_10 = (2.0 * (a_6 + (oz * least)));
     float c_5 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_5)), 0.0));
-    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
+    float root = sqrt(max(((b_10 * b_10) - ((4.0 * a_6) * c_5)), 0.0));
+    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_10 + root), (b_10 - root))) / a_6), 0.0, 1.0);
     vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
     return pick((dot(g_1, reflected) >= least), n, raised);
@@ -1925,10 +1943,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_15 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_15);
+    vec3 t_16 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_16);
     float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_15) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_16) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -2011,9 +2029,9 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
 
 Basis basisAbout(vec3 n_1) {
     float side_6 = pick((n_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (side_6 + n_1.z));
-    float b_9 = ((n_1.x * n_1.y) * a_5);
-    return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_5)), (side_6 * b_9), (-(side_6) * n_1.x)), vec3(b_9, (side_6 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+    float a_7 = (-1.0 / (side_6 + n_1.z));
+    float b_11 = ((n_1.x * n_1.y) * a_7);
+    return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_7)), (side_6 * b_11), (-(side_6) * n_1.x)), vec3(b_11, (side_6 + ((n_1.y * n_1.y) * a_7)), -(n_1.y)), n_1);
 }
 
 Basis basisAlong(vec3 n_2, vec3 x_10) {
@@ -2021,8 +2039,8 @@ Basis basisAlong(vec3 n_2, vec3 x_10) {
     return Basis(tangent_3, cross(n_2, tangent_3), n_2);
 }
 
-vec3 toLocal(Basis b_1, vec3 v_4) {
-    return vec3(dot(v_4, b_1.tangent), dot(v_4, b_1.bitangent), dot(v_4, b_1.normal));
+vec3 toLocal(Basis b_3, vec3 v_5) {
+    return vec3(dot(v_5, b_3.tangent), dot(v_5, b_3.bitangent), dot(v_5, b_3.normal));
 }
 
 bool isThin(uint code_8) {
@@ -2047,13 +2065,13 @@ vec3 coatNormal(float side) {
     return vec3((side * _e2.xy), _e7);
 }
 
-float coatCosine(float side_1, vec3 w_1) {
+float coatCosine(float side_1, vec3 w_2) {
     float z = 0.0;
-    z = w_1.z;
+    z = w_2.z;
     const bool _e5 = hasCoatNormals;
     if (_e5) {
         vec3 _e6 = coatNormal(side_1);
-        z = dot(_e6, w_1);
+        z = dot(_e6, w_2);
     }
     float _e8 = z;
     return abs(_e8);
@@ -2132,8 +2150,8 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     float row_12 = floor(fromPole);
     bool isLower = (direction_11.y < 0.0);
     vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_12), row_12));
-    float within_2 = (fromPole - row_12);
-    vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
+    float within_1 = (fromPole - row_12);
+    vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
     return _e67;
@@ -2202,10 +2220,10 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
 }
 
 float arctangent(float x_12) {
-    float a_6 = abs(x_12);
-    bool steep = (a_6 > 2.4142137);
-    bool middle_2 = pick((a_6 > 0.41421357), !(steep), false);
-    float r_2 = pick(steep, (-1.0 / max(a_6, 1.0)), pick(middle_2, ((a_6 - 1.0) / (a_6 + 1.0)), a_6));
+    float a_8 = abs(x_12);
+    bool steep = (a_8 > 2.4142137);
+    bool middle_2 = pick((a_8 > 0.41421357), !(steep), false);
+    float r_2 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_2, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
     float z_4 = (r_2 * r_2);
     float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
@@ -2365,14 +2383,14 @@ float shareOfTree(float total, float far_1) {
     return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
 }
 
-TreeChoice descend(vec3 point_8, vec3 normal_8, float u_4, int leaf, float far_2) {
+TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
     TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
     uint _e7 = frame.lightTreeDepth;
     level = _e7;
-    rest = u_4;
+    rest = u_5;
     while(true) {
         uint _e19 = level;
         level = (_e19 - 1u);
@@ -2639,7 +2657,7 @@ vec3 next3d(inout Sampler s_8) {
     return vec3(_e13, _e17);
 }
 
-EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
+EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_6) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
@@ -2662,7 +2680,7 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
     if (_e33) {
         uint _e36 = frame.emitterCount;
         if ((_e36 > 1u)) {
-            rest_1 = u_5;
+            rest_1 = u_6;
             while(true) {
                 uint _e48 = i_22;
                 Emitter _e49 = fetchEmitter(_e48);
@@ -2715,30 +2733,30 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
     return _e122;
 }
 
-vec3 turnTo(vec3 axis_1, vec3 v_5) {
+vec3 turnTo(vec3 axis_1, vec3 v_6) {
     float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_7 = (-1.0 / (s_26 + axis_1.z));
-    float b_10 = ((axis_1.x * axis_1.y) * a_7);
-    vec3 x_21 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_7)), (s_26 * b_10), (-(s_26) * axis_1.x));
-    vec3 y_12 = vec3(b_10, (s_26 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
-    return (((v_5.x * x_21) + (v_5.y * y_12)) + (v_5.z * axis_1));
+    float a_9 = (-1.0 / (s_26 + axis_1.z));
+    float b_12 = ((axis_1.x * axis_1.y) * a_9);
+    vec3 x_21 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_9)), (s_26 * b_12), (-(s_26) * axis_1.x));
+    vec3 y_12 = vec3(b_12, (s_26 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
+    return (((v_6.x * x_21) + (v_6.y * y_12)) + (v_6.z * axis_1));
 }
 
-ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_6) {
-    float oneMinusCosine = (u_6.x * width_1);
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
+    float oneMinusCosine = (u_7.x * width_1);
     float cosine_20 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_6.y);
+    float phi = (6.2831855 * u_7.y);
     vec2 turn_2 = vec2(cos(phi), sin(phi));
     vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_20));
     return ConeDirection(_e23, cosine_20, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_7) {
+LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_8) {
     SphereView _e3 = viewSphere(e_16, point_13);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_7);
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
     float along_3 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_16.radius * e_16.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_3) + halfChord);
@@ -2755,53 +2773,53 @@ vec2 cosineAndSine(float x_15) {
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
-vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
+vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
     float h_7 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
     vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_8.x * q_4.solidAngle))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
     vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
-    float w_5 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_22 = clamp(((h_7 * w_5) * inversesqrt(max((1.0 - (w_5 * w_5)), 1e-12))), q_4.low.x, q_4.high.x);
+    float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
+    float x_22 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_22 * x_22) + (h_7 * h_7));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
-    float v_11 = mix(ends_2.x, ends_2.y, u_8.y);
-    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
+    float v_12 = mix(ends_2.x, ends_2.y, u_9.y);
+    float atY = clamp(((v_12 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_12 * v_12)), 1e-12))), y_13.x, y_13.y);
     return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_9) {
+LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_10) {
     QuadView _e3 = viewQuad(e_17, point_14);
-    vec3 onArea = ((_e3.corner + (u_9.x * e_17.u)) + (u_9.y * e_17.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_9);
+    vec3 onArea = ((_e3.corner + (u_10.x * e_17.u)) + (u_10.y * e_17.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_10);
     vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_8 = max(length(toLight_4), _e3.height);
     float _e23 = pdfOfView(_e3, e_17.area, distance_8);
     return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_17.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_18, BoxView b_2, vec2 u_10) {
-    float both = (b_2.faces.x + b_2.faces.y);
-    float at_4 = (u_10.x * b_2.area);
-    bool onX_1 = (at_4 < b_2.faces.x);
+vec4 pointOnFaces(Emitter e_18, BoxView b_4, vec2 u_11) {
+    float both = (b_4.faces.x + b_4.faces.y);
+    float at_4 = (u_11.x * b_4.area);
+    bool onX_1 = (at_4 < b_4.faces.x);
     bool onY_1 = pick(!(onX_1), (at_4 < both), false);
-    float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
-    float within_3 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float face = pick(onX_1, b_4.faces.x, pick(onY_1, b_4.faces.y, b_4.faces.z));
+    float within_2 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_10.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_2.point);
+    vec3 p_20 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_11.y) - 1.0));
+    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_4.point);
     return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
 }
 
-vec3 rotateBack(vec4 q_5, vec3 v_6) {
-    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_6);
+vec3 rotateBack(vec4 q_5, vec3 v_7) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_7);
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_11) {
+LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_12) {
     BoxView _e3 = viewBox(e_19, point_15);
-    vec4 _e4 = pointOnFaces(e_19, _e3, u_11);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_11);
+    vec4 _e4 = pointOnFaces(e_19, _e3, u_12);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_19.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
@@ -2813,27 +2831,27 @@ LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_11) {
     return LightSample(_e37, distance_9, e_19.radiance, pdf_4, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_12) {
+ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_13) {
     uint _e4 = frame.lampTables;
     uint first_2 = (_e4 + uint(e_20.table));
-    uint column_2 = min(uint((u_12.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
+    uint column_2 = min(uint((u_13.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
-    uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
+    uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
-    float x_23 = clamp((((u_12.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    float x_23 = clamp((((u_13.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_9 = (x_23 < _e18.own);
     float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_7 = pick(own_9, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_7) - _e18.place));
     float density = _e67.density;
-    return ChosenTriangle(place_7, density, vec2(min(rest_2, 1.0), u_12.y));
+    return ChosenTriangle(place_7, density, vec2(min(rest_2, 1.0), u_13.y));
 }
 
-vec2 weightsOnTriangle(vec2 u_13) {
-    float low_5 = (0.5 * min(u_13.x, u_13.y));
-    float high_3 = (max(u_13.x, u_13.y) - low_5);
-    return pick((u_13.x < u_13.y), vec2(low_5, high_3), vec2(high_3, low_5));
+vec2 weightsOnTriangle(vec2 u_14) {
+    float low_5 = (0.5 * min(u_14.x, u_14.y));
+    float high_3 = (max(u_14.x, u_14.y) - low_5);
+    return pick((u_14.x < u_14.y), vec2(low_5, high_3), vec2(high_3, low_5));
 }
 
 vec3 outOfMesh(Instance i_23, vec3 p_11) {
@@ -2877,9 +2895,9 @@ vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
     return (_e77 * pick(missing, there, 1.0));
 }
 
-LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_14) {
+LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_15) {
     vec3 radiance = vec3(0.0);
-    ChosenTriangle _e3 = chooseTriangle(e_21, u_14);
+    ChosenTriangle _e3 = chooseTriangle(e_21, u_15);
     uint _e6 = frame.instances;
     Instance _e12 = fetchInstance((_e6 + (uint(e_21.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
@@ -2930,9 +2948,9 @@ LightSample sampleSpot(Emitter e_23, vec3 point_18) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_24, vec2 u_15) {
+LightSample sampleDirectional(Emitter e_24, vec2 u_16) {
     bool delta = (e_24.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_24.u), (e_24.area / 6.2831855), u_15);
+    ConeDirection _e10 = sampleCone(-(e_24.u), (e_24.area / 6.2831855), u_16);
     return LightSample(_e10.direction, 1e30, e_24.radiance, pick(delta, 1.0, (1.0 / max(e_24.area, 1e-31))), delta);
 }
 
@@ -3000,10 +3018,10 @@ Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
     return Choice(min(((2u * pair_4) + pick(isFirst, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
 }
 
-ChosenCell chooseCell(vec2 u_16) {
+ChosenCell chooseCell(vec2 u_17) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_8 = uvec2(_e3);
-    uvec2 digits_2 = uvec2((u_16 * 16777216.0));
+    uvec2 digits_2 = uvec2((u_17 * 16777216.0));
     uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
     uint columns = ((size_8.x + 1u) / 2u);
     uint tables = (size_8.x * size_8.y);
@@ -3012,22 +3030,22 @@ ChosenCell chooseCell(vec2 u_16) {
     return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
-float linearSample(float u_17, float a_1, float b_3) {
-    vec2 ends_3 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
-    return min((u_17 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_17))), 1e-9)), 1.0);
+float linearSample(float u_18, float a_3, float b_5) {
+    vec2 ends_3 = (vec2(a_3, b_5) / vec2(max((a_3 + b_5), 1e-37)));
+    return min((u_18 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_18))), 1e-9)), 1.0);
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_18) {
+EnvironmentSample sampleEnvironment(vec2 u_19) {
     vec2 size_9 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_18);
+    ChosenCell _e4 = chooseCell(u_19);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_2 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_16 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_16), mix(_e6.b.w, _e6.d.w, t_16));
+    float t_17 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_17), mix(_e6.b.w, _e6.d.w, t_17));
     bool isLower_1 = ((2.0 * cell_2.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_16)), (cell_2.y + (t_16 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_17)), (cell_2.y + (t_17 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_9.x) - _e85));
@@ -3037,17 +3055,17 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_24 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_16), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_5);
     return EnvironmentSample(direction_24, _e119);
 }
 
-LightSample sampleSky(vec2 u_19) {
+LightSample sampleSky(vec2 u_20) {
     EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_19);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
     s_10 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_19);
+        EnvironmentSample _e13 = sampleEnvironment(u_20);
         s_10 = _e13;
     }
     vec3 _e15 = s_10.direction;
@@ -3058,33 +3076,33 @@ LightSample sampleSky(vec2 u_19) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
+LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_21) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
         if ((e_25.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_25, point_19, u_20);
+            LightSample _e19 = sampleSphere(e_25, point_19, u_21);
             s_11 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
         if ((e_25.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_25, point_19, u_20);
+            LightSample _e25 = sampleQuad(e_25, point_19, u_21);
             s_11 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
         if ((e_25.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_25, point_19, u_20);
+            LightSample _e31 = sampleBox(e_25, point_19, u_21);
             s_11 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
         if ((e_25.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_25, point_19, u_20);
+            LightSample _e37 = sampleMesh(e_25, point_19, u_21);
             s_11 = _e37;
         }
     }
@@ -3105,14 +3123,14 @@ LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
     const bool _e51 = hasSuns;
     if (_e51) {
         if ((e_25.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_25, u_20);
+            LightSample _e55 = sampleDirectional(e_25, u_21);
             s_11 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
         if ((e_25.kind == 6.0)) {
-            LightSample _e61 = sampleSky(u_20);
+            LightSample _e61 = sampleSky(u_21);
             s_11 = _e61;
         }
     }
@@ -3123,10 +3141,10 @@ LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
     return _e73;
 }
 
-vec3 heroColor(vec3 throughput, float u_21) {
+vec3 heroColor(vec3 throughput, float u_22) {
     vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_21 < share_7.x);
-    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
+    bool isRed = (u_22 < share_7.x);
+    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
     return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
 }
@@ -3159,17 +3177,17 @@ float dispersedIndex(float ior, float dispersion, vec3 hero) {
     return max((ior + (((side_9 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
-float greatest(vec3 v_7) {
-    return max(max(v_7.x, v_7.y), v_7.z);
+float greatest(vec3 v_8) {
+    return max(max(v_8.x, v_8.y), v_8.z);
 }
 
 float sheenAlbedo(float cosine_3, float roughness) {
-    float u_28 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_28 * (vec3(-0.448339, 0.3406, -0.509736) + (u_28 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_28 * (vec3(0.0587112, 0.187983, 0.191769) + (u_28 * (vec3(-0.182064, 0.425384, 0.971703) + (u_28 * (vec3(0.0763965, -0.331055, 0.616069) + (u_28 * (vec3(0.0893496, -0.409073, -0.445006) + (u_28 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_28 * (vec3(0.492365, -0.201291, -0.00570256) + (u_28 * (vec3(0.833264, 0.765625, -1.06831) + (u_28 * (vec3(-1.29238, 0.71056, 0.237437) + (u_28 * (vec3(-2.81818, -0.673857, 2.17806) + (u_28 * (vec3(0.500911, -0.777981, 0.0143213) + (u_28 * (vec3(1.97956, 0.108218, -1.28939) + (u_28 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_12 * v_12);
-    float root_1 = dot((low_6 + ((v2_ * v_12) * high_4)), vec3(1.0, v_12, v2_));
+    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float v_13 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    float v2_ = (v_13 * v_13);
+    float root_1 = dot((low_6 + ((v2_ * v_13) * high_4)), vec3(1.0, v_13, v2_));
     float albedo = (root_1 * root_1);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -3212,19 +3230,19 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) 
     vec3 amplitude = vec3(0.0);
     float order = 1.0;
     float sine2_2 = ((1.0 - (cosine_6 * cosine_6)) / (filmIor * filmIor));
-    float within_4 = sqrt(max((1.0 - sine2_2), 0.0));
+    float within_3 = sqrt(max((1.0 - sine2_2), 0.0));
     float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
     vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_6);
     float r12_ = _e21.x;
     float t121_ = (1.0 - r12_);
     vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
     vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_4);
+    vec3 _e35 = schlick((second_1 * second_1), within_3);
     vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
     vec3 once = sqrt(r123_);
     vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
     vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_1 = (((2.0 * filmIor) * thickness) * within_4);
+    float difference_1 = (((2.0 * filmIor) * thickness) * within_3);
     sum = (vec3(r12_) + rs);
     amplitude = (rs - vec3(t121_));
     while(true) {
@@ -3307,8 +3325,8 @@ vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
     return vec4(mix(_e58, _e59, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e66)));
 }
 
-float mean3_(vec3 v_8) {
-    return dot(v_8, vec3(0.33333334));
+float mean3_(vec3 v_9) {
+    return dot(v_9, vec3(0.33333334));
 }
 
 Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
@@ -3433,8 +3451,8 @@ float reflectionBound(vec3 wo, float alpha_3) {
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w_2, float alpha_4) {
-    return sqrt(((w_2.z * w_2.z) + ((alpha_4 * alpha_4) * dot(w_2.xy, w_2.xy))));
+float stretched(vec3 w_3, float alpha_4) {
+    return sqrt(((w_3.z * w_3.z) + ((alpha_4 * alpha_4) * dot(w_3.xy, w_3.xy))));
 }
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
@@ -3485,25 +3503,25 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_22) {
-    float radius_2 = sqrt(u_22.x);
-    float phi_2 = ((6.2831855 * u_22.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_22.x))));
+vec3 sampleCosine(vec2 u_23) {
+    float radius_2 = sqrt(u_23.x);
+    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_23) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_24) {
     float _e8 = stretched(wo_2, alpha_5);
-    vec3 w_6 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
-    float drop = (u_23.y * (1.0 + (bound * w_6.z)));
+    vec3 w_7 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
+    float drop = (u_24.y * (1.0 + (bound * w_7.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_8 = (w_6 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    vec3 h_8 = (w_7 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_5 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_24) {
+vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_25) {
     float side_11 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_6, 0.001), o_5.bound, u_24);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_6, 0.001), o_5.bound, u_25);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
 }
 
@@ -3514,14 +3532,14 @@ vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
     vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
     vec3 smaller = ((eta_4 * k_1) / larger_1);
-    vec3 a_8 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
-    vec3 b_11 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
-    vec3 b2_ = ((b_11 * b_11) + vec3(1e-20));
-    vec3 acrossFar = (a_8 + vec3(cosine_11));
-    vec3 acrossNear = (a_8 - vec3(cosine_11));
+    vec3 a_10 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
+    vec3 b_13 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
+    vec3 b2_ = ((b_13 * b_13) + vec3(1e-20));
+    vec3 acrossFar = (a_10 + vec3(cosine_11));
+    vec3 acrossNear = (a_10 - vec3(cosine_11));
     vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_8 * cosine_11) + vec3(sine2_3));
-    vec3 alongNear = ((a_8 * cosine_11) - vec3(sine2_3));
+    vec3 alongFar = ((a_10 * cosine_11) + vec3(sine2_3));
+    vec3 alongNear = ((a_10 * cosine_11) - vec3(sine2_3));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
@@ -3587,23 +3605,23 @@ float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_3, vec2 alpha_8) {
-    vec2 scaled = (alpha_8 * w_3.xy);
-    return sqrt(((w_3.z * w_3.z) + dot(scaled, scaled)));
+float ellipticStretched(vec3 w_4, vec2 alpha_8) {
+    vec2 scaled = (alpha_8 * w_4.xy);
+    return sqrt(((w_4.z * w_4.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_25) {
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_26) {
     float _e8 = ellipticStretched(wo_5, alpha_9);
-    vec3 w_7 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_25.x) - 3.1415927);
-    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_7.z)));
+    vec3 w_8 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
+    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
+    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_8.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_9 = (w_7 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    vec3 h_9 = (w_8 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
     return normalize(vec3((alpha_9 * h_9.xy), max(h_9.z, 1e-7)));
 }
 
-vec3 toWorld(Basis b_4, vec3 v_9) {
-    return (((v_9.x * b_4.tangent) + (v_9.y * b_4.bitangent)) + (v_9.z * b_4.normal));
+vec3 toWorld(Basis b_6, vec3 v_10) {
+    return (((v_10.x * b_6.tangent) + (v_10.y * b_6.bitangent)) + (v_10.z * b_6.normal));
 }
 
 Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
@@ -3648,7 +3666,7 @@ float throughCover(Stack o_7, float zi, float coatZi, bool crossing) {
     return _e46;
 }
 
-LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
+LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
     Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
     vec3 ownWo = vec3(0.0);
     vec3 h_3 = vec3(0.0);
@@ -3659,8 +3677,8 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     const bool _e5 = hasTransmission;
     bool isSolid_1 = pick(_e5, (o_8.layers.solid > 0.0), false);
     const bool _e12 = hasCoats;
-    bool isCoat_1 = pick(_e12, (u_26.z < o_8.ofCoat), false);
-    bool isFacet = (u_26.z < (o_8.ofCoat + o_8.ofFacets));
+    bool isCoat_1 = pick(_e12, (u_27.z < o_8.ofCoat), false);
+    bool isFacet = (u_27.z < (o_8.ofCoat + o_8.ofFacets));
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
@@ -3683,7 +3701,7 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     float _e59 = ellipticBound(_e58, wide_1);
     float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e59);
     vec3 _e64 = ownWo;
-    vec3 _e66 = sampleEllipticNormal(_e64, wide_1, bound_2, u_26.xy);
+    vec3 _e66 = sampleEllipticNormal(_e64, wide_1, bound_2, u_27.xy);
     h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e66);
     const bool _e74 = hasCoatNormals;
     if (_e74) {
@@ -3696,7 +3714,7 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     float oh = max(dot(wo_9, _e78), 0.0);
     vec4 _e82 = baseReflectance(s_18, o_8, oh);
     Parting _e83 = partingOf(s_18, o_8, _e82);
-    float left_3 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    float left_3 = ((u_27.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
     const bool _e92 = hasTransmission;
     bool crossing_1 = pick(pick(_e92, !(isCoat_1), false), (left_3 >= _e83.share), false);
     vec3 _e100 = h_3;
@@ -3731,11 +3749,11 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     bool _e195 = lost;
     drawn.pdf = pick(_e195, 0.0, _e194);
     if (!(isFacet)) {
-        float next_1 = ((u_26.z - o_8.ofCoat) - o_8.ofFacets);
-        float sine_8 = sqrt(max((u_26.x * (2.0 - u_26.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_26.y) - 3.1415927);
-        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_26.x));
-        vec3 _e226 = sampleCosine(u_26.xy);
+        float next_1 = ((u_27.z - o_8.ofCoat) - o_8.ofFacets);
+        float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
+        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
+        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
+        vec3 _e226 = sampleCosine(u_27.xy);
         const bool _e232 = hasTransmission;
         vec3 below_3 = vec3(_e226.xy, pick(pick(_e232, (next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), false), -(_e226.z), _e226.z));
         const bool _e241 = hasSheen;
@@ -3751,7 +3769,7 @@ vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
+BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_3 = 0.0;
@@ -3759,8 +3777,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     vec3 wo_10 = o_9.wo;
     float _e5 = mirrorShare(s_19.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_2 = ((u_27.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_27.xy);
+    float choice_2 = ((u_28.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_28.xy);
     drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
@@ -3769,7 +3787,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         uint code_14 = uint(s_19.code);
         bool _e29 = isDielectric(code_14);
         bool _e30 = isSmooth(code_14);
-        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_27.xy);
+        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
         bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
@@ -3806,13 +3824,13 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
         if (_e121) {
             Stack _e123 = stackHere;
-            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_27.xy, choice_2));
+            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_28.xy, choice_2));
             drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), _e126.weight, _e126.delta);
         }
     }
     const bool _e134 = hasMirrorLayers;
     if (_e134) {
-        bool reflected_2 = (u_27.z < _e5);
+        bool reflected_2 = (u_28.z < _e5);
         vec3 _e139 = drawn_1.direction;
         vec3 _e140 = mirrored(wo_10);
         drawn_1.direction = pick(reflected_2, _e140, _e139);
@@ -3924,12 +3942,12 @@ float ellipticDensity(vec3 h_5, vec2 alpha_11) {
 
 float shadowingExponent(float x_16, float alpha_12) {
     float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
-    float a_9 = mix(21.5473, 25.3245, m_2);
-    float b_12 = mix(3.82987, 3.32435, m_2);
+    float a_11 = mix(21.5473, 25.3245, m_2);
+    float b_14 = mix(3.82987, 3.32435, m_2);
     float c_6 = mix(0.19823, 0.16801, m_2);
     float d_4 = mix(-1.9776, -1.27393, m_2);
     float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_6)))) + (d_4 * x_16)) + e_26);
+    return (((a_11 / (1.0 + (b_14 * pow(x_16, c_6)))) + (d_4 * x_16)) + e_26);
 }
 
 float sheenShadowing(float cosine_17, float alpha_13) {
@@ -4136,8 +4154,8 @@ Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
     return _e37;
 }
 
-bool crosses(vec3 geometric_2, vec3 a_2, vec3 b_5) {
-    return ((dot(geometric_2, a_2) > 0.0) != (dot(geometric_2, b_5) > 0.0));
+bool crosses(vec3 geometric_2, vec3 a_4, vec3 b_7) {
+    return ((dot(geometric_2, a_4) > 0.0) != (dot(geometric_2, b_7) > 0.0));
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
@@ -4146,8 +4164,8 @@ BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
-float max3_(vec3 v_10) {
-    return max(max(v_10.x, v_10.y), v_10.z);
+float max3_(vec3 v_11) {
+    return max(max(v_11.x, v_11.y), v_11.z);
 }
 
 bool isFlat(uint i_25) {

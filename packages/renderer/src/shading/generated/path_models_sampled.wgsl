@@ -3571,7 +3571,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
       if (current < instances) {
         let node = nodes + current * nodeRows;
         let r = geometryRow(node + childrenRow);
-        let t = enterChildren(node, slabs, most);
+        let t = bitcast<vec4i>(enterChildren(node, slabs, most));
         // Farthest first onto the stack: a sorting network of five exchanges.
         let a = t.x < t.z;
         let b = t.y < t.w;
@@ -3588,12 +3588,12 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), far2 < near2);
         // What lies above the top does not count.
         stack[top] = ra.x;
-        top += select(0u, 1u, max(far0, far1) < 1e30);
+        top += select(0u, 1u, max(far0, far1) < notEntered);
         stack[top] = rm.x;
-        top += select(0u, 1u, max(far2, near2) < 1e30);
+        top += select(0u, 1u, max(far2, near2) < notEntered);
         stack[top] = rm.y;
-        top += select(0u, 1u, min(far2, near2) < 1e30);
-        current = select(unread, rb.y, min(near0, near1) < 1e30);
+        top += select(0u, 1u, min(far2, near2) < notEntered);
+        current = select(unread, rb.y, min(near0, near1) < notEntered);
       }
       let takes = (waiting == noLeaf0) & (current >= leaves);
       waiting = select(waiting, current, takes);
@@ -3767,13 +3767,24 @@ const childrenRow = 6u;
 fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
   // The row of the far planes is the other one of the two.
   let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  return select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
+  let near4 = larger0(larger0(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), larger0(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = smaller0(smaller0(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  return select(vec4f(1e30), near4, near4 <= smaller0(far4 * slabRounding, vec4f(t)));
+}
+
+// The bits of 1e30, the distance to a child that is not entered.
+const notEntered = 0x7149f2cai;
+
+fn larger0(a: vec4f, b: vec4f) -> vec4f {
+  return bitcast<vec4f>(max(bitcast<vec4i>(a), bitcast<vec4i>(b)));
 }
 
 fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
   return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+fn smaller0(a: vec4f, b: vec4f) -> vec4f {
+  return bitcast<vec4f>(min(bitcast<vec4i>(a), bitcast<vec4i>(b)));
 }
 
 // Rounding of the distances to a box, relative; of the box itself the encoder takes care.
@@ -3793,7 +3804,7 @@ fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
   let w = edge(pb, pa);
   let sum = u + v + w;
   let side = select(1.0, -1.0, sum < 0.0);
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
+  let within = isWithin(u, v, w);
   let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
   return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
 }
@@ -3807,6 +3818,10 @@ fn edge(a: vec2f, b: vec2f) -> f32 {
   let p = a.x * b.y;
   let q = a.y * b.x;
   return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+fn isWithin(u: f32, v: f32, w: f32) -> bool {
+  return ((u >= 0.0) & (v >= 0.0) & (w >= 0.0)) | ((u <= 0.0) & (v <= 0.0) & (w <= 0.0));
 }
 
 // Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
