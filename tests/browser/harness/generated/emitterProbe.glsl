@@ -1512,40 +1512,6 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_15) {
     return _e17;
 }
 
-float unitFloat(uint h_1) {
-    return (float((h_1 >> 8u)) * 5.9604645e-8);
-}
-
-uint pcg(uint x_5) {
-    uint s_5 = ((x_5 * 747796405u) + 2891336453u);
-    uint w_3 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
-    return ((w_3 >> 22u) ^ w_3);
-}
-
-bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
-    float opacity_1 = 0.0;
-    uint _e6 = frame.instances;
-    Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
-    Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_11 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_11);
-    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
-    opacity_1 = (_e19.opacity * _e30.opacity);
-    if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
-        float _e43 = opacity_1;
-        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
-        opacity_1 = (_e43 * _e54.w);
-    }
-    uint _e57 = pcg(number);
-    uint _e59 = pcg((instance + _e57));
-    uint _e61 = pcg((place + _e59));
-    float _e62 = unitFloat(_e61);
-    float _e63 = opacity_1;
-    float _e66 = opacity_1;
-    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
-}
-
 bool isAmongInstances(uint reference) {
     return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
 }
@@ -1623,6 +1589,40 @@ Crossing crossTriangle(MeshRay ray, Triangle triangle) {
     return Crossing(pick(_e45, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
 }
 
+float unitFloat(uint h_1) {
+    return (float((h_1 >> 8u)) * 5.9604645e-8);
+}
+
+uint pcg(uint x_5) {
+    uint s_5 = ((x_5 * 747796405u) + 2891336453u);
+    uint w_3 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
+    return ((w_3 >> 22u) ^ w_3);
+}
+
+bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
+    float opacity_1 = 0.0;
+    uint _e6 = frame.instances;
+    Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
+    Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
+    uint row_11 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_11);
+    Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
+    opacity_1 = (_e19.opacity * _e30.opacity);
+    if (((_e19.flags & hasOpacityTexture) != 0u)) {
+        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
+        float _e43 = opacity_1;
+        vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
+        opacity_1 = (_e43 * _e54.w);
+    }
+    uint _e57 = pcg(number);
+    uint _e59 = pcg((instance + _e57));
+    uint _e61 = pcg((place + _e59));
+    float _e62 = unitFloat(_e61);
+    float _e63 = opacity_1;
+    float _e66 = opacity_1;
+    return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
+}
+
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight_1 = false;
@@ -1660,108 +1660,75 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     current = first_2;
     while(true) {
         const bool _e75 = hasCutouts;
-        if (_e75) {
-            uint _e77 = doubted.instance;
-            if ((_e77 != noInstance)) {
-                uint _e81 = doubted.instance;
-                uint _e83 = doubted.triangle;
-                vec2 _e85 = doubted.weights;
-                bool _e87 = toLight_1;
-                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
-                MeshHit instead = doubted;
-                doubted.instance = noInstance;
-                bool _e94 = toLight_1;
-                if (pick(_e90, _e94, false)) {
-                    found_5.blocked = true;
-                    break;
-                }
-                if (_e90) {
-                    most = instead.t;
-                    found_5 = instead;
-                }
-            }
-        }
-        const bool _e100 = hasCutouts;
-        uint _e102 = waiting;
-        uint _e105 = current;
-        bool _e106 = isAmongInstances(_e105);
-        if (pick(!(_e100), true, pick((_e102 == noLeaf0_), _e106, false))) {
-            uint _e109 = current;
-            if ((_e109 == ending)) {
-                bool _e112 = toLight_1;
-                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
-                    break;
-                }
-                toLight_1 = true;
-                most = rays.lightMost;
-                top = 1u;
-                current = first_2;
-            }
-            uint _e121 = current;
-            bool toWorld = (_e121 >= beginning);
-            uint _e124 = current;
-            instance_1 = pick(toWorld, noInstance, (_e124 & placeMask));
+        uint _e77 = waiting;
+        uint _e80 = current;
+        bool _e81 = isAmongInstances(_e80);
+        if (pick(!(_e75), true, pick((_e77 == noLeaf0_), _e81, false))) {
+            uint _e84 = current;
+            bool toWorld = (_e84 >= beginning);
+            uint _e87 = current;
+            instance_1 = pick(toWorld, noInstance, (_e87 & placeMask));
             o = rays.origin;
-            bool _e133 = toLight_1;
-            d_1 = pick(_e133, rays.lightDirection, rays.direction);
+            bool _e96 = toLight_1;
+            d_1 = pick(_e96, rays.lightDirection, rays.direction);
             nodes = 0u;
             if (!(toWorld)) {
-                uint _e140 = frame.instances;
-                uint _e141 = instance_1;
-                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
-                vec3 _e146 = o;
-                vec4 p_12 = vec4(_e146, 1.0);
-                o = vec3(dot(_e145.toMeshX, p_12), dot(_e145.toMeshY, p_12), dot(_e145.toMeshZ, p_12));
-                vec3 _e158 = d_1;
-                vec3 _e162 = d_1;
-                vec3 _e166 = d_1;
-                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
-                nodes = _e145.nodes;
-                triangles = _e145.triangles;
-                cover = _e145.cover;
-                uint _e174 = instance_1;
-                own = pick((_e174 == left.instance), left.triangle, placeMask);
+                uint _e103 = frame.instances;
+                uint _e104 = instance_1;
+                Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
+                vec3 _e109 = o;
+                vec4 p_12 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_12), dot(_e108.toMeshY, p_12), dot(_e108.toMeshZ, p_12));
+                vec3 _e121 = d_1;
+                vec3 _e125 = d_1;
+                vec3 _e129 = d_1;
+                d_1 = vec3(dot(_e108.toMeshX.xyz, _e121), dot(_e108.toMeshY.xyz, _e125), dot(_e108.toMeshZ.xyz, _e129));
+                nodes = _e108.nodes;
+                triangles = _e108.triangles;
+                cover = _e108.cover;
+                uint _e137 = instance_1;
+                own = pick((_e137 == left.instance), left.triangle, placeMask);
                 if (!(alone)) {
-                    uint _e180 = top;
-                    stack[_e180] = leaving;
-                    uint _e184 = top;
-                    top = (_e184 + 1u);
+                    uint _e143 = top;
+                    stack[_e143] = leaving;
+                    uint _e147 = top;
+                    top = (_e147 + 1u);
                 }
             }
-            vec3 _e186 = o;
-            vec3 _e187 = d_1;
-            SlabRay _e188 = slabRay(_e186, _e187);
-            slabs = _e188;
-            vec3 _e189 = o;
-            vec3 _e190 = d_1;
-            MeshRay _e191 = meshRay(_e189, _e190);
-            ray_1 = _e191;
-            uint _e194 = current;
-            current = pick((_e194 == leaving), unread, 0u);
+            vec3 _e149 = o;
+            vec3 _e150 = d_1;
+            SlabRay _e151 = slabRay(_e149, _e150);
+            slabs = _e151;
+            vec3 _e152 = o;
+            vec3 _e153 = d_1;
+            MeshRay _e154 = meshRay(_e152, _e153);
+            ray_1 = _e154;
+            uint _e157 = current;
+            current = pick((_e157 == leaving), unread, 0u);
         }
         while(true) {
-            uint _e198 = current;
-            if ((_e198 == unread)) {
-                uint _e202 = top;
-                top = (_e202 - 1u);
-                uint _e205 = top;
-                uint _e207 = stack[_e205];
-                current = _e207;
+            uint _e161 = current;
+            if ((_e161 == unread)) {
+                uint _e165 = top;
+                top = (_e165 - 1u);
+                uint _e168 = top;
+                uint _e170 = stack[_e168];
+                current = _e170;
             }
-            uint _e208 = current;
-            if ((_e208 < instances)) {
-                uint _e211 = nodes;
-                uint _e212 = current;
-                uint node_2 = (_e211 + (_e212 * nodeRows));
-                uvec4 _e218 = geometryRow((node_2 + childrenRow));
-                SlabRay _e219 = slabs;
-                float _e220 = most;
-                vec4 _e221 = enterChildren(node_2, _e219, _e220);
-                ivec4 t_14 = floatBitsToInt(_e221);
+            uint _e171 = current;
+            if ((_e171 < instances)) {
+                uint _e174 = nodes;
+                uint _e175 = current;
+                uint node_2 = (_e174 + (_e175 * nodeRows));
+                uvec4 _e181 = geometryRow((node_2 + childrenRow));
+                SlabRay _e182 = slabs;
+                float _e183 = most;
+                vec4 _e184 = enterChildren(node_2, _e182, _e183);
+                ivec4 t_14 = floatBitsToInt(_e184);
                 bool a_6 = (t_14.x < t_14.z);
                 bool b_6 = (t_14.y < t_14.w);
-                uvec2 r0_ = pick(a_6, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_6, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                uvec2 r0_ = pick(a_6, uvec2(_e181.z, _e181.x), uvec2(_e181.x, _e181.z));
+                uvec2 r1_ = pick(b_6, uvec2(_e181.w, _e181.y), uvec2(_e181.y, _e181.w));
                 int far0_ = max(t_14.x, t_14.z);
                 int far1_ = max(t_14.y, t_14.w);
                 int near0_ = min(t_14.x, t_14.z);
@@ -1771,100 +1738,137 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 int far2_ = min(far0_, far1_);
                 int near2_ = max(near0_, near1_);
                 uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e282 = top;
-                stack[_e282] = ra.x;
-                uint _e285 = top;
-                top = (_e285 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
-                uint _e294 = top;
-                stack[_e294] = rm.x;
-                uint _e297 = top;
-                top = (_e297 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
-                uint _e306 = top;
-                stack[_e306] = rm.y;
-                uint _e309 = top;
-                top = (_e309 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e245 = top;
+                stack[_e245] = ra.x;
+                uint _e248 = top;
+                top = (_e248 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e257 = top;
+                stack[_e257] = rm.x;
+                uint _e260 = top;
+                top = (_e260 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e269 = top;
+                stack[_e269] = rm.y;
+                uint _e272 = top;
+                top = (_e272 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
                 current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
             }
-            uint _e323 = waiting;
-            uint _e326 = current;
-            bool takes = pick((_e323 == noLeaf0_), (_e326 >= leaves), false);
-            uint _e330 = waiting;
-            uint _e331 = current;
-            waiting = pick(takes, _e331, _e330);
-            uint _e333 = current;
-            current = pick(takes, unread, _e333);
-            uint _e336 = waiting;
-            if ((_e336 != noLeaf0_)) {
-                uint _e339 = waiting;
-                uint place_6 = (_e339 & placeMask);
-                uint _e342 = waiting;
-                waiting = ((_e342 + 1u) - 268435456u);
-                uint _e347 = waiting;
-                uint _e349 = waiting;
-                waiting = pick((_e349 < leaves), noLeaf0_, _e347);
-                MeshRay _e353 = ray_1;
-                uint _e354 = triangles;
-                Triangle _e358 = fetchTriangle((_e354 + (place_6 * triangleRows)));
-                Crossing _e359 = crossTriangle(_e353, _e358);
-                float _e368 = most;
-                uint _e373 = own;
-                nearer = pick(pick(pick(_e359.within, (_e359.depth > (rays.least * _e359.sum)), false), (_e359.depth < (_e368 * _e359.sum)), false), (place_6 != _e373), false);
-                const bool _e378 = hasOneSided;
-                if (_e378) {
-                    bool _e379 = nearer;
-                    uint _e381 = cover;
-                    nearer = pick(_e379, pick(_e359.front, true, ((_e381 & isOneSided) == 0u)), false);
+            uint _e286 = waiting;
+            uint _e289 = current;
+            bool takes = pick((_e286 == noLeaf0_), (_e289 >= leaves), false);
+            uint _e293 = waiting;
+            uint _e294 = current;
+            waiting = pick(takes, _e294, _e293);
+            uint _e296 = current;
+            current = pick(takes, unread, _e296);
+            uint _e299 = waiting;
+            if ((_e299 != noLeaf0_)) {
+                uint _e302 = waiting;
+                uint place_6 = (_e302 & placeMask);
+                uint _e305 = waiting;
+                waiting = ((_e305 + 1u) - 268435456u);
+                uint _e310 = waiting;
+                uint _e312 = waiting;
+                waiting = pick((_e312 < leaves), noLeaf0_, _e310);
+                MeshRay _e316 = ray_1;
+                uint _e317 = triangles;
+                Triangle _e321 = fetchTriangle((_e317 + (place_6 * triangleRows)));
+                Crossing _e322 = crossTriangle(_e316, _e321);
+                float _e331 = most;
+                uint _e336 = own;
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_6 != _e336), false);
+                const bool _e341 = hasOneSided;
+                if (_e341) {
+                    bool _e342 = nearer;
+                    uint _e344 = cover;
+                    nearer = pick(_e342, pick(_e322.front, true, ((_e344 & isOneSided) == 0u)), false);
                 }
-                float inverse_3 = (1.0 / _e359.sum);
-                float t_15 = (_e359.depth * inverse_3);
-                vec2 weights_3 = (_e359.weights * inverse_3);
-                const bool _e396 = hasCutouts;
-                if (_e396) {
-                    bool _e397 = nearer;
-                    uint _e398 = cover;
-                    if (pick(_e397, ((_e398 & coverRow) != 0u), false)) {
-                        uint _e404 = instance_1;
-                        doubted = MeshHit(t_15, _e404, place_6, weights_3, false);
+                float inverse_3 = (1.0 / _e322.sum);
+                float t_15 = (_e322.depth * inverse_3);
+                vec2 weights_3 = (_e322.weights * inverse_3);
+                const bool _e359 = hasCutouts;
+                if (_e359) {
+                    bool _e360 = nearer;
+                    uint _e361 = cover;
+                    if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
+                        uint _e367 = instance_1;
+                        doubted = MeshHit(t_15, _e367, place_6, weights_3, false);
                         nearer = false;
                     }
                 }
-                bool _e408 = nearer;
-                bool _e409 = toLight_1;
-                bool blocks = pick(_e408, _e409, false);
-                bool _e411 = nearer;
-                bool _e412 = toLight_1;
-                bool counts = pick(_e411, !(_e412), false);
-                float _e415 = most;
-                bool _e416 = nearer;
-                most = pick(_e416, t_15, _e415);
-                float _e420 = found_5.t;
-                found_5.t = pick(counts, t_15, _e420);
-                uint _e424 = found_5.instance;
-                uint _e425 = instance_1;
-                found_5.instance = pick(counts, _e425, _e424);
-                uint _e429 = found_5.triangle;
-                found_5.triangle = pick(counts, place_6, _e429);
-                vec2 _e433 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e433);
-                bool _e437 = found_5.blocked;
-                found_5.blocked = pick(_e437, true, blocks);
-                uint _e439 = waiting;
-                waiting = pick(blocks, noLeaf0_, _e439);
-                uint _e442 = current;
-                current = pick(blocks, ending, _e442);
+                bool _e371 = nearer;
+                bool _e372 = toLight_1;
+                bool blocks = pick(_e371, _e372, false);
+                bool _e374 = nearer;
+                bool _e375 = toLight_1;
+                bool counts = pick(_e374, !(_e375), false);
+                float _e378 = most;
+                bool _e379 = nearer;
+                most = pick(_e379, t_15, _e378);
+                float _e383 = found_5.t;
+                found_5.t = pick(counts, t_15, _e383);
+                uint _e387 = found_5.instance;
+                uint _e388 = instance_1;
+                found_5.instance = pick(counts, _e388, _e387);
+                uint _e392 = found_5.triangle;
+                found_5.triangle = pick(counts, place_6, _e392);
+                vec2 _e396 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e396);
+                bool _e400 = found_5.blocked;
+                found_5.blocked = pick(_e400, true, blocks);
+                uint _e402 = waiting;
+                waiting = pick(blocks, noLeaf0_, _e402);
+                uint _e405 = current;
+                current = pick(blocks, ending, _e405);
             }
-            uint _e445 = waiting;
-            uint _e448 = current;
-            bool _e449 = isAmongInstances(_e448);
-            const bool _e452 = hasCutouts;
-            uint _e454 = doubted.instance;
-            if (pick(pick((_e445 == noLeaf0_), _e449, false), true, pick(_e452, (_e454 != noInstance), false))) {
+            uint _e408 = waiting;
+            uint _e411 = current;
+            bool _e412 = isAmongInstances(_e411);
+            const bool _e415 = hasCutouts;
+            uint _e417 = doubted.instance;
+            if (pick(pick((_e408 == noLeaf0_), _e412, false), true, pick(_e415, (_e417 != noInstance), false))) {
                 break;
             }
         }
+        const bool _e423 = hasCutouts;
+        if (_e423) {
+            uint _e425 = doubted.instance;
+            if ((_e425 != noInstance)) {
+                uint _e429 = doubted.instance;
+                uint _e431 = doubted.triangle;
+                vec2 _e433 = doubted.weights;
+                bool _e435 = toLight_1;
+                bool _e438 = isThere(_e429, _e431, _e433, (rays.number + uint(_e435)));
+                MeshHit instead = doubted;
+                doubted.instance = noInstance;
+                bool _e442 = toLight_1;
+                if (pick(_e438, _e442, false)) {
+                    found_5.blocked = true;
+                    break;
+                }
+                if (_e438) {
+                    most = instead.t;
+                    found_5 = instead;
+                }
+            }
+        }
+        uint _e447 = current;
+        uint _e450 = waiting;
+        bool ended = pick((_e447 == ending), (_e450 == noLeaf0_), false);
+        bool _e454 = toLight_1;
+        if (pick(ended, pick(_e454, true, !((rays.lightMost > 0.0))), false)) {
+            break;
+        }
+        bool _e461 = toLight_1;
+        toLight_1 = pick(_e461, true, ended);
+        float _e463 = most;
+        most = pick(ended, rays.lightMost, _e463);
+        uint _e466 = top;
+        top = pick(ended, 1u, _e466);
+        uint _e469 = current;
+        current = pick(ended, first_2, _e469);
     }
-    MeshHit _e459 = found_5;
-    return _e459;
+    MeshHit _e471 = found_5;
+    return _e471;
 }
 
 uint rowOfInstance(uint instance_2) {

@@ -164,6 +164,13 @@ struct Triangle {
     vec3 c;
     uint vertexC;
 };
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
 struct MaterialTextures {
     uint count;
     uint flags;
@@ -198,13 +205,6 @@ struct Neighbours {
     uint first;
     uint second;
     float share;
-};
-struct Crossing {
-    bool within;
-    float sum;
-    float depth;
-    vec2 weights;
-    bool front;
 };
 struct Surface {
     vec3 baseColor;
@@ -279,8 +279,17 @@ const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
 const uint noLeaf = 0u;
+const uint leaves = 2415919104u;
+const uint unread = 2415919100u;
 const uint instanceRows = 5u;
+const uint leaving = 2415919102u;
+const uint leastToGreatest = 3u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const int notEntered = 1900671690;
+const uint countShift = 28u;
 const uint triangleRows = 3u;
+const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
@@ -292,15 +301,6 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
-const uint leaves = 2415919104u;
-const uint unread = 2415919100u;
-const uint leaving = 2415919102u;
-const uint leastToGreatest = 3u;
-const uint nodeRows = 7u;
-const uint childrenRow = 6u;
-const int notEntered = 1900671690;
-const uint countShift = 28u;
-const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
@@ -358,9 +358,9 @@ const bool hasCutouts = false;
 
 uniform highp usampler2D geometry;
 
-uniform highp usampler2D texels;
-
 const bool hasOneSided = false;
+
+uniform highp usampler2D texels;
 
 const bool hasLayers = false;
 
@@ -760,6 +760,10 @@ PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
     return _e17;
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
 uvec4 geometryRow(uint i_7) {
     uvec4 _e14 = texelFetch(geometry, ivec2(int((i_7 & 2047u)), int((float(int((i_7 & 2147481600u))) / 2048.0))), 0);
     return _e14;
@@ -774,10 +778,83 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
-Triangle fetchTriangle(uint row_2) {
-    uvec4 _e3 = geometryRow((row_2 + 0u));
-    uvec4 _e6 = geometryRow((row_2 + 1u));
-    uvec4 _e9 = geometryRow((row_2 + 2u));
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 larger(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
+vec4 planes(uint row_2, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_2);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 smaller(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
+}
+
+vec4 enterChildren(uint node, SlabRay r, float t_1) {
+    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e25 = larger(_e16, _e24);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 _e36 = larger(_e33, vec4(0.0));
+    vec4 _e37 = larger(_e25, _e36);
+    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e52 = smaller(_e44, _e51);
+    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
+    vec4 _e60 = smaller(_e52, _e59);
+    vec4 _e66 = smaller((_e60 * 1.000001), vec4(t_1));
+    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
+}
+
+float edge(vec2 a_2, vec2 b_2) {
+    float p_11 = (a_2.x * b_2.y);
+    float q_3 = (a_2.y * b_2.x);
+    return ((a_2.x * b_2.y + -(q_3)) - (a_2.y * b_2.x + -(p_11)));
+}
+
+bool isWithin(float u_3, float v_3, float w_1) {
+    return pick(pick(pick((u_3 >= 0.0), (v_3 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_3 <= 0.0), (v_3 <= 0.0), false), (w_1 <= 0.0), false));
+}
+
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    float side = pick((sum < 0.0), -1.0, 1.0);
+    bool _e45 = isWithin(_e35, _e36, _e37);
+    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(_e45, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
+}
+
+Triangle fetchTriangle(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    uvec4 _e6 = geometryRow((row_3 + 1u));
+    uvec4 _e9 = geometryRow((row_3 + 2u));
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
@@ -786,18 +863,18 @@ uvec4 texelRow(uint i_8) {
     return _e14;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_3) {
-    uvec4 _e3 = texelRow((row_3 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_4) {
-    uvec4 _e3 = geometryRow((row_4 + 0u));
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -830,10 +907,10 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
     return _e76;
 }
 
-TextureUse fetchTextureUse(uint row_6) {
-    uvec4 _e3 = texelRow((row_6 + 0u));
-    uvec4 _e6 = texelRow((row_6 + 1u));
-    uvec4 _e9 = texelRow((row_6 + 2u));
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
@@ -866,14 +943,14 @@ uint texelAt(uint i_9) {
     return pick(((i_9 & 1u) != 0u), pair.y, pair.x);
 }
 
-vec4 lookUp(TextureUse t_1, vec2 uv) {
+vec4 lookUp(TextureUse t_2, vec2 uv) {
     vec3 place_3 = vec3(uv, 1.0);
-    bool nearest_1 = ((t_1.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_1.toU, place_3), t_1.width, ((t_1.flags & clampsU) != 0u), ((t_1.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_1.toV, place_3), t_1.height, ((t_1.flags & clampsV) != 0u), ((t_1.flags & mirrorsV) != 0u), nearest_1);
-    uint upper = (t_1.first + (_e36.first * t_1.width));
-    uint lower = (t_1.first + (_e36.second * t_1.width));
-    bool colored_1 = ((t_1.flags & isColor) != 0u);
+    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
+    Neighbours _e22 = neighbours(dot(t_2.toU, place_3), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_3), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_2.first + (_e36.first * t_2.width));
+    uint lower = (t_2.first + (_e36.second * t_2.width));
+    bool colored_1 = ((t_2.flags & isColor) != 0u);
     uint _e54 = texelAt((upper + _e22.first));
     vec4 _e55 = decoded(_e54, colored_1);
     uint _e58 = texelAt((upper + _e22.second));
@@ -915,83 +992,6 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
-bool isAmongInstances(uint reference) {
-    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_1, direction_7);
-    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
-vec4 larger(vec4 a, vec4 b) {
-    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
-}
-
-vec4 planes(uint row_7, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row_7);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
-}
-
-vec4 smaller(vec4 a_1, vec4 b_1) {
-    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
-}
-
-vec4 enterChildren(uint node, SlabRay r, float t_2) {
-    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e25 = larger(_e16, _e24);
-    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 _e36 = larger(_e33, vec4(0.0));
-    vec4 _e37 = larger(_e25, _e36);
-    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
-    vec4 _e52 = smaller(_e44, _e51);
-    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
-    vec4 _e60 = smaller(_e52, _e59);
-    vec4 _e66 = smaller((_e60 * 1.000001), vec4(t_2));
-    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
-}
-
-float edge(vec2 a_2, vec2 b_2) {
-    float p_11 = (a_2.x * b_2.y);
-    float q_3 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_3)) - (a_2.y * b_2.x + -(p_11)));
-}
-
-bool isWithin(float u_3, float v_3, float w_1) {
-    return pick(pick(pick((u_3 >= 0.0), (v_3 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_3 <= 0.0), (v_3 <= 0.0), false), (w_1 <= 0.0), false));
-}
-
-Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
-    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
-    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum = ((_e35 + _e36) + _e37);
-    float side = pick((sum < 0.0), -1.0, 1.0);
-    bool _e45 = isWithin(_e35, _e36, _e37);
-    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(_e45, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
-}
-
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight = false;
@@ -1029,108 +1029,75 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     current = first_1;
     while(true) {
         const bool _e75 = hasCutouts;
-        if (_e75) {
-            uint _e77 = doubted.instance;
-            if ((_e77 != noInstance)) {
-                uint _e81 = doubted.instance;
-                uint _e83 = doubted.triangle;
-                vec2 _e85 = doubted.weights;
-                bool _e87 = toLight;
-                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
-                MeshHit instead = doubted;
-                doubted.instance = noInstance;
-                bool _e94 = toLight;
-                if (pick(_e90, _e94, false)) {
-                    found_5.blocked = true;
-                    break;
-                }
-                if (_e90) {
-                    most = instead.t;
-                    found_5 = instead;
-                }
-            }
-        }
-        const bool _e100 = hasCutouts;
-        uint _e102 = waiting;
-        uint _e105 = current;
-        bool _e106 = isAmongInstances(_e105);
-        if (pick(!(_e100), true, pick((_e102 == noLeaf), _e106, false))) {
-            uint _e109 = current;
-            if ((_e109 == ending)) {
-                bool _e112 = toLight;
-                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
-                    break;
-                }
-                toLight = true;
-                most = rays.lightMost;
-                top = 1u;
-                current = first_1;
-            }
-            uint _e121 = current;
-            bool toWorld = (_e121 >= beginning);
-            uint _e124 = current;
-            instance_1 = pick(toWorld, noInstance, (_e124 & placeMask));
+        uint _e77 = waiting;
+        uint _e80 = current;
+        bool _e81 = isAmongInstances(_e80);
+        if (pick(!(_e75), true, pick((_e77 == noLeaf), _e81, false))) {
+            uint _e84 = current;
+            bool toWorld = (_e84 >= beginning);
+            uint _e87 = current;
+            instance_1 = pick(toWorld, noInstance, (_e87 & placeMask));
             o = rays.origin;
-            bool _e133 = toLight;
-            d_1 = pick(_e133, rays.lightDirection, rays.direction);
+            bool _e96 = toLight;
+            d_1 = pick(_e96, rays.lightDirection, rays.direction);
             nodes = 0u;
             if (!(toWorld)) {
-                uint _e140 = frame.instances;
-                uint _e141 = instance_1;
-                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
-                vec3 _e146 = o;
-                vec4 p_12 = vec4(_e146, 1.0);
-                o = vec3(dot(_e145.toMeshX, p_12), dot(_e145.toMeshY, p_12), dot(_e145.toMeshZ, p_12));
-                vec3 _e158 = d_1;
-                vec3 _e162 = d_1;
-                vec3 _e166 = d_1;
-                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
-                nodes = _e145.nodes;
-                triangles = _e145.triangles;
-                cover = _e145.cover;
-                uint _e174 = instance_1;
-                own = pick((_e174 == left.instance), left.triangle, placeMask);
+                uint _e103 = frame.instances;
+                uint _e104 = instance_1;
+                Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
+                vec3 _e109 = o;
+                vec4 p_12 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_12), dot(_e108.toMeshY, p_12), dot(_e108.toMeshZ, p_12));
+                vec3 _e121 = d_1;
+                vec3 _e125 = d_1;
+                vec3 _e129 = d_1;
+                d_1 = vec3(dot(_e108.toMeshX.xyz, _e121), dot(_e108.toMeshY.xyz, _e125), dot(_e108.toMeshZ.xyz, _e129));
+                nodes = _e108.nodes;
+                triangles = _e108.triangles;
+                cover = _e108.cover;
+                uint _e137 = instance_1;
+                own = pick((_e137 == left.instance), left.triangle, placeMask);
                 if (!(alone)) {
-                    uint _e180 = top;
-                    stack[_e180] = leaving;
-                    uint _e184 = top;
-                    top = (_e184 + 1u);
+                    uint _e143 = top;
+                    stack[_e143] = leaving;
+                    uint _e147 = top;
+                    top = (_e147 + 1u);
                 }
             }
-            vec3 _e186 = o;
-            vec3 _e187 = d_1;
-            SlabRay _e188 = slabRay(_e186, _e187);
-            slabs = _e188;
-            vec3 _e189 = o;
-            vec3 _e190 = d_1;
-            MeshRay _e191 = meshRay(_e189, _e190);
-            ray_2 = _e191;
-            uint _e194 = current;
-            current = pick((_e194 == leaving), unread, 0u);
+            vec3 _e149 = o;
+            vec3 _e150 = d_1;
+            SlabRay _e151 = slabRay(_e149, _e150);
+            slabs = _e151;
+            vec3 _e152 = o;
+            vec3 _e153 = d_1;
+            MeshRay _e154 = meshRay(_e152, _e153);
+            ray_2 = _e154;
+            uint _e157 = current;
+            current = pick((_e157 == leaving), unread, 0u);
         }
         while(true) {
-            uint _e198 = current;
-            if ((_e198 == unread)) {
-                uint _e202 = top;
-                top = (_e202 - 1u);
-                uint _e205 = top;
-                uint _e207 = stack[_e205];
-                current = _e207;
+            uint _e161 = current;
+            if ((_e161 == unread)) {
+                uint _e165 = top;
+                top = (_e165 - 1u);
+                uint _e168 = top;
+                uint _e170 = stack[_e168];
+                current = _e170;
             }
-            uint _e208 = current;
-            if ((_e208 < instances)) {
-                uint _e211 = nodes;
-                uint _e212 = current;
-                uint node_1 = (_e211 + (_e212 * nodeRows));
-                uvec4 _e218 = geometryRow((node_1 + childrenRow));
-                SlabRay _e219 = slabs;
-                float _e220 = most;
-                vec4 _e221 = enterChildren(node_1, _e219, _e220);
-                ivec4 t_10 = floatBitsToInt(_e221);
+            uint _e171 = current;
+            if ((_e171 < instances)) {
+                uint _e174 = nodes;
+                uint _e175 = current;
+                uint node_1 = (_e174 + (_e175 * nodeRows));
+                uvec4 _e181 = geometryRow((node_1 + childrenRow));
+                SlabRay _e182 = slabs;
+                float _e183 = most;
+                vec4 _e184 = enterChildren(node_1, _e182, _e183);
+                ivec4 t_10 = floatBitsToInt(_e184);
                 bool a_3 = (t_10.x < t_10.z);
                 bool b_4 = (t_10.y < t_10.w);
-                uvec2 r0_ = pick(a_3, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_4, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
+                uvec2 r0_ = pick(a_3, uvec2(_e181.z, _e181.x), uvec2(_e181.x, _e181.z));
+                uvec2 r1_ = pick(b_4, uvec2(_e181.w, _e181.y), uvec2(_e181.y, _e181.w));
                 int far0_ = max(t_10.x, t_10.z);
                 int far1_ = max(t_10.y, t_10.w);
                 int near0_ = min(t_10.x, t_10.z);
@@ -1140,100 +1107,137 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 int far2_ = min(far0_, far1_);
                 int near2_ = max(near0_, near1_);
                 uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e282 = top;
-                stack[_e282] = ra.x;
-                uint _e285 = top;
-                top = (_e285 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
-                uint _e294 = top;
-                stack[_e294] = rm.x;
-                uint _e297 = top;
-                top = (_e297 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
-                uint _e306 = top;
-                stack[_e306] = rm.y;
-                uint _e309 = top;
-                top = (_e309 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e245 = top;
+                stack[_e245] = ra.x;
+                uint _e248 = top;
+                top = (_e248 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e257 = top;
+                stack[_e257] = rm.x;
+                uint _e260 = top;
+                top = (_e260 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e269 = top;
+                stack[_e269] = rm.y;
+                uint _e272 = top;
+                top = (_e272 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
                 current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
             }
-            uint _e323 = waiting;
-            uint _e326 = current;
-            bool takes = pick((_e323 == noLeaf), (_e326 >= leaves), false);
-            uint _e330 = waiting;
-            uint _e331 = current;
-            waiting = pick(takes, _e331, _e330);
-            uint _e333 = current;
-            current = pick(takes, unread, _e333);
-            uint _e336 = waiting;
-            if ((_e336 != noLeaf)) {
-                uint _e339 = waiting;
-                uint place_4 = (_e339 & placeMask);
-                uint _e342 = waiting;
-                waiting = ((_e342 + 1u) - 268435456u);
-                uint _e347 = waiting;
-                uint _e349 = waiting;
-                waiting = pick((_e349 < leaves), noLeaf, _e347);
-                MeshRay _e353 = ray_2;
-                uint _e354 = triangles;
-                Triangle _e358 = fetchTriangle((_e354 + (place_4 * triangleRows)));
-                Crossing _e359 = crossTriangle(_e353, _e358);
-                float _e368 = most;
-                uint _e373 = own;
-                nearer = pick(pick(pick(_e359.within, (_e359.depth > (rays.least * _e359.sum)), false), (_e359.depth < (_e368 * _e359.sum)), false), (place_4 != _e373), false);
-                const bool _e378 = hasOneSided;
-                if (_e378) {
-                    bool _e379 = nearer;
-                    uint _e381 = cover;
-                    nearer = pick(_e379, pick(_e359.front, true, ((_e381 & isOneSided) == 0u)), false);
+            uint _e286 = waiting;
+            uint _e289 = current;
+            bool takes = pick((_e286 == noLeaf), (_e289 >= leaves), false);
+            uint _e293 = waiting;
+            uint _e294 = current;
+            waiting = pick(takes, _e294, _e293);
+            uint _e296 = current;
+            current = pick(takes, unread, _e296);
+            uint _e299 = waiting;
+            if ((_e299 != noLeaf)) {
+                uint _e302 = waiting;
+                uint place_4 = (_e302 & placeMask);
+                uint _e305 = waiting;
+                waiting = ((_e305 + 1u) - 268435456u);
+                uint _e310 = waiting;
+                uint _e312 = waiting;
+                waiting = pick((_e312 < leaves), noLeaf, _e310);
+                MeshRay _e316 = ray_2;
+                uint _e317 = triangles;
+                Triangle _e321 = fetchTriangle((_e317 + (place_4 * triangleRows)));
+                Crossing _e322 = crossTriangle(_e316, _e321);
+                float _e331 = most;
+                uint _e336 = own;
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_4 != _e336), false);
+                const bool _e341 = hasOneSided;
+                if (_e341) {
+                    bool _e342 = nearer;
+                    uint _e344 = cover;
+                    nearer = pick(_e342, pick(_e322.front, true, ((_e344 & isOneSided) == 0u)), false);
                 }
-                float inverse_2 = (1.0 / _e359.sum);
-                float t_11 = (_e359.depth * inverse_2);
-                vec2 weights_3 = (_e359.weights * inverse_2);
-                const bool _e396 = hasCutouts;
-                if (_e396) {
-                    bool _e397 = nearer;
-                    uint _e398 = cover;
-                    if (pick(_e397, ((_e398 & coverRow) != 0u), false)) {
-                        uint _e404 = instance_1;
-                        doubted = MeshHit(t_11, _e404, place_4, weights_3, false);
+                float inverse_2 = (1.0 / _e322.sum);
+                float t_11 = (_e322.depth * inverse_2);
+                vec2 weights_3 = (_e322.weights * inverse_2);
+                const bool _e359 = hasCutouts;
+                if (_e359) {
+                    bool _e360 = nearer;
+                    uint _e361 = cover;
+                    if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
+                        uint _e367 = instance_1;
+                        doubted = MeshHit(t_11, _e367, place_4, weights_3, false);
                         nearer = false;
                     }
                 }
-                bool _e408 = nearer;
-                bool _e409 = toLight;
-                bool blocks = pick(_e408, _e409, false);
-                bool _e411 = nearer;
-                bool _e412 = toLight;
-                bool counts = pick(_e411, !(_e412), false);
-                float _e415 = most;
-                bool _e416 = nearer;
-                most = pick(_e416, t_11, _e415);
-                float _e420 = found_5.t;
-                found_5.t = pick(counts, t_11, _e420);
-                uint _e424 = found_5.instance;
-                uint _e425 = instance_1;
-                found_5.instance = pick(counts, _e425, _e424);
-                uint _e429 = found_5.triangle;
-                found_5.triangle = pick(counts, place_4, _e429);
-                vec2 _e433 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e433);
-                bool _e437 = found_5.blocked;
-                found_5.blocked = pick(_e437, true, blocks);
-                uint _e439 = waiting;
-                waiting = pick(blocks, noLeaf, _e439);
-                uint _e442 = current;
-                current = pick(blocks, ending, _e442);
+                bool _e371 = nearer;
+                bool _e372 = toLight;
+                bool blocks = pick(_e371, _e372, false);
+                bool _e374 = nearer;
+                bool _e375 = toLight;
+                bool counts = pick(_e374, !(_e375), false);
+                float _e378 = most;
+                bool _e379 = nearer;
+                most = pick(_e379, t_11, _e378);
+                float _e383 = found_5.t;
+                found_5.t = pick(counts, t_11, _e383);
+                uint _e387 = found_5.instance;
+                uint _e388 = instance_1;
+                found_5.instance = pick(counts, _e388, _e387);
+                uint _e392 = found_5.triangle;
+                found_5.triangle = pick(counts, place_4, _e392);
+                vec2 _e396 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e396);
+                bool _e400 = found_5.blocked;
+                found_5.blocked = pick(_e400, true, blocks);
+                uint _e402 = waiting;
+                waiting = pick(blocks, noLeaf, _e402);
+                uint _e405 = current;
+                current = pick(blocks, ending, _e405);
             }
-            uint _e445 = waiting;
-            uint _e448 = current;
-            bool _e449 = isAmongInstances(_e448);
-            const bool _e452 = hasCutouts;
-            uint _e454 = doubted.instance;
-            if (pick(pick((_e445 == noLeaf), _e449, false), true, pick(_e452, (_e454 != noInstance), false))) {
+            uint _e408 = waiting;
+            uint _e411 = current;
+            bool _e412 = isAmongInstances(_e411);
+            const bool _e415 = hasCutouts;
+            uint _e417 = doubted.instance;
+            if (pick(pick((_e408 == noLeaf), _e412, false), true, pick(_e415, (_e417 != noInstance), false))) {
                 break;
             }
         }
+        const bool _e423 = hasCutouts;
+        if (_e423) {
+            uint _e425 = doubted.instance;
+            if ((_e425 != noInstance)) {
+                uint _e429 = doubted.instance;
+                uint _e431 = doubted.triangle;
+                vec2 _e433 = doubted.weights;
+                bool _e435 = toLight;
+                bool _e438 = isThere(_e429, _e431, _e433, (rays.number + uint(_e435)));
+                MeshHit instead = doubted;
+                doubted.instance = noInstance;
+                bool _e442 = toLight;
+                if (pick(_e438, _e442, false)) {
+                    found_5.blocked = true;
+                    break;
+                }
+                if (_e438) {
+                    most = instead.t;
+                    found_5 = instead;
+                }
+            }
+        }
+        uint _e447 = current;
+        uint _e450 = waiting;
+        bool ended = pick((_e447 == ending), (_e450 == noLeaf), false);
+        bool _e454 = toLight;
+        if (pick(ended, pick(_e454, true, !((rays.lightMost > 0.0))), false)) {
+            break;
+        }
+        bool _e461 = toLight;
+        toLight = pick(_e461, true, ended);
+        float _e463 = most;
+        most = pick(ended, rays.lightMost, _e463);
+        uint _e466 = top;
+        top = pick(ended, 1u, _e466);
+        uint _e469 = current;
+        current = pick(ended, first_1, _e469);
     }
-    MeshHit _e459 = found_5;
-    return _e459;
+    MeshHit _e471 = found_5;
+    return _e471;
 }
 
 uint rowOfInstance(uint instance_2) {

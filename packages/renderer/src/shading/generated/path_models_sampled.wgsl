@@ -3515,31 +3515,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var current = first;
   var waiting = noLeaf0;
   loop {
-    if (hasCutouts) {
-      if (doubted.instance != noInstance) {
-        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
-        let instead = doubted;
-        doubted.instance = noInstance;
-        if (there & toLight) {
-          found.blocked = true;
-          break;
-        }
-        if (there) {
-          most = instead.t;
-          found = instead;
-        }
-      }
-    }
     if (!hasCutouts | ((waiting == noLeaf0) & isAmongInstances(current))) {
-      if (current == ending) {
-        if (toLight | !(rays.lightMost > 0.0)) {
-          break;
-        }
-        toLight = true;
-        most = rays.lightMost;
-        top = 1u;
-        current = first;
-      }
       let toWorld = current >= beginning;
       instance = select(current & placeMask, noInstance, toWorld);
       var o = rays.origin;
@@ -3631,6 +3607,29 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         break;
       }
     }
+    if (hasCutouts) {
+      if (doubted.instance != noInstance) {
+        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
+        let instead = doubted;
+        doubted.instance = noInstance;
+        if (there & toLight) {
+          found.blocked = true;
+          break;
+        }
+        if (there) {
+          most = instead.t;
+          found = instead;
+        }
+      }
+    }
+    let ended = (current == ending) & (waiting == noLeaf0);
+    if (ended & (toLight | !(rays.lightMost > 0.0))) {
+      break;
+    }
+    toLight = toLight | ended;
+    most = select(most, rays.lightMost, ended);
+    top = select(top, 1u, ended);
+    current = select(current, first, ended);
   }
   return found;
 }
@@ -3706,30 +3705,6 @@ override hasCutouts = false;
 
 fn isAmongInstances(reference: u32) -> bool {
   return (reference >= instances) & (reference < leaves) & (reference != unread);
-}
-
-// `number`: of the ray.
-fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
-  let i = fetchInstance(frame.instances + instance * instanceRows);
-  let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  let row = i.cover & coverRow;
-  let material = fetchMaterialTextures(row);
-  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
-  var opacity = material.opacity * c.opacity;
-  if ((material.flags & hasOpacityTexture) != 0u) {
-    let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
-  }
-  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
-  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
-}
-
-// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
-// GPU Rendering", JCGT 9(3), 2020.
-fn pcg(x: u32) -> u32 {
-  let s = x * 747796405u + 2891336453u;
-  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
-  return (w >> 22u) ^ w;
 }
 
 fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
@@ -3837,6 +3812,30 @@ struct Crossing {
   front: bool,
 }
 
+
+// `number`: of the ray.
+fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  let row = i.cover & coverRow;
+  let material = fetchMaterialTextures(row);
+  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
+  var opacity = material.opacity * c.opacity;
+  if ((material.flags & hasOpacityTexture) != 0u) {
+    let t = fetchTextureUse(row + materialTexturesRows);
+    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+  }
+  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
+  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
+}
+
+// Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
+// GPU Rendering", JCGT 9(3), 2020.
+fn pcg(x: u32) -> u32 {
+  let s = x * 747796405u + 2891336453u;
+  let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
+  return (w >> 22u) ^ w;
+}
 
 @group(0) @binding(2) var previousFilm: texture_2d<f32>;
 
