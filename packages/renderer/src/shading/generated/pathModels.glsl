@@ -623,27 +623,32 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread0_(uint x_1) {
-    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_8 | (y_8 << 1u)) & 85u);
+    uint y_8 = ((x_1 | (x_1 * 4u)) & 51u);
+    return ((y_8 | (y_8 * 2u)) & 85u);
 }
 
-uint reverseHalves(uint x_2) {
+uint reversedHigh(uint x_2) {
     uint y = 0u;
-    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
-    uint _e11 = y;
-    uint _e16 = y;
-    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y = (x_2 + ((x_2 & 21845u) * 3u));
+    uint _e7 = y;
+    uint _e8 = y;
+    y = (_e7 + ((_e8 & 26214u) * 15u));
+    uint _e14 = y;
+    uint _e15 = y;
+    y = (_e14 + ((_e15 & 30840u) * 255u));
+    uint _e21 = y;
     uint _e22 = y;
-    uint _e27 = y;
-    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y;
-    uint _e38 = y;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 + ((_e22 & 32640u) * 65535u));
 }
 
-uint mixBits(uint x_3) {
+uint reversed(uint x_3) {
+    uint _e1 = reversedHigh(x_3);
+    return (_e1 >> 15u);
+}
+
+uint mixBits(uint x_4) {
     uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
     uint _e7 = y_1;
     uint _e8 = y_1;
     y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
@@ -658,18 +663,19 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_4 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_4 << 24u)));
-    uint used = pick(independent, 0u, _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+    uint place_4 = (_e19 | (_e23 * 2u));
+    uint _e29 = reversed((sampleIndex_1 & 65535u));
+    uint sample_ = pick(independent, 0u, _e29);
+    uint _e34 = mixBits((_e15 ^ 1779033703u));
+    uint _e37 = reversed((place_4 * 256u));
+    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_17), 15.0);
-    float t_7 = (x_17 - piece);
+    float x_18 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_18), 15.0);
+    float t_7 = (x_18 - piece);
     vec4 c_3 = frame.filterPieces[uint(piece)];
     float offset_3 = (c_3.x + (t_7 * (c_3.y + (t_7 * (c_3.z + (t_7 * c_3.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
@@ -688,9 +694,15 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-uint scramble(uint x_4, uint seed_2) {
+float toUnit(uint scrambled) {
+    uint _e3 = reversedHigh((scrambled & 65535u));
+    float digits_2 = (float(int(_e3)) * 4.656613e-10);
+    return (digits_2 + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+}
+
+uint scramble(uint x_5, uint seed_2) {
     uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    y_2 = (x_5 ^ (x_5 * 1025551850u));
     uint _e6 = y_2;
     y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
@@ -701,9 +713,9 @@ uint scramble(uint x_4, uint seed_2) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_5) {
+uint pascal(uint x_6) {
     uint y_3 = 0u;
-    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
     uint _e7 = y_3;
     uint _e8 = y_3;
     y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
@@ -715,33 +727,28 @@ uint pascal(uint x_5) {
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
-}
-
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
 vec2 points2d(Group g) {
     uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
+    float _e6 = toUnit(_e5);
+    uint _e9 = timesW(g.shift);
+    uint _e11 = pascal((g.index ^ _e9));
+    uint _e13 = scramble(_e11, g.seedB);
+    float _e14 = toUnit(_e13);
+    return vec2(_e6, _e14);
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
+uint shiftOfPlace(uint x_9) {
     uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_4 = (x_9 ^ _e5);
     uint _e8 = y_4;
     uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
@@ -749,7 +756,7 @@ uint shiftOfPlace(uint x_8) {
     uint _e16 = y_4;
     uint _e17 = timesW(_e16);
     uint _e18 = y_4;
-    return (_e17 | (_e18 << 8u));
+    return (_e17 | (_e18 * 256u));
 }
 
 Group nextGroup(inout Sampler s) {
@@ -766,9 +773,9 @@ Group nextGroup(inout Sampler s) {
     uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_2), _e8);
-    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_8 >> 16u) | (b_8 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_8 >> 16u) | (b_8 * 65536u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -789,12 +796,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_18 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_19 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_18 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_19 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -811,7 +818,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_18);
+            float longitude = (3.1415927 * x_19);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -1167,8 +1174,8 @@ TextureUse fetchTextureUse(uint row_7) {
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
-Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside_1 = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
+Neighbours neighbours(float x_10, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside_1 = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
     float at_1 = ((inside_1 * float(size)) - pick(nearest, 0.0, 0.5));
     float low_1 = floor(at_1);
     int last = (int(size) - 1);
@@ -1898,14 +1905,14 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float oz = max(dot(o_1, g_1), 0.0);
     float least = min((0.9 * oz), 0.01);
     vec3 across_3 = (n - (dot(n, g_1) * g_1));
-    vec3 x_19 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
-    float ox = dot(o_1, x_19);
+    vec3 x_20 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_20);
     float a_6 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_10 = (2.0 * (a_6 + (oz * least)));
     float c_5 = ((least + oz) * (least + oz));
     float root = sqrt(max(((b_10 * b_10) - ((4.0 * a_6) * c_5)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_10 + root), (b_10 - root))) / a_6), 0.0, 1.0);
-    vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_20) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
     return pick((dot(g_1, reflected) >= least), n, raised);
 }
@@ -2038,8 +2045,8 @@ Basis basisAbout(vec3 n_1) {
     return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_7)), (side_6 * b_11), (-(side_6) * n_1.x)), vec3(b_11, (side_6 + ((n_1.y * n_1.y) * a_7)), -(n_1.y)), n_1);
 }
 
-Basis basisAlong(vec3 n_2, vec3 x_10) {
-    vec3 tangent_3 = normalize((x_10 - (dot(x_10, n_2) * n_2)));
+Basis basisAlong(vec3 n_2, vec3 x_11) {
+    vec3 tangent_3 = normalize((x_11 - (dot(x_11, n_2) * n_2)));
     return Basis(tangent_3, cross(n_2, tangent_3), n_2);
 }
 
@@ -2111,15 +2118,15 @@ Emitter emitterAt(uint i_19, Emitter only) {
     return _e6;
 }
 
-vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
-    vec2 low_2 = min(x_11, y_5);
-    vec2 high_1 = max(x_11, y_5);
+vec2 quadrantAngles(vec2 x_12, vec2 y_5) {
+    vec2 low_2 = min(x_12, y_5);
+    vec2 high_1 = max(x_12, y_5);
     bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
     vec2 r_1 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
     vec2 z_3 = (r_1 * r_1);
     vec2 series = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_1) + r_1));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_11));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_12));
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -2223,21 +2230,21 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     return pick(q_3.lit, pdf_2, 0.0);
 }
 
-float arctangent(float x_12) {
-    float a_8 = abs(x_12);
+float arctangent(float x_13) {
+    float a_8 = abs(x_13);
     bool steep = (a_8 > 2.4142137);
     bool middle_2 = pick((a_8 > 0.41421357), !(steep), false);
     float r_2 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_2, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
     float z_4 = (r_2 * r_2);
     float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
-    return (sign(x_12) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
+    return (sign(x_13) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
 }
 
-float stretch(float x_13, vec2 y_6, float h_1) {
-    vec2 r_3 = sqrt(((vec2((x_13 * x_13)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_13 * y_6.y) / (h_1 * r_3.y)));
-    float _e22 = arctangent(((x_13 * y_6.x) / (h_1 * r_3.x)));
+float stretch(float x_14, vec2 y_6, float h_1) {
+    vec2 r_3 = sqrt(((vec2((x_14 * x_14)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
+    float _e16 = arctangent(((x_14 * y_6.y) / (h_1 * r_3.y)));
+    float _e22 = arctangent(((x_14 * y_6.x) / (h_1 * r_3.x)));
     return (_e16 - _e22);
 }
 
@@ -2356,16 +2363,16 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 }
 
 vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
-    vec4 x_20 = (n_3.x - vec4(point_7.x));
+    vec4 x_21 = (n_3.x - vec4(point_7.x));
     vec4 y_11 = (n_3.y - vec4(point_7.y));
     vec4 z_5 = (n_3.z - vec4(point_7.z));
-    vec4 distance2_ = (((x_20 * x_20) + (y_11 * y_11)) + (z_5 * z_5));
+    vec4 distance2_ = (((x_21 * x_21) + (y_11 * y_11)) + (z_5 * z_5));
     vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
     bvec4 inside_4 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_4);
-    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
+    vec4 along_2 = (-((((n_3.axisX * x_21) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n_3.cosWidth);
@@ -2373,7 +2380,7 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_4);
-    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_21) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_4);
@@ -2636,10 +2643,10 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     return _e130;
 }
 
-uint pascalW2_(uint x_14) {
+uint pascalW2_(uint x_15) {
     uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_14 >> 2u) & 13107u));
-    y_7 = (x_14 ^ _e5);
+    uint _e5 = timesW2_(((x_15 >> 2u) & 13107u));
+    y_7 = (x_15 ^ _e5);
     uint _e8 = y_7;
     uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
@@ -2656,9 +2663,8 @@ vec3 next3d(inout Sampler s_8) {
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
     vec2 _e13 = points2d(_e1);
-    uint _e16 = reverseHalves((_e12 & 65535u));
-    float _e17 = toUnit(_e16, _e12);
-    return vec3(_e13, _e17);
+    float _e14 = toUnit(_e12);
+    return vec3(_e13, _e14);
 }
 
 EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_6) {
@@ -2741,9 +2747,9 @@ vec3 turnTo(vec3 axis_1, vec3 v_6) {
     float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
     float a_9 = (-1.0 / (s_26 + axis_1.z));
     float b_12 = ((axis_1.x * axis_1.y) * a_9);
-    vec3 x_21 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_9)), (s_26 * b_12), (-(s_26) * axis_1.x));
+    vec3 x_22 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_9)), (s_26 * b_12), (-(s_26) * axis_1.x));
     vec3 y_12 = vec3(b_12, (s_26 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
-    return (((v_6.x * x_21) + (v_6.y * y_12)) + (v_6.z * axis_1));
+    return (((v_6.x * x_22) + (v_6.y * y_12)) + (v_6.z * axis_1));
 }
 
 ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
@@ -2770,8 +2776,8 @@ LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_8) {
     return LightSample(_e19.direction, distance_7, e_16.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_15) {
-    float h_6 = (0.5 * x_15);
+vec2 cosineAndSine(float x_16) {
+    float h_6 = (0.5 * x_16);
     float z_6 = (h_6 * h_6);
     float sine_4 = (((((((-0.00019515296 * z_6) + 0.008332161) * z_6) - 0.16666655) * z_6) * h_6) + h_6);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
@@ -2784,12 +2790,12 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
     vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
     float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_22 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_22 * x_22) + (h_7 * h_7));
+    float x_23 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_23 * x_23) + (h_7 * h_7));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
     float v_12 = mix(ends_2.x, ends_2.y, u_9.y);
     float atY = clamp(((v_12 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_12 * v_12)), 1e-12))), y_13.x, y_13.y);
-    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
+    return (((x_23 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_10) {
@@ -2843,9 +2849,9 @@ ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_13) {
     uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
-    float x_23 = clamp((((u_13.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
-    bool own_9 = (x_23 < _e18.own);
-    float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    float x_24 = clamp((((u_13.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    bool own_9 = (x_24 < _e18.own);
+    float rest_2 = pick(own_9, (x_24 / max(_e18.own, 1e-37)), ((x_24 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_7 = pick(own_9, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_7) - _e18.place));
     float density = _e67.density;
@@ -2860,10 +2866,10 @@ vec2 weightsOnTriangle(vec2 u_14) {
 
 vec3 outOfMesh(Instance i_23, vec3 p_11) {
     vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
-    vec3 x_24 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
+    vec3 x_25 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
     vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
     vec3 z_7 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
+    return ((((q_7.x * x_25) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_25)));
 }
 
 vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
@@ -3025,12 +3031,12 @@ Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
 ChosenCell chooseCell(vec2 u_17) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_8 = uvec2(_e3);
-    uvec2 digits_2 = uvec2((u_17 * 16777216.0));
-    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uvec2 digits_3 = uvec2((u_17 * 16777216.0));
+    uint _e13 = mixBits((digits_3.x ^ (digits_3.y * 2654435761u)));
     uint columns = ((size_8.x + 1u) / 2u);
     uint tables = (size_8.x * size_8.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_8.y + 1u)), digits_2.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_8.y + 2u) / 2u)) + (_e29.entry * columns)), size_8.x), digits_2.x, (_e13 >> 20u));
+    Choice _e29 = chooseEntry(Table(tables, (size_8.y + 1u)), digits_3.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_8.y + 2u) / 2u)) + (_e29.entry * columns)), size_8.x), digits_3.x, (_e13 >> 20u));
     return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
@@ -3161,7 +3167,7 @@ float nextHash(inout Sampler s_12) {
     uint _e11 = mixBits((_e7 ^ _e9));
     uint _e13 = s_12.sample_;
     uint _e17 = s_12.place;
-    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
 }
@@ -3202,8 +3208,8 @@ vec3 dielectricF0_(Layers l_1) {
 }
 
 float singleScatteringAlbedo(float cosine_4, float alpha_1) {
-    float x_25 = (cosine_4 / (cosine_4 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_25 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_25 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_25 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_25 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_26 = (cosine_4 / (cosine_4 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_26 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_26 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_26 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_26 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_ = (alpha_1 * alpha_1);
     return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
 }
@@ -3225,8 +3231,8 @@ vec3 sensitivity(float difference, vec3 shift) {
     vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
     vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_26 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_26) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_26) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_26) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+    float x_27 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
 
 vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) {
@@ -3944,20 +3950,20 @@ float ellipticDensity(vec3 h_5, vec2 alpha_11) {
     return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
 }
 
-float shadowingExponent(float x_16, float alpha_12) {
+float shadowingExponent(float x_17, float alpha_12) {
     float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
     float a_11 = mix(21.5473, 25.3245, m_2);
     float b_14 = mix(3.82987, 3.32435, m_2);
     float c_6 = mix(0.19823, 0.16801, m_2);
     float d_4 = mix(-1.9776, -1.27393, m_2);
     float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_11 / (1.0 + (b_14 * pow(x_16, c_6)))) + (d_4 * x_16)) + e_26);
+    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_26);
 }
 
 float sheenShadowing(float cosine_17, float alpha_13) {
-    float x_27 = clamp(cosine_17, 1e-6, 1.0);
-    bool isLow = (x_27 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_27, max((1.0 - x_27), 1e-6)), alpha_13);
+    float x_28 = clamp(cosine_17, 1e-6, 1.0);
+    bool isLow = (x_28 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_13);
     float _e14 = shadowingExponent(0.5, alpha_13);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
