@@ -58,20 +58,22 @@ var<workgroup> squares: array<vec3f, 128>;
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
-  if (index < end) {
-    var p = startPath(pixel, index);
-    loop {
-      extendPath(&p);
-      if (isOver(p)) {
-        let i = index / group - firstGroup;
-        ownSums[i] += p.radiance;
-        ownSquares[i] += p.radiance * p.radiance;
-        index += shares;
-        if (index >= end) {
-          break;
-        }
-        p = startPath(pixel, index);
+  // Over before it has begun: a path starts at one place only, or it would stand in the program twice.
+  var p: Path;
+  p.rays.lightDistance = -1.0;
+  loop {
+    if (isOver(p)) {
+      if (index >= end) {
+        break;
       }
+      p = startPath(pixel, index);
+    }
+    extendPath(&p);
+    if (isOver(p)) {
+      let i = index / group - firstGroup;
+      ownSums[i] += p.radiance;
+      ownSquares[i] += p.radiance * p.radiance;
+      index += shares;
     }
   }
   let adds = (thread % shares == 0u) & inside;
