@@ -72,6 +72,12 @@ const PARTS = [
     entry: join(source, 'shading/model-shaders.ts'),
   },
   {
+    name: 'bender',
+    importer: join(source, 'stages.ts'),
+    asked: './bender.ts',
+    entry: join(source, 'bender.ts'),
+  },
+  {
     name: 'mesh-files',
     importer: join(source, 'scene-file/load-meshes.ts'),
     asked: '../mesh-file/mesh-file.ts',

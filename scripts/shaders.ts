@@ -8,6 +8,7 @@ import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { translate } from 'naga-wasm';
 import { link } from 'wesl';
+import { bentTableWgsl } from '../packages/renderer/src/packed-scene/bent-layout.ts';
 import {
   fetchGeometryWgsl,
   fetchTexturesWgsl,
@@ -69,6 +70,7 @@ const PROGRAMS: readonly Program[] = [
   },
   { name: 'film_error', root: 'film/film_error', entries: [{ entry: 'filmError', stage: 'fragment' }] },
   { name: 'aov_view', root: 'display/aov_view', entries: [{ entry: 'showAov', stage: 'fragment' }] },
+  { name: 'bend', root: 'shading/mesh/bend', entries: [] },
   { name: 'trace_rays', root: 'bench/trace_rays', entries: [], output: BENCH_OUTPUT },
   {
     name: 'camera_probe',
@@ -125,6 +127,7 @@ function weslModules(): Record<string, string> {
     './shading/layout.wesl': structsWgsl(),
     './shading/scene_table.wesl': fetchWgsl(),
     './shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+    './shading/mesh/bent_table.wesl': bentTableWgsl(),
     './shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
   return { ...modulesIn(source, ''), ...modulesIn(harness, 'tests/'), ...modulesIn(bench, 'bench/'), ...written };
@@ -227,6 +230,7 @@ async function generate(): Promise<Record<string, string>> {
     'packages/renderer/src/shading/layout.wesl': structsWgsl(),
     'packages/renderer/src/shading/scene_table.wesl': fetchWgsl(),
     'packages/renderer/src/shading/mesh/geometry_table.wesl': fetchGeometryWgsl(),
+    'packages/renderer/src/shading/mesh/bent_table.wesl': bentTableWgsl(),
     'packages/renderer/src/shading/texture/texture_table.wesl': fetchTexturesWgsl(),
   };
   for (const { name, root, entries, output = RENDERER_OUTPUT, models } of PROGRAMS) {

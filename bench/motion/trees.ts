@@ -48,14 +48,16 @@ export function refittedTrees(name: string, scene: Scene): string[][] {
   const bodies = new Bodies(scene);
   const { duration } = scene.clips![scene.clip!]!;
   return bodies.all
-    .filter(({ form }) => form !== null)
-    .map(({ mesh, form }) => {
+    .filter(({ pose }) => pose !== null)
+    .map((body) => {
+      const { mesh } = body;
       const tree = buildBvh(mesh, options);
       const plan = planRefit(tree, mesh);
       const ratios = Array.from({ length: MOMENTS }, (_, k) => {
         bodies.goTo((duration * k) / MOMENTS);
-        refit(tree, form!.positions, plan);
-        return sahCost(tree) / sahCost(buildBvh({ positions: form!.positions, indices: mesh.indices }, options));
+        const { positions } = body.form!;
+        refit(tree, positions, plan);
+        return sahCost(tree) / sahCost(buildBvh({ positions, indices: mesh.indices }, options));
       });
       const mean = ratios.reduce((sum, x) => sum + x, 0) / MOMENTS;
       return [name, String(mesh.indices.length / 3), mean.toFixed(2), Math.max(...ratios).toFixed(2)];

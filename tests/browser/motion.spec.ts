@@ -10,7 +10,9 @@ const openHarness = async (page: Page) => {
 };
 
 for (const backend of backends) {
-  test(`a scene that has played is the scene at that time, bit for bit (${backend})`, async ({ page }) => {
+  test(`a scene that has played is the scene at that time, bit for bit, and nothing is made for a frame (${backend})`, async ({
+    page,
+  }) => {
     await openHarness(page);
     const found = await page.evaluate((b) => window.harness.playedFilms(b, [0, 0.4, 0.8, 3.7, 1.1]), backend);
     for (const [name, { unlikeDirect, changed, counts }] of Object.entries(found)) {
@@ -18,10 +20,7 @@ for (const backend of backends) {
       expect(Math.min(...changed), `${name}: moves`).toBeGreaterThan(0);
       expect(counts[1], `${name}: nothing is made for a frame`).toEqual(counts[0]);
     }
-  });
-
-  test(`playing makes no pipeline, buffer or texture (${backend})`, async ({ page }) => {
-    await openHarness(page);
+    // Nor by playing.
     for (const name of ['arm', 'dough', 'swarm']) {
       await page.evaluate(([b, n]) => window.harness.playFrames(b, n, 2), [backend, name] as const);
       const { compiled, buffers, textures } = await hooks(page);
@@ -52,3 +51,28 @@ for (const backend of backends) {
     expect(after.heap - heap, 'growth of the JS heap, bytes').toBeLessThan(500_000);
   });
 }
+
+/** Half a unit in the last place, relative. */
+const ROUNDING = 2 ** -24;
+/** How far from a vector its code of two numbers may be, radians: pack-vertices.ts. */
+const CODED = 1.4e-4;
+
+test('meshes bent by compute passes are those that the CPU bends, to rounding, in boxes that hold them', async ({
+  harness,
+}) => {
+  const { scenes, films, left } = await harness.evaluate((times) => window.harness.bentByDevice(times), [0, 3.7, 1.1]); // biome-ignore format: one call
+  for (const [name, found] of Object.entries(scenes)) {
+    // A sum of eight products, four of such products and twelve numbers of targets; two more for magnitudes that cancel out.
+    expect(found.places, `${name}: places`).toBeLessThan(2 * 24 * ROUNDING);
+    expect(found.directions, `${name}: directions`).toBeLessThan(2 * CODED);
+    expect(found.others, `${name}: other words`).toBe(0);
+    // Boxes have room for the rounding of rays (PADDING of encode-wide-bvh.ts), and the greatest coordinate is that of a wider box.
+    expect(found.outside, `${name}: outside of boxes`).toBeLessThan(-3e-7);
+    expect(found.slack, `${name}: room in boxes`).toBeLessThan(4e-6);
+    expect(found.cost, `${name}: what the tree costs`).toBeLessThan(1e-3);
+    expect(found.unlikeDirect, `${name}: words that depend on what was shown before`).toBe(0);
+  }
+  expect(films.moves).toBeGreaterThan(0);
+  expect(films).toMatchObject({ unlikeDirect: 0, unlikeHere: 0 });
+  expect(left, 'buffers left behind').toBe(0);
+});

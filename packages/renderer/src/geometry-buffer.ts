@@ -29,11 +29,15 @@ export class GeometryBuffer {
     this.#device = device;
   }
 
-  /** Throws a `DeviceError`, and keeps what it holds, when the device has no room. */
-  hold(geometry: PackedGeometry): void {
+  /**
+   * Throws a `DeviceError`, and keeps what it holds, when the device has no room. Returns whether all meshes have been written anew, also
+   * those that keep their forms here.
+   */
+  hold(geometry: PackedGeometry): boolean {
     const { movingRows, meshes, tables, rows } = geometry;
     const held = this.#meshes.map(({ mesh }) => mesh);
-    if (movingRows !== this.#movingRows || !equal(meshes, held) || !equal(tables, this.#tables)) {
+    const others = movingRows !== this.#movingRows || !equal(meshes, held) || !equal(tables, this.#tables);
+    if (others) {
       if (this.#buffer?.rows !== rows) {
         const buffer = this.#device.createData(rows, 'meshes');
         this.#buffer?.destroy();
@@ -47,6 +51,7 @@ export class GeometryBuffer {
     }
     this.#writeMeshes();
     this.#writeMoving(geometry);
+    return others;
   }
 
   #writeTables(first: number): void {

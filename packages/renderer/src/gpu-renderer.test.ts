@@ -12,6 +12,7 @@ import type { Scene } from './scene/scene.ts';
 class FakeDevice implements Device {
   readonly backend = 'webgl2';
   readonly description = 'fake';
+  readonly compute = null;
   readonly maxTextureSize = 4096;
   readonly maxFilmSamples = 2 ** 24;
   readonly counts = { buffers: 0, textures: 0, programsMade: 0 };

@@ -2,6 +2,7 @@
  * Everything that lives on one device: the passes, the film, the packed scene. Made anew when a device was lost. One film
  * sample is a visible list of calls: pack, trace in short submits, show.
  */
+import type { Bender } from './bender.ts';
 import { AovDisplay, type Sight } from './display/aov-view.ts';
 import { Display, type Look } from './display/display.ts';
 import { EnvironmentTexture } from './environment-texture.ts';
@@ -10,8 +11,10 @@ import { FilmError } from './film/film-error.ts';
 import type { FrameController } from './frame-controller.ts';
 import { GeometryBuffer } from './geometry-buffer.ts';
 import {
+  type Compute,
   checkTableRows,
   type Device,
+  DeviceError,
   type FilmArea,
   type Pass,
   type Region,
@@ -31,6 +34,7 @@ import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
 import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
+import { hasDeformables } from './scene/deform.ts';
 import type { Moment } from './scene/motion.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
 import { Sketcher, type SketchWish } from './sketcher.ts';
@@ -70,6 +74,10 @@ export class Stages {
   readonly #environment: EnvironmentTexture;
   readonly #geometry: GeometryBuffer;
   readonly #texels: TexelBuffer;
+  /** Bends meshes where the device can; null: not yet, or they are bent on this thread. */
+  #bender: Bender | null = null;
+  #openingBender: Promise<void> | null = null;
+  #benderOpened = false;
   #shot: Shot | null = null;
   /** Pixels of the shot's whole picture. */
   #picture = { width: 0, height: 0 };
@@ -148,7 +156,11 @@ export class Stages {
 
   /** Whether the film of this subject gets what it asks for and not the preview's samples. */
   has(subject: Subject): boolean {
-    return this.#programs.get(subject) !== undefined && this.#hasPacker(subject);
+    return this.#programs.get(subject) !== undefined && this.#hasPacker(subject) && this.#hasBender(subject);
+  }
+
+  #hasBender({ scene }: Subject): boolean {
+    return this.#benderOpened || !this.device.compute || !hasDeformables(scene);
   }
 
   #hasPacker({ scene }: Subject): boolean {
@@ -162,7 +174,24 @@ export class Stages {
     const content = contentOfSubject(subject);
     const display = isAov(content) ? this.#aovReady() : this.#display.ready();
     const packer = needsPacker(subject.scene) && this.#packerReady();
-    await Promise.all([this.#programs.ready(subject), packer, display, content === 'path' && this.#filmErrorReady()]);
+    const bender = !this.#hasBender(subject) && this.#benderReady(this.device.compute!);
+    const filmError = content === 'path' && this.#filmErrorReady();
+    await Promise.all([this.#programs.ready(subject), packer, display, filmError, bender]);
+  }
+
+  #benderReady(compute: Compute): Promise<void> {
+    this.#openingBender ??= import('./bender.ts')
+      .then(({ Bender }) => Bender.create(this.device, compute))
+      .catch((error: unknown) => {
+        // Then this thread does it.
+        if (error instanceof DeviceError) return null;
+        throw error;
+      })
+      .then((bender) => {
+        this.#bender = bender;
+        this.#benderOpened = true;
+      });
+    return this.#openingBender;
   }
 
   async #packerReady(): Promise<void> {
@@ -210,6 +239,7 @@ export class Stages {
     this.#packer = null;
     if (this.#pending) return;
     this.#environment.release();
+    this.#bender?.release();
     this.#geometry.release();
     this.#texels.release();
     this.#sketcher.release();
@@ -226,7 +256,8 @@ export class Stages {
     this.#content = program ? contentOfSubject(shot) : null;
     const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
-    const options = { reuse: this.#packed, reach: viewReach(camera, width / height, shot.settings.framing) };
+    const reach = viewReach(camera, width / height, shot.settings.framing);
+    const options = { reuse: this.#packed, reach, deviceRows: this.#bender ? this.device.compute!.maxRows : 0 };
     const packed =
       this.#content === 'path' || isAov(this.#content)
         ? packPathScene({ ...shot, scene }, camera.eye, options)
@@ -236,8 +267,7 @@ export class Stages {
     // The classic integrator uses none of them, and a model that has been left would stay in memory.
     if (packed.environment) this.#environment.hold(packed.environment);
     else this.#environment.release();
-    if (packed.geometry) this.#geometry.hold(packed.geometry);
-    else this.#geometry.release();
+    this.#holdGeometry(packed.geometry);
     if (packed.textures) this.#texels.hold(packed.textures);
     else this.#texels.release();
     if (!this.#table || this.#table.height < packed.rows) {
@@ -246,6 +276,13 @@ export class Stages {
       this.#table = this.device.createTable(TABLE_WIDTH, Math.max(packed.rows, 32));
     } else if (packed.source === before?.source) return;
     this.#table.write(packed.table.f32, packed.rows);
+  }
+
+  #holdGeometry(geometry: PackedScene['geometry']): void {
+    const rewritten = geometry !== null && this.#geometry.hold(geometry);
+    if (geometry?.bending) this.#bender!.hold(geometry.bending, this.#geometry.buffer, rewritten);
+    else this.#bender?.release();
+    if (!geometry) this.#geometry.release();
   }
 
   /** Whether one call of `addSamples` may add more than one: of as many groups as integrator/path/path.ts says. */

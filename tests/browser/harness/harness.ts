@@ -1,4 +1,5 @@
 import { aovFilms } from './aov.ts';
+import { bentByDevice } from './bending.ts';
 import { chiSquareSamples, probeEdges, probeEvaluation, probeSamples } from './bsdf/probe.ts';
 import { cameraRays } from './camera-probe.ts';
 import { compileAll } from './compile.ts';
@@ -34,6 +35,7 @@ import { texturedSights } from './textures/sights.ts';
  */
 export const harness = {
   aovFilms,
+  bentByDevice,
   cameraRays,
   describeDevices,
   displayed,

@@ -1,6 +1,6 @@
 /** The parts of a file as one scene. */
-import { frameScene } from '../scene/framing.ts';
-import { MODEL_RENDER, studioSky } from '../scene/model-view.ts';
+import { type Frame, frameOf } from '../scene/framing.ts';
+import { MODEL_RENDER, roomLights, studioSky } from '../scene/model-view.ts';
 import { nodeTransforms, worldOf } from '../scene/node-transforms.ts';
 import type { Clip, SampledTrack, SceneNode, Skin } from '../scene/nodes.ts';
 import { placedCamera } from '../scene/placed.ts';
@@ -53,11 +53,11 @@ export function assemble(parts: Parts, options: GltfOptions): Scene {
     animation: [],
     render: MODEL_RENDER,
   };
-  return withView({ ...scene, sky: skyFor(scene, options) }, options);
+  const frame = frameOf(scene);
+  return withView(withLight(scene, frame, options), frame?.camera ?? null, options);
 }
 
-function withView(scene: Scene, { camera = 'file' }: GltfOptions): Scene {
-  const framed = frameScene(scene);
+function withView(scene: Scene, framed: Camera | null, { camera = 'file' }: GltfOptions): Scene {
   const cameras = Object.entries(scene.cameras ?? {}).map(([name, one]) => [name, aimed(scene, one, framed)] as const);
   const views = cameras.length > 0 ? { cameras: Object.fromEntries(cameras) } : {};
   const chosen = camera === 'file' ? cameras[0] : undefined;
@@ -92,10 +92,11 @@ function doubled(clips: Readonly<Record<string, Clip>>, camera: string): Record<
 }
 
 /** A file without any light is shown in a studio. What glows by a texture, such as a dial, is no lamp unless its strength says so. */
-function skyFor(scene: Scene, { environment = 'auto' }: GltfOptions): Sky {
+function withLight(scene: Scene, frame: Frame | null, { environment = 'auto' }: GltfOptions): Scene {
   const isLit = Object.keys(scene.lights).length > 0 || Object.values(scene.materials).some(shines);
-  if (environment === 'none' || (environment === 'auto' && isLit)) return BLACK;
-  return studioSky();
+  if (environment === 'none' || (environment === 'auto' && isLit)) return scene;
+  const lit = { ...scene, sky: studioSky() };
+  return isLit ? lit : { ...lit, lights: roomLights(frame?.room ?? null) };
 }
 
 const shines = ({ emission, emissionStrength = 1, emissionTexture }: Scene['materials'][string]): boolean =>

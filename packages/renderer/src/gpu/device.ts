@@ -135,6 +135,41 @@ export interface FilmArea {
   readonly height: number;
 }
 
+/**
+ * Compute programs that work on data alone. `data`: in the order of their binding numbers in group 0, whether each is only read; after them
+ * comes a vec4u: the two numbers of the step.
+ */
+export interface KernelSource {
+  readonly label: string;
+  readonly wgsl: string;
+  readonly entries: readonly string[];
+  readonly data: readonly ('read' | 'write')[];
+}
+export interface Kernels {
+  readonly label: string;
+}
+/** `groups` workgroups of one entry, which are told `first` and how many they are. They may stand in rows, with some too many in the last. */
+export interface KernelStep {
+  readonly entry: string;
+  readonly first: number;
+  readonly groups: number;
+}
+/** Steps, one after the other, with what they read and write. */
+export interface Work {
+  destroy(): void;
+}
+export interface Compute {
+  /** Rows of the largest data. */
+  readonly maxRows: number;
+  /** Rejects with `DeviceError` when the driver refuses. */
+  createKernels(source: KernelSource): Promise<Kernels>;
+  /** Once for many runs. The data must outlive it. */
+  prepare(kernels: Kernels, data: readonly DataBuffer[], steps: readonly KernelStep[]): Work;
+  /** Done before anything is drawn or read next, with what the data hold then. Asked for twice until then, it is done once. */
+  run(work: Work): void;
+  read(data: DataBuffer, firstRow: number, rows: number): Promise<Uint32Array<ArrayBuffer>>;
+}
+
 /** What exists on the device now, for leak tests, and how many programs were ever made. */
 export interface DeviceCounts {
   buffers: number;
@@ -151,6 +186,8 @@ export interface Device {
   /** Samples that its films can sum up before rounding shows. */
   readonly maxFilmSamples: number;
   readonly counts: Readonly<DeviceCounts>;
+  /** Null where there are no compute passes, or where they are no faster than the CPU. */
+  readonly compute: Compute | null;
   /** Compiles without blocking the page where the browser can. Rejects with `DeviceError` when the driver refuses. */
   createPass(source: PassSource): Promise<Pass>;
   /** Takes the canvas for good, if that was not needed to open the device: call it when everything needed compiles. */

@@ -3,9 +3,9 @@
 import { defaultDecoder, type ImageDecoder } from '../gltf/images/decoder.ts';
 import type * as meshFile from '../mesh-file/mesh-file.ts';
 import { endingOf, nameOf } from '../open/file-set.ts';
-import { frameScene } from '../scene/framing.ts';
+import { frameOf } from '../scene/framing.ts';
 import type { MeshSource } from '../scene/mesh.ts';
-import { MODEL_RENDER, studioSky } from '../scene/model-view.ts';
+import { MODEL_RENDER, roomLights, studioSky } from '../scene/model-view.ts';
 import type { Material, Scene } from '../scene/scene.ts';
 import { IMAGE_ENDINGS } from '../scene/textures.ts';
 import { parseScene } from '../scene-file/parse-scene.ts';
@@ -135,8 +135,9 @@ function sceneOf(content: meshFile.MeshContent, file: string, textured: Textured
   if (!parsed.ok) return parsed;
   const pictures = mapped(images, (data, file) => ({ ...(isImageFile(file) && { file }), data }));
   const whole = withThings(parsed.scene, { meshes, ...(Object.keys(images).length > 0 && { images: pictures }) });
-  const camera = frameScene(whole) ?? whole.camera;
-  const scene = withParts(whole, { camera, sky: studioSky() });
+  const frame = frameOf(whole);
+  const lit = withThings(whole, { lights: roomLights(frame?.room ?? null) });
+  const scene = withParts(lit, { camera: frame?.camera ?? whole.camera, sky: studioSky() });
   return { ok: true, scene, notes: [...notes, ...textured.notes] };
 }
 

@@ -16,7 +16,7 @@ const COUNT_SHIFT = 28;
 export const MOST_IN_LEAF = 7;
 export const MOST_PRIMITIVES = 2 ** COUNT_SHIFT;
 /** Boxes grow by this share of the greatest coordinate: more than rounding does to a ray's distance from them. */
-const PADDING = 4e-7;
+export const PADDING = 4e-7;
 /** Beyond all, on the wrong side; times 1e18, as for a ray along an axis, it is still a number. */
 const FAR = 1e19;
 

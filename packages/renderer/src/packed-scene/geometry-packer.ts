@@ -81,8 +81,14 @@ export async function packHere(scene: Scene, onProgress: (done: number) => void 
 }
 
 /** `packGeometry`. Throws when there are meshes and their packer has not been loaded. */
-export function geometryOf(moment: Moment, rows: BodyRows, eye: Vec3, before: PackedGeometry | null): PackedGeometry {
-  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before) : NO_GEOMETRY;
+export function geometryOf(
+  moment: Moment,
+  rows: BodyRows,
+  eye: Vec3,
+  before: PackedGeometry | null,
+  deviceRows = 0,
+): PackedGeometry {
+  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before, deviceRows) : NO_GEOMETRY;
 }
 
 /** `materials`: those of meshes. Throws likewise. */
@@ -118,6 +124,7 @@ const NO_GEOMETRY: PackedGeometry = {
   lampTables: rows,
   tables: [],
   emitters: [],
+  bending: null,
   rows,
 };
 

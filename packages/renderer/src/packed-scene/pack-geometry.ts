@@ -11,6 +11,8 @@ import { meshBounds } from '../scene/bounds.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import type { Moment } from '../scene/motion.ts';
 import type { Scene, Vec3 } from '../scene/scene.ts';
+import { Bending, mostPlanRows } from './bending.ts';
+import { BentMesh } from './bent-mesh.ts';
 import type { EmitterValues } from './emitter-values.ts';
 import { WideEncoder } from './encode-wide-bvh.ts';
 import { type InstancedMesh, InstanceRows, SHARED } from './instance-rows.ts';
@@ -20,7 +22,7 @@ import { MeshLamps } from './mesh-lamps.ts';
 import type { LampTable } from './pack-lamps.ts';
 import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
-import { PosedMesh } from './posed-mesh.ts';
+import { type FollowingMesh, PosedMesh } from './posed-mesh.ts';
 import { type Block, createBlock } from './write-struct.ts';
 
 // Comes with the rest of what meshes need.
@@ -51,6 +53,8 @@ export interface PackedGeometry {
   readonly tables: readonly LampTable[];
   /** What shines among the meshes, in the world. Another object when it is worked out anew. */
   readonly emitters: readonly EmitterValues[];
+  /** For the meshes that the device is to bend; null: there are none. Another object when other meshes are, or lie elsewhere. */
+  readonly bending: Bending | null;
   /** All rows. */
   readonly rows: number;
 }
@@ -78,16 +82,18 @@ export interface BodyRows {
 
 /**
  * `rows`: of the bodies of the scene that plays. `before`: a geometry that is no longer needed; when it
- * is of the same scene it is brought up to date and given back.
+ * is of the same scene it is brought up to date and given back. `deviceRows`: of the data that a device takes which bends meshes itself; where
+ * they do not suffice, and by default, meshes are bent here.
  */
 export function packGeometry(
   { played, time }: Pick<Moment, 'played' | 'time'>,
   rows: BodyRows,
   eye: Vec3,
   before: PackedGeometry | null = null,
+  deviceRows = 0,
 ): PackedGeometry {
-  const mine = before instanceof GeometryOfScene && before.scene === played;
-  const geometry = mine ? before : new GeometryOfScene(played);
+  const mine = before instanceof GeometryOfScene && before.scene === played && before.deviceRows === deviceRows;
+  const geometry = mine ? before : new GeometryOfScene(played, deviceRows);
   geometry.update(time, rows, eye);
   return geometry;
 }
@@ -98,8 +104,9 @@ class PackedBody implements InstancedMesh {
   boxChanged = false;
   rowChanged = true;
   readonly shared = new Uint32Array(SHARED.length);
-  #formRevision = -1;
+  #poseRevision = -1;
 
+  /** `mesh`: one that follows the body if the body bends. */
   constructor(
     readonly body: Body,
     public mesh: PackedMesh,
@@ -117,16 +124,22 @@ class PackedBody implements InstancedMesh {
     });
   }
 
+  /** Takes another mesh that follows the body. */
+  follow(mesh: FollowingMesh): void {
+    this.mesh = mesh;
+    this.#poseRevision = -1;
+  }
+
   /** Takes the form that the body has now. Returns whether that has led to another `mesh`. */
   update(): boolean {
-    const { form, formRevision } = this.body;
-    this.boxChanged = form !== null && formRevision !== this.#formRevision;
+    const { body } = this;
+    this.boxChanged = body.pose !== null && body.poseRevision !== this.#poseRevision;
     if (!this.boxChanged) return false;
-    this.#formRevision = formRevision;
-    const posed = this.mesh as PosedMesh;
-    posed.pose(form!);
-    for (let i = 0; i < 6; i++) this.box[i] = posed.box[i]!;
-    const renewed = posed.renewed(form!);
+    this.#poseRevision = body.poseRevision;
+    const mesh = this.mesh as FollowingMesh;
+    mesh.pose(body);
+    for (let i = 0; i < 6; i++) this.box[i] = mesh.box[i]!;
+    const renewed = mesh.renewed(body);
     if (renewed) this.mesh = renewed;
     return renewed !== null;
   }
@@ -137,6 +150,7 @@ class GeometryOfScene implements PackedGeometry {
   readonly moving: Block;
   readonly instances: number;
   meshes: readonly PackedMesh[] = [];
+  bending: Bending | null = null;
   lampTables = 0;
   readonly changedInstances: [number, number] = [0, 0];
   treeRows = 0;
@@ -146,6 +160,8 @@ class GeometryOfScene implements PackedGeometry {
   #bodyRows: BodyRows | null = null;
   readonly #packed: readonly PackedBody[];
   readonly #bent: readonly PackedBody[];
+  /** Whether the device bends those that do not shine. */
+  readonly #onDevice: boolean;
   /** Of each instance. */
   readonly #meshOf: readonly PackedBody[];
   readonly #instanceRows: InstanceRows;
@@ -156,17 +172,24 @@ class GeometryOfScene implements PackedGeometry {
   /** The good tree, while it is the one in use. */
   #tree: Bvh | null = null;
 
-  constructor(readonly scene: Scene) {
+  constructor(
+    readonly scene: Scene,
+    readonly deviceRows: number,
+  ) {
     const bodies = new Bodies(scene);
     this.#bodies = bodies;
+    const bending = bodies.all.filter(({ pose }) => pose !== null).map(({ mesh }) => mesh);
+    const onDevice = mostPlanRows(bending) <= deviceRows;
     const shared = new Map<Mesh, PackedMesh>();
-    const meshOf = ({ form, mesh }: Body): PackedMesh => {
-      if (form !== null) return new PosedMesh(mesh);
+    const meshOf = (body: Body): PackedMesh => {
+      const { pose, mesh } = body;
+      if (pose !== null) return onDevice ? new BentMesh(body) : new PosedMesh(mesh);
       if (!shared.has(mesh)) shared.set(mesh, packMesh(mesh));
       return shared.get(mesh)!;
     };
     this.#packed = bodies.all.map((body) => new PackedBody(body, meshOf(body)));
-    this.#bent = this.#packed.filter(({ body }) => body.form !== null);
+    this.#bent = this.#packed.filter(({ body }) => body.pose !== null);
+    this.#onDevice = onDevice;
     this.#meshOf = this.#packed.flatMap((packed) => new Array<PackedBody>(packed.body.count).fill(packed));
     // Up to twice the room that is needed, so that a few more instances in the next scene move no meshes.
     const room = 2 ** Math.ceil(Math.log2(Math.max(this.#meshOf.length, 1)));
@@ -199,6 +222,8 @@ class GeometryOfScene implements PackedGeometry {
       });
     }
     this.lampTables = rows;
+    const bent = this.meshes.filter((mesh) => mesh instanceof BentMesh);
+    this.bending = bent.length > 0 ? new Bending(bent.map((mesh) => ({ mesh, row: starts.get(mesh)! }))) : null;
   }
 
   get instanceCount(): number {
@@ -219,11 +244,11 @@ class GeometryOfScene implements PackedGeometry {
   update(time: number, bodyRows: BodyRows, eye: Vec3): void {
     if (time !== this.#time) this.#bodies.goTo(time);
     this.#time = time;
-    let renewed = false;
+    const otherRows = bodyRows !== this.#bodyRows;
+    let renewed = otherRows && this.#take(bodyRows);
     for (const packed of this.#bent) renewed = packed.update() || renewed;
     if (renewed) this.#placeMeshes();
-    const otherRows = bodyRows !== this.#bodyRows;
-    if (otherRows) this.#take(bodyRows);
+    this.bending?.update();
     const rows = this.#instanceRows;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
     if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
@@ -239,11 +264,21 @@ class GeometryOfScene implements PackedGeometry {
     for (const packed of this.#packed) packed.rowChanged = false;
   }
 
-  #take(bodyRows: BodyRows): void {
+  /** Returns whether meshes have been replaced: the triangles of lamps must be known here. */
+  #take(bodyRows: BodyRows): boolean {
     this.#bodyRows = bodyRows;
     this.#packed.forEach((packed, i) => {
       packed.share({ row: bodyRows.first + i, cover: bodyRows.covers[i]! });
     });
+    if (!this.#onDevice) return false;
+    let replaced = false;
+    for (const packed of this.#bent) {
+      const shines = (bodyRows.glows[this.#packed.indexOf(packed)] ?? null) !== null;
+      if (shines === packed.mesh instanceof PosedMesh) continue;
+      packed.follow(shines ? new PosedMesh(packed.body.mesh) : new BentMesh(packed.body));
+      replaced = true;
+    }
+    return replaced;
   }
 
   /** The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes. */

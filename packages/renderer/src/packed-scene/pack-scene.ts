@@ -91,6 +91,8 @@ export interface PackOptions {
   readonly leastRows?: number;
   /** Rows of their own after all of these: of the tree over lights, and of layers. */
   readonly moreRows?: number;
+  /** Of the data that a device takes which bends meshes itself; 0, the default: they are bent here. */
+  readonly deviceRows?: number;
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {

@@ -6,6 +6,7 @@
  */
 import { type Bvh, sahCost } from '../bvh/bvh.ts';
 import { planRefit, type RefitPlan, refit } from '../bvh/refit.ts';
+import type { Body } from '../scene/bodies.ts';
 import type { Deformed } from '../scene/deform.ts';
 import type { Mesh } from '../scene/mesh.ts';
 import { type DecodedBvh, decodeWideBvh } from './decode-wide-bvh.ts';
@@ -15,9 +16,19 @@ import { type PackedVertices, writeForm } from './pack-vertices.ts';
 import { floatsOf, type PackedMesh, wordsOf } from './packed-mesh.ts';
 
 /** A tree is built anew when it costs so many times what it did at first: docs/motion.md says what meshes come to. */
-const WORN = 2;
+export const WORN = 2;
 /** The new one is taken if it costs at most this share of the other. */
-const WORTH = 0.9;
+export const WORTH = 0.9;
+
+/** A mesh that follows the pose of a body. */
+export interface FollowingMesh extends PackedMesh {
+  /** The box around its triangles, six numbers: least x, y, z, greatest x, y, z. */
+  readonly box: ArrayLike<number>;
+  /** Takes the form that the body has now. Throws a RangeError when a place in it is not finite. */
+  pose(body: Body): void;
+  /** Call it after `pose`: gives another mesh in the same form once there is one with a better tree, and else null. */
+  renewed(body: Body): FollowingMesh | null;
+}
 
 /** What follows from a packed mesh: its tree, and the vertices of each leaf. */
 interface Plan extends DecodedBvh {
@@ -50,7 +61,7 @@ function joined(from: readonly Words[]): { readonly whole: Words; readonly parts
   return { whole, parts };
 }
 
-export class PosedMesh implements PackedMesh {
+export class PosedMesh implements FollowingMesh {
   readonly whole: Uint32Array<ArrayBuffer>;
   readonly nodes: Uint32Array<ArrayBuffer>;
   readonly triangles: Uint32Array<ArrayBuffer>;
@@ -90,8 +101,11 @@ export class PosedMesh implements PackedMesh {
     this.#firstCost = sahCost(this.bvh);
   }
 
-  /** Takes another form. Throws a RangeError when a place in it is not finite. */
-  pose(form: Deformed): void {
+  pose({ form }: Body): void {
+    this.#take(form!);
+  }
+
+  #take(form: Deformed): void {
     const { vertices, sources } = this.#plan;
     refit(this.bvh, form.positions, vertices);
     writeBoxes(sources, sources.length / 4, this.bvh, this.#nodeFloats);
@@ -101,16 +115,15 @@ export class PosedMesh implements PackedMesh {
     this.revision++;
   }
 
-  /** Call it after `pose`: gives another mesh in the same form once there is one with a better tree, and else null. */
-  renewed(form: Deformed): PosedMesh | null {
+  renewed({ form }: Body): PosedMesh | null {
     if (!this.#building && this.#cost <= WORN * this.#firstCost) return null;
-    this.#building ??= this.#startBuilding(form.positions.slice());
+    this.#building ??= this.#startBuilding(form!.positions.slice());
     const { done, value } = this.#building.steps.next();
     if (!done) return null;
     const { positions } = this.#building;
     this.#building = null;
     const next = new PosedMesh(this.#mesh, value, positions);
-    next.pose(form);
+    next.#take(form!);
     if (next.#cost <= WORTH * this.#cost) return next;
     // Forms like this one have no better tree.
     this.#firstCost = this.#cost;
@@ -121,7 +134,6 @@ export class PosedMesh implements PackedMesh {
     return { steps: packInSteps({ ...this.#mesh, positions }), positions };
   }
 
-  /** The box around its triangles, six numbers: least x, y, z, greatest x, y, z. */
   get box(): ArrayLike<number> {
     return this.bvh.bounds;
   }

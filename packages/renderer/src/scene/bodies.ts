@@ -4,7 +4,7 @@
  */
 import { AFFINE_LENGTH, IDENTITY, multiplyAffine, multiplyMatrices } from './affine.ts';
 import { type CompiledAnimation, compileAnimation } from './animation.ts';
-import { type Deformed, deform, isDeformable, jointMatrices, makeDeformed } from './deform.ts';
+import { type Deformed, deform, isDeformable, jointMatrices, makeDeformed, type Pose } from './deform.ts';
 import { compileTrack, evaluateTrack } from './keyframes.ts';
 import type { Mesh } from './mesh.ts';
 import { type NodeTransforms, nodeTransforms, playingClip } from './node-transforms.ts';
@@ -24,26 +24,32 @@ export interface Body {
   /** Its first instance among all, and how many it has. */
   readonly first: number;
   readonly count: number;
-  /** What joints and weights make of the mesh; null: it keeps its form. */
+  /** How joints and weights bend the mesh now; null: it keeps its form. Arrays are written again. */
+  readonly pose: Pose | null;
+  /** Grows when `pose` is another one. */
+  readonly poseRevision: number;
+  /** What the pose makes of the mesh, worked out when it is asked for; null: it keeps its form. */
   readonly form: Deformed | null;
-  /** Grows when `form` is another one. */
-  readonly formRevision: number;
 }
 
 /** Translation, turn about X, Y and Z in degrees, scale: the shape's own, where tracks move them. */
 const PARTS = { translation: 0, rotation: 3, scale: 6 } as const;
 
 class MovingBody implements Body {
-  readonly form: Deformed | null;
-  formRevision = 0;
+  readonly pose: {
+    weights: readonly number[] | undefined;
+    readonly joints: Float32Array<ArrayBuffer> | undefined;
+  } | null;
+  poseRevision = 0;
+  #form: Deformed | null = null;
+  /** The pose that it was made of. */
+  #formRevision = -1;
   /** Place of the node among all; −1: none. */
   readonly node: number;
   readonly own: Float64Array;
   /** Null unless tracks move the shape itself. */
   parts: Float64Array | null = null;
   readonly skin: Skin | null;
-  readonly #joints: Float32Array<ArrayBuffer> | undefined;
-  #weights: readonly number[] | undefined;
   readonly #lastJoints: Float32Array | undefined;
   readonly #local = new Float64Array(AFFINE_LENGTH);
 
@@ -60,10 +66,17 @@ class MovingBody implements Body {
     const skin = shape.skin === undefined ? undefined : scene.skins?.[shape.skin];
     this.skin = skin && mesh.skin ? skin : null;
     const bends = isDeformable(mesh) && (this.skin !== null || shape.node !== undefined);
-    this.form = bends ? makeDeformed(mesh) : null;
-    if (!this.skin) return;
-    this.#joints = new Float32Array(this.skin.joints.length * AFFINE_LENGTH);
-    this.#lastJoints = new Float32Array(this.#joints.length).fill(Number.NaN);
+    const joints = this.skin ? new Float32Array(this.skin.joints.length * AFFINE_LENGTH) : undefined;
+    this.pose = bends ? { weights: undefined, joints } : null;
+    this.#lastJoints = joints?.slice().fill(Number.NaN);
+  }
+
+  get form(): Deformed | null {
+    if (!this.pose) return null;
+    this.#form ??= makeDeformed(this.mesh);
+    if (this.#formRevision !== this.poseRevision) deform(this.mesh, this.pose, this.#form);
+    this.#formRevision = this.poseRevision;
+    return this.#form;
   }
 
   get count(): number {
@@ -86,16 +99,15 @@ class MovingBody implements Body {
     }
   }
 
-  /** Writes its form, unless joints and weights are as they were. */
+  /** Writes its pose. */
   bend(world: Float64Array, transforms: NodeTransforms, weights: readonly number[] | undefined): void {
-    const joints = this.#joints;
+    const pose = this.pose!;
+    const { joints } = pose;
     if (joints) jointMatrices(this.skin!, transforms, world, joints);
-    const same = this.formRevision > 0 && equal(weights, this.#weights) && equal(joints, this.#lastJoints);
-    if (same) return;
+    if (this.poseRevision > 0 && equal(weights, pose.weights) && equal(joints, this.#lastJoints)) return;
     this.#lastJoints?.set(joints!);
-    this.#weights = weights;
-    deform(this.mesh, { weights, joints }, this.form!);
-    this.formRevision++;
+    pose.weights = weights;
+    this.poseRevision++;
   }
 }
 
@@ -130,11 +142,11 @@ export class Bodies {
     this.#weights = compileAnimation(withTracks(scene, isOfWeights));
     const moving = new Set(transforms.moving);
     this.#movers = all.filter(({ node, parts, skin }) => skin === null && (parts !== null || moving.has(node)));
-    this.#bent = all.filter(({ form }) => form !== null);
+    this.#bent = all.filter(({ pose }) => pose !== null);
     for (const body of all) body.place(this.#world, this.matrices);
   }
 
-  /** Writes where all are, and in which form, at a time: seconds, finite. */
+  /** Writes where all are, and in which pose, at a time: seconds, finite. */
   goTo(time: number): void {
     const world = this.#transforms.at(time, this.#world);
     for (const channel of this.#channels) channel(time);

@@ -6,6 +6,7 @@ import { AFFINE_LENGTH, cofactors, determinant, multiplyAffine, type Numbers } f
 import type { Mesh, MorphTarget, SkinWeights } from './mesh.ts';
 import type { NodeTransforms } from './node-transforms.ts';
 import type { Skin } from './nodes.ts';
+import type { Scene } from './scene.ts';
 
 /** What of a mesh changes; the rest stays as it is. Arrays are there where the mesh has them. */
 export interface Deformed {
@@ -24,6 +25,10 @@ export interface Pose {
 
 export const isDeformable = ({ skin, morphTargets }: Mesh): boolean =>
   skin !== undefined || (morphTargets?.length ?? 0) > 0;
+
+/** Whether the scene has meshes that joints or weights may bend. */
+export const hasDeformables = ({ meshes = {} }: Pick<Scene, 'meshes'>): boolean =>
+  Object.values(meshes).some(({ data }) => data !== undefined && isDeformable(data));
 
 /** Arrays to write a mesh's form into, again and again. */
 export const makeDeformed = ({ positions, normals, tangents }: Mesh): Deformed => ({
@@ -117,7 +122,7 @@ function normalizeEach(vectors: Float32Array, stride: number): void {
 }
 
 /** Whether all joints turn and scale evenly, without mirror images, so that normals go the way of directions. */
-function keepsAngles(joints: Float32Array): boolean {
+export function keepsAngles(joints: Float32Array): boolean {
   for (let at = 0; at < joints.length; at += AFFINE_LENGTH) {
     const c = cofactors(joints, at);
     // For a turn times s the cofactors are the matrix times s.

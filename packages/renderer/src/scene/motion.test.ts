@@ -110,7 +110,7 @@ test('a form is written when joints or weights have changed, and only then', () 
     const bodies = new Bodies(scene);
     const revisions = [0, 0, 1, 1, 2.5, 0].map((time) => {
       bodies.goTo(time);
-      return bodies.all[0]!.formRevision;
+      return bodies.all[0]!.poseRevision;
     });
     expect(revisions).toEqual([1, 1, 2, 2, 3, 4]);
   }

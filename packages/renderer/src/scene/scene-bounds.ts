@@ -39,14 +39,29 @@ export function visitPoints(scene: Scene, time: number, visit: PointVisitor): vo
     const placed = shape.node === undefined ? shape : placedShape(shape, worldOf(transforms, world, shape.node), name);
     for (const [x, y, z] of corners(placed)) visit(x, y, z);
   }
+  visitMeshes(scene, time, ({ positions, indices, matrices }) => visitMesh(positions, indices, matrices, visit));
+}
+
+/** A mesh as it is at a time: vertices in its own space, and where each of its instances lies in the world, 12 numbers each (`Affine`). */
+export interface PosedMesh {
+  readonly shape: MeshShape;
+  readonly positions: Float32Array;
+  readonly indices: Uint32Array;
+  readonly matrices: Float64Array;
+}
+
+export function visitMeshes(scene: Scene, time: number, visit: (mesh: PosedMesh) => void): void {
+  const now = sceneAt(scene, time);
+  const transforms = nodeTransforms(scene);
+  const world = transforms.at(time);
   for (const [, shape] of meshShapes(now)) {
     const mesh = now.meshes?.[shape.mesh]?.data;
     if (mesh === undefined) continue;
     const skin = shape.skin === undefined ? undefined : now.skins?.[shape.skin];
     const joints = skin && mesh.skin ? jointMatrices(skin, transforms, world) : undefined;
     const weights = shape.node === undefined ? undefined : now.nodes?.[shape.node]?.weights;
-    const form = isDeformable(mesh) ? bent(mesh, { joints, weights }) : mesh.positions;
-    visitMesh(form, mesh.indices, meshMatrices(shape, worldOf(transforms, world, shape.node)), visit);
+    const positions = isDeformable(mesh) ? bent(mesh, { joints, weights }) : mesh.positions;
+    visit({ shape, positions, indices: mesh.indices, matrices: meshMatrices(shape, worldOf(transforms, world, shape.node)) }); // biome-ignore format: one line
   }
 }
 

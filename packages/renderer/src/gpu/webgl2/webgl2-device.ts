@@ -103,6 +103,7 @@ class WebGl2Device implements Device {
   readonly maxTextureSize: number;
   readonly maxFilmSamples: number;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
+  readonly compute = null;
   readonly lost: Promise<string>;
   readonly #gl: WebGL2RenderingContext;
   readonly #canvas: HTMLCanvasElement;

@@ -17,6 +17,7 @@ import {
   type UniformBuffer,
   writeLines,
 } from '../device.ts';
+import { WebGpuCompute } from './webgpu-compute.ts';
 
 const FILM_FORMAT = 'rgba32float';
 
@@ -117,6 +118,7 @@ class WebGpuDevice implements Device {
   readonly maxTextureSize: number;
   readonly maxFilmSamples = 2 ** 24;
   readonly counts: DeviceCounts = { buffers: 0, textures: 0, programsMade: 0 };
+  readonly compute: WebGpuCompute | null;
   readonly lost: Promise<string>;
   readonly #options: Required<WebGpuOptions>;
   readonly #device: GPUDevice;
@@ -140,6 +142,7 @@ class WebGpuDevice implements Device {
     this.#device = device;
     this.#format = options.gpu.getPreferredCanvasFormat();
     this.description = description;
+    this.compute = options.computes ? new WebGpuCompute(device, this.counts) : null;
     this.maxTextureSize = device.limits.maxTextureDimension2D;
     this.lost = new Promise((resolve) => {
       device.lost.then((info) => {
@@ -258,7 +261,8 @@ class WebGpuDevice implements Device {
     this.checkData(rows, what);
     if (this.#options.samplesData) return this.#dataTexture(rows);
     const size = rows * 16;
-    const buffer = this.#device.createBuffer({ size, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
+    const { STORAGE, COPY_SRC, COPY_DST } = GPUBufferUsage;
+    const buffer = this.#device.createBuffer({ size, usage: STORAGE | COPY_SRC | COPY_DST });
     this.counts.buffers++;
     const data: DataBuffer & GpuResource = {
       rows,
@@ -309,6 +313,7 @@ class WebGpuDevice implements Device {
     }
     const views = target === 'canvas' ? [this.#canvasView()] : viewsOf(target);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
+    this.compute?.encode(encoder);
     const clear = region === undefined || region.firstRow === 0;
     const renderPass = encoder.beginRenderPass({
       colorAttachments: views.map((view) => ({ view, loadOp: clear ? 'clear' : 'load', storeOp: 'store' })),
@@ -333,6 +338,7 @@ class WebGpuDevice implements Device {
     const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
     const encoder = this.#device.createCommandEncoder({ label: pass.label });
     const computePass = encoder.beginComputePass();
+    this.compute?.dispatch(computePass);
     computePass.setPipeline(pipeline as GPUComputePipeline);
     computePass.setBindGroup(0, this.#group(pass, [...inputs, ...viewsOf(film)]));
     const [columns, rows] = tile ?? [8, 8];

@@ -1,6 +1,6 @@
 /** Shapes as Mitsuba's; triangles in PLY files beside the scene. */
 import { writePly } from '../../mesh-file/ply/write-ply.ts';
-import { AFFINE_LENGTH, IDENTITY } from '../../scene/affine.ts';
+import { AFFINE_LENGTH, determinant, IDENTITY } from '../../scene/affine.ts';
 import type { Mesh } from '../../scene/mesh.ts';
 import { meshMatrices } from '../../scene/placed.ts';
 import type { Box, MeshShape, Plane, Scene, Shape, Vec3 } from '../../scene/scene.ts';
@@ -41,6 +41,8 @@ export class ShapeWriter {
   readonly #extent: number;
   /** Names of files, by mesh. */
   readonly #written = new Map<Mesh, string>();
+  /** The same for those whose triangles are written the other way round. */
+  readonly #turned = new Map<Mesh, string>();
   #groups = 0;
 
   /** `extent`: the greatest coordinate of what has an end. */
@@ -86,11 +88,14 @@ export class ShapeWriter {
     if (mesh === undefined) throw new TypeError(`The mesh "${shape.mesh}" has not been loaded.`);
     const thing = `mesh "${shape.mesh}"`;
     if (mesh.colors) this.#report.add('lost', 'Colours of vertices are in the file beside it, but not used.', thing);
+    const matrices = meshMatrices(shape, IDENTITY);
+    // Mitsuba takes the outside of a placed mesh from the order of its corners in the world, which a mirror image turns round; that of an
+    // instance from the mesh's own.
+    const isTurned = matrices.length === AFFINE_LENGTH && determinant(matrices) < 0;
     const parts = [
-      string('filename', this.#fileOf(mesh, shape.mesh)),
+      string('filename', this.#fileOf(mesh, shape.mesh, isTurned)),
       boolean('face_normals', mesh.normals === undefined),
     ];
-    const matrices = meshMatrices(shape, IDENTITY);
     const at = (i: number) => toWorld(matrices.subarray(i, i + AFFINE_LENGTH));
     if (matrices.length === AFFINE_LENGTH) return [plugin('shape', 'ply', [...parts, at(0), ...content])];
     const id = `group ${this.#groups++}`;
@@ -101,12 +106,14 @@ export class ShapeWriter {
     return [group, ...places];
   }
 
-  #fileOf(mesh: Mesh, name: string): string {
-    const known = this.#written.get(mesh);
+  #fileOf(mesh: Mesh, name: string, isTurned: boolean): string {
+    const files = isTurned ? this.#turned : this.#written;
+    const known = files.get(mesh);
     if (known !== undefined) return known;
     const safe = name.replace(/[^\p{L}\p{N}]+/gu, '-').slice(0, 60);
-    const file = `${this.#name}.${this.#written.size} ${safe}.ply`.replace(/ /g, '-');
-    const { positions, indices, normals, uvs, colors } = mesh;
+    const file = `${this.#name}.${this.#written.size + this.#turned.size} ${safe}.ply`.replace(/ /g, '-');
+    const { positions, normals, uvs, colors } = mesh;
+    const indices = isTurned ? turned(mesh.indices) : mesh.indices;
     this.#files[file] = writePly({
       positions,
       indices,
@@ -114,10 +121,12 @@ export class ShapeWriter {
       ...(uvs && { uvs }),
       ...(colors && { colors }),
     });
-    this.#written.set(mesh, file);
+    files.set(mesh, file);
     return file;
   }
 }
+
+const turned = (indices: Uint32Array): Uint32Array => indices.map((_, i) => indices[i - (i % 3) + [0, 2, 1][i % 3]!]!);
 
 function boxMatrix({ center, size, rotation }: Box): number[] {
   const axis = (v: Vec3): Vec3 => rotate(v, rotation);

@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { cubeMesh } from '../../../../../tests/fixtures/meshes/solids.ts';
 import { seededRandom } from '../../../../../tests/fixtures/random.ts';
 import { referenceNames, referenceScene } from '../../../../../tests/reference/references.ts';
+import { readMeshFile } from '../../mesh-file/mesh-file.ts';
 import { builtInScenes } from '../../scene/built-in/index.ts';
 import type { EnvironmentMap } from '../../scene/environment.ts';
 import type { Scene } from '../../scene/scene.ts';
@@ -159,6 +160,21 @@ test('meshes are PLY files; many places are instances of one', () => {
   const xml = textIn(scene({ meshes, shapes: places }));
   expect(xml.match(/<shape type="instance">/g)).toHaveLength(3);
   expect(xml.match(/<shape type="ply">/g)).toHaveLength(1);
+});
+
+test('a mirrored mesh has its corners the other way round, so that its outside stays out', () => {
+  const mesh = { type: 'mesh', mesh: 'cube', material: 'm' };
+  const mirrored = { ...mesh, scale: [-1, 2, 1], translation: [3, 0, 0] };
+  const { files } = writeMitsuba(scene({ meshes: { cube: { data: cubeMesh() } }, shapes: { a: mesh, b: mirrored } }));
+  const [straight, turned] = Object.entries(files)
+    .filter(([name]) => name.endsWith('.ply'))
+    .map(([name, bytes]) => {
+      const read = readMeshFile(bytes, name);
+      return read.ok ? [...read.parts[0]!.mesh.indices] : [];
+    });
+  expect(turned).toHaveLength(36);
+  for (let i = 0; i < 36; i += 3)
+    expect(turned!.slice(i, i + 3)).toEqual([straight![i], straight![i + 2], straight![i + 1]]);
 });
 
 test("the sky on Mitsuba's grid is the same function (seed 96)", () => {
