@@ -150,6 +150,15 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
+struct Facets {
+    float value;
+    float density;
+    float cosine;
+};
+struct Cover {
+    float left;
+    vec4 fibres;
+};
 const uint evaluation = 0u;
 const uint sampledDirection = 1u;
 const uint metallicRoughness = 1u;
@@ -502,8 +511,8 @@ bool isThin(uint code_6) {
 }
 
 float reflectionBound(vec3 wo, float alpha_2) {
-    float s_15 = (1.0 + length(wo.xy));
-    float s2_ = (s_15 * s_15);
+    float s_14 = (1.0 + length(wo.xy));
+    float s2_ = (s_14 * s_14);
     float a2_1 = (alpha_2 * alpha_2);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
@@ -663,6 +672,12 @@ vec3 refracted(vec3 wo_3, vec3 h, float ratio_5) {
     return ((((cosine_19 - inside_2) * h) - wo_3) / vec3(ratio_5));
 }
 
+bool isSolidHere() {
+    const bool _e1 = hasTransmission;
+    float _e4 = layersHere.solid;
+    return pick(_e1, (_e4 > 0.0), false);
+}
+
 Basis basisAbout(vec3 n) {
     float side_5 = pick((n.z >= 0.0), 1.0, -1.0);
     float a_1 = (-1.0 / (side_5 + n.z));
@@ -675,8 +690,8 @@ vec3 toLocal(Basis b, vec3 v_2) {
 }
 
 float ellipticBound(vec3 wo_4, vec2 alpha_6) {
-    float s_16 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_16 * s_16);
+    float s_15 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_15 * s_15);
     float least = min(alpha_6.x, alpha_6.y);
     float a2_2 = (least * least);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
@@ -736,106 +751,104 @@ LayeredSample sampleLayered(Surface s_6, vec3 u_4) {
     bool lost = false;
     LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, false);
     vec3 wo_9 = stackHere.wo;
-    const bool _e6 = hasTransmission;
-    float _e9 = layersHere.solid;
-    bool isSolid_1 = pick(_e6, (_e9 > 0.0), false);
-    const bool _e14 = hasCoats;
-    float _e18 = stackHere.ofCoat;
-    bool isCoat = pick(_e14, (u_4.z < _e18), false);
-    float _e24 = stackHere.ofCoat;
-    float _e27 = stackHere.ofFacets;
-    bool isFacet = (u_4.z < (_e24 + _e27));
-    stackHere.drawnByCoat = isCoat;
-    vec2 _e34 = stackHere.alpha;
-    float _e37 = stackHere.coatAlpha;
-    vec2 alpha_14 = pick(isCoat, vec2(_e37), _e34);
+    bool _e5 = isSolidHere();
+    const bool _e7 = hasCoats;
+    float _e11 = stackHere.ofCoat;
+    bool isCoat_1 = pick(_e7, (u_4.z < _e11), false);
+    float _e17 = stackHere.ofCoat;
+    float _e20 = stackHere.ofFacets;
+    bool isFacet = (u_4.z < (_e17 + _e20));
+    stackHere.drawnByCoat = isCoat_1;
+    vec2 _e27 = stackHere.alpha;
+    float _e30 = stackHere.coatAlpha;
+    vec2 alpha_14 = pick(isCoat_1, vec2(_e30), _e27);
     bool isSmooth_1 = (max(alpha_14.x, alpha_14.y) < 0.001);
     vec2 wide = max(alpha_14, vec2(0.001));
-    const bool _e63 = hasCoatNormals;
-    if (_e63) {
-        if (isCoat) {
-            float _e66 = stackHere.side;
-            vec3 _e67 = coatNormal(_e66);
-            Basis _e68 = basisAbout(_e67);
-            own = _e68;
+    const bool _e56 = hasCoatNormals;
+    if (_e56) {
+        if (isCoat_1) {
+            float _e59 = stackHere.side;
+            vec3 _e60 = coatNormal(_e59);
+            Basis _e61 = basisAbout(_e60);
+            own = _e61;
         }
     }
     ownWo = wo_9;
-    const bool _e71 = hasCoatNormals;
-    if (_e71) {
-        Basis _e72 = own;
-        vec3 _e73 = toLocal(_e72, wo_9);
-        ownWo = _e73;
+    const bool _e64 = hasCoatNormals;
+    if (_e64) {
+        Basis _e65 = own;
+        vec3 _e66 = toLocal(_e65, wo_9);
+        ownWo = _e66;
     }
-    vec3 _e74 = ownWo;
-    float _e75 = ellipticBound(_e74, wide);
-    float bound_2 = pick(pick(isSolid_1, !(isCoat), false), 1.0, _e75);
-    vec3 _e80 = ownWo;
-    vec3 _e82 = sampleEllipticNormal(_e80, wide, bound_2, u_4.xy);
-    h_1 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e82);
-    const bool _e90 = hasCoatNormals;
-    if (_e90) {
-        Basis _e91 = own;
-        vec3 _e92 = h_1;
-        vec3 _e93 = toWorld(_e91, _e92);
-        h_1 = _e93;
+    vec3 _e67 = ownWo;
+    float _e68 = ellipticBound(_e67, wide);
+    float bound_2 = pick(pick(_e5, !(isCoat_1), false), 1.0, _e68);
+    vec3 _e73 = ownWo;
+    vec3 _e75 = sampleEllipticNormal(_e73, wide, bound_2, u_4.xy);
+    h_1 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e75);
+    const bool _e83 = hasCoatNormals;
+    if (_e83) {
+        Basis _e84 = own;
+        vec3 _e85 = h_1;
+        vec3 _e86 = toWorld(_e84, _e85);
+        h_1 = _e86;
     }
-    vec3 _e94 = h_1;
-    float oh = max(dot(wo_9, _e94), 0.0);
-    vec3 _e100 = h_1;
-    vec3 reflected = (((2.0 * oh) * _e100) - wo_9);
+    vec3 _e87 = h_1;
+    float oh = max(dot(wo_9, _e87), 0.0);
+    vec3 _e93 = h_1;
+    vec3 reflected = (((2.0 * oh) * _e93) - wo_9);
     met = reflected;
-    const bool _e107 = hasTransmission;
-    if (_e107) {
-        float _e111 = stackHere.ofCoat;
-        float _e115 = stackHere.ofFacets;
-        float left = ((u_4.z - _e111) / max(_e115, 1e-20));
-        Reflectance _e120 = bareReflectance(s_6, oh);
-        float _e121 = shareToward(s_6, _e120);
-        crossing = pick(!(isCoat), (left >= _e121), false);
-        vec3 _e128 = h_1;
-        float _e131 = stackHere.ratio;
-        vec3 _e132 = refracted(wo_9, _e128, _e131);
-        vec3 beyond_1 = pick(isSolid_1, _e132, vec3(reflected.xy, -(reflected.z)));
-        bool _e134 = crossing;
-        met = pick(_e134, beyond_1, reflected);
+    const bool _e100 = hasTransmission;
+    if (_e100) {
+        float _e104 = stackHere.ofCoat;
+        float _e108 = stackHere.ofFacets;
+        float left = ((u_4.z - _e104) / max(_e108, 1e-20));
+        Reflectance _e113 = bareReflectance(s_6, oh);
+        float _e114 = shareToward(s_6, _e113);
+        crossing = pick(!(isCoat_1), (left >= _e114), false);
+        vec3 _e121 = h_1;
+        float _e124 = stackHere.ratio;
+        vec3 _e125 = refracted(wo_9, _e121, _e124);
+        vec3 beyond_1 = pick(_e5, _e125, vec3(reflected.xy, -(reflected.z)));
+        bool _e127 = crossing;
+        met = pick(_e127, beyond_1, reflected);
     }
-    bool _e137 = crossing;
-    float _e139 = met.z;
-    lost = pick(!(isSmooth_1), (_e137 != (_e139 < 0.0)), false);
-    const bool _e146 = hasCoatNormals;
-    if (_e146) {
-        if (isCoat) {
-            vec3 _e148 = own.normal;
-            vec3 _e149 = met;
-            float _e154 = met.z;
-            lost = pick((dot(_e148, _e149) <= 0.0), true, pick((_e154 < 0.0), (s_6.eta.x < 0.0), false));
+    bool _e130 = crossing;
+    float _e132 = met.z;
+    lost = pick(!(isSmooth_1), (_e130 != (_e132 < 0.0)), false);
+    const bool _e139 = hasCoatNormals;
+    if (_e139) {
+        if (isCoat_1) {
+            vec3 _e141 = own.normal;
+            vec3 _e142 = met;
+            float _e147 = met.z;
+            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_6.eta.x < 0.0), false));
         }
     }
-    vec3 _e163 = met;
-    bool _e164 = lost;
-    drawn = LayeredSample(_e163, pick(_e164, 0.0, 1.0), isSmooth_1);
+    vec3 _e156 = met;
+    bool _e157 = lost;
+    drawn = LayeredSample(_e156, pick(_e157, 0.0, 1.0), isSmooth_1);
     if (!(isFacet)) {
-        float _e174 = stackHere.ofCoat;
-        float _e178 = stackHere.ofFacets;
-        float next = ((u_4.z - _e174) - _e178);
+        float _e167 = stackHere.ofCoat;
+        float _e171 = stackHere.ofFacets;
+        float next = ((u_4.z - _e167) - _e171);
         float sine_2 = sqrt(max((u_4.x * (2.0 - u_4.x)), 0.0));
         float phi_3 = ((6.2831855 * u_4.y) - 3.1415927);
         vec3 even = vec3((sine_2 * cos(phi_3)), (sine_2 * sin(phi_3)), (1.0 - u_4.x));
-        vec3 _e202 = sampleCosine(u_4.xy);
-        const bool _e208 = hasTransmission;
-        float _e211 = stackHere.ofSheen;
-        float _e214 = stackHere.ofDiffuse;
-        vec3 below_1 = vec3(_e202.xy, pick(pick(_e208, (next >= (_e211 + _e214)), false), -(_e202.z), _e202.z));
-        const bool _e221 = hasSheen;
-        float _e224 = stackHere.ofSheen;
-        drawn = LayeredSample(pick(pick(_e221, (next < _e224), false), even, below_1), 1.0, false);
+        vec3 _e195 = sampleCosine(u_4.xy);
+        const bool _e201 = hasTransmission;
+        float _e204 = stackHere.ofSheen;
+        float _e207 = stackHere.ofDiffuse;
+        vec3 below_1 = vec3(_e195.xy, pick(pick(_e201, (next >= (_e204 + _e207)), false), -(_e195.z), _e195.z));
+        const bool _e214 = hasSheen;
+        float _e217 = stackHere.ofSheen;
+        drawn = LayeredSample(pick(pick(_e214, (next < _e217), false), even, below_1), 1.0, false);
     }
-    float _e233 = drawn.direction.z;
-    float _e236 = stackHere.side;
-    drawn.direction.z = (_e233 * _e236);
-    LayeredSample _e238 = drawn;
-    return _e238;
+    float _e226 = drawn.direction.z;
+    float _e229 = stackHere.side;
+    drawn.direction.z = (_e226 * _e229);
+    LayeredSample _e231 = drawn;
+    return _e231;
 }
 
 vec3 mirrored(vec3 wo_6) {
@@ -1017,21 +1030,67 @@ BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf), pick(drawn_2.delta, drawn_2.weight, weight_1), drawn_2.delta);
 }
 
-bool asksCoat(Surface s_11, bool crossing_1) {
-    const bool _e3 = hasTransmission;
-    float _e6 = layersHere.solid;
-    bool isSolid_2 = pick(_e3, (_e6 > 0.0), false);
-    const bool _e11 = hasCoats;
-    const bool _e13 = hasTransmission;
-    float _e17 = stackHere.coat;
-    bool _e22 = stackHere.inside;
-    return pick(pick(_e11, true, _e13), pick((_e17 > 0.0), true, pick(pick(isSolid_2, pick(crossing_1, true, _e22), false), (s_11.metallic < 1.0), false)), false);
-}
-
 float ellipticDensity(vec3 h_3, vec2 alpha_10) {
     vec2 scaled_1 = (h_3.xy / alpha_10);
     float slope_1 = max((dot(scaled_1, scaled_1) + (h_3.z * h_3.z)), 1.0);
     return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
+}
+
+Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
+    vec3 wo_12 = stackHere.wo;
+    vec2 _e8 = stackHere.alpha;
+    float _e11 = stackHere.coatAlpha;
+    vec2 alpha_15 = pick(isCoat, vec2(_e11), _e8);
+    bool isRough = (max(alpha_15.x, alpha_15.y) >= 0.001);
+    vec2 wide_1 = max(alpha_15, vec2(0.001));
+    float _e24 = stackHere.ratio;
+    vec3 m_2 = (wo_12 + (wi_3 * pick(bends, _e24, 1.0)));
+    float m2_2 = max(dot(m_2, m_2), 1e-20);
+    vec3 h_7 = (m_2 * inversesqrt(m2_2));
+    float oh_3 = dot(wo_12, h_7);
+    float ih_1 = dot(wi_3, h_7);
+    ownWo_1 = wo_12;
+    ownWi = wi_3;
+    ownH = h_7;
+    const bool _e40 = hasCoatNormals;
+    if (_e40) {
+        if (isCoat) {
+            float _e43 = stackHere.side;
+            vec3 _e44 = coatNormal(_e43);
+            Basis _e45 = basisAbout(_e44);
+            vec3 _e46 = toLocal(_e45, wo_12);
+            ownWo_1 = _e46;
+            vec3 _e47 = toLocal(_e45, wi_3);
+            ownWi = _e47;
+            vec3 _e48 = toLocal(_e45, h_7);
+            ownH = _e48;
+        }
+    }
+    float _e50 = ownH.z;
+    float _e55 = ownH.z;
+    float _e58 = ownWi.z;
+    float _e64 = ownWi.z;
+    bool faces_1 = pick(pick(((oh_3 * _e50) >= 0.0), (((ih_1 * _e55) * _e58) >= 0.0), false), pick(bends, true, (_e64 >= 0.0)), false);
+    vec3 _e74 = ownH;
+    float _e75 = ellipticDensity(_e74, wide_1);
+    float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_2), 0.25) * pick(pick(faces_1, isRough, false), (2.0 * _e75), 0.0));
+    vec3 _e82 = ownWo_1;
+    float _e83 = ellipticStretched(_e82, wide_1);
+    float _e85 = ownWi.z;
+    float ownZi = abs(_e85);
+    float _e89 = ownWo_1.z;
+    vec3 _e90 = ownWi;
+    float _e91 = ellipticStretched(_e90, wide_1);
+    float masked_1 = (ownZi / max(((ownZi * _e83) + (_e89 * _e91)), 1e-20));
+    vec3 _e97 = ownWo_1;
+    float _e98 = ellipticBound(_e97, wide_1);
+    bool _e99 = isSolidHere();
+    float bound_3 = pick(pick(_e99, !(isCoat), false), 1.0, _e98);
+    float _e106 = ownWo_1.z;
+    return Facets((spread_1 * masked_1), (spread_1 / ((bound_3 * _e106) + _e83)), min(abs(oh_3), 1.0));
 }
 
 vec3 indexOf(vec3 f0_1) {
@@ -1090,19 +1149,19 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_16)
     return clamp(_e90, vec3(0.0), vec3(1.0));
 }
 
-Reflectance filmedReflectance(Surface s_12, Reflectance bare_1, float cosine_17) {
+Reflectance filmedReflectance(Surface s_11, Reflectance bare_1, float cosine_17) {
     Reflectance r_1 = Reflectance(vec3(0.0), vec3(0.0));
     bool isMetal = false;
     r_1 = bare_1;
     float _e6 = layersHere.film;
     if ((_e6 > 0.0)) {
         float _e9 = outerCosine(cosine_17);
-        isMetal = (s_12.metallic >= 1.0);
+        isMetal = (s_11.metallic >= 1.0);
         while(true) {
             float _e16 = layersHere.specularWeight;
             vec3 _e17 = dielectricF0_();
             bool _e20 = isMetal;
-            vec3 f0_4 = pick(_e20, s_12.baseColor, (_e16 * _e17));
+            vec3 f0_4 = pick(_e20, s_11.baseColor, (_e16 * _e17));
             float _e24 = layersHere.filmIor;
             float _e27 = layersHere.filmThickness;
             vec3 _e28 = filmReflectance(f0_4, _e24, _e27, _e9);
@@ -1117,7 +1176,7 @@ Reflectance filmedReflectance(Surface s_12, Reflectance bare_1, float cosine_17)
                 r_1.dielectric = mix(_e39, _e28, _e42);
             }
             bool _e44 = isMetal;
-            if (pick(_e44, true, (s_12.metallic <= 0.0))) {
+            if (pick(_e44, true, (s_11.metallic <= 0.0))) {
                 break;
             }
             isMetal = true;
@@ -1135,12 +1194,12 @@ Reflectance filmedReflectance(Surface s_12, Reflectance bare_1, float cosine_17)
 }
 
 float shadowingExponent(float x, float alpha_11) {
-    float m_2 = ((1.0 - alpha_11) * (1.0 - alpha_11));
-    float a_2 = mix(21.5473, 25.3245, m_2);
-    float b_4 = mix(3.82987, 3.32435, m_2);
-    float c = mix(0.19823, 0.16801, m_2);
-    float d = mix(-1.9776, -1.27393, m_2);
-    float e = mix(-4.32054, -4.85967, m_2);
+    float m_3 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+    float a_2 = mix(21.5473, 25.3245, m_3);
+    float b_4 = mix(3.82987, 3.32435, m_3);
+    float c = mix(0.19823, 0.16801, m_3);
+    float d = mix(-1.9776, -1.27393, m_3);
+    float e = mix(-4.32054, -4.85967, m_3);
     return (((a_2 / (1.0 + (b_4 * pow(x, c)))) + (d * x)) + e);
 }
 
@@ -1152,21 +1211,64 @@ float sheenShadowing(float cosine_18, float alpha_12) {
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
 
-float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_13) {
-    vec3 m_3 = (wo_7 + wi_3);
-    float m2_2 = max(dot(m_3, m_3), 1e-20);
-    float sine2_3 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
+float whiteSheen(vec3 wo_7, vec3 wi_4, float alpha_13) {
+    vec3 m_4 = (wo_7 + wi_4);
+    float m2_3 = max(dot(m_4, m_4), 1e-20);
+    float sine2_3 = clamp((dot(m_4.xy, m_4.xy) / m2_3), 0.0, 1.0);
     float power = (0.5 / alpha_13);
     float density = (((2.0 + (2.0 * power)) * 0.15915494) * pick((sine2_3 < 1e-20), 0.0, exp((power * log(max(sine2_3, 1e-20))))));
     float zo_1 = max(wo_7.z, 1e-6);
     float _e38 = sheenShadowing(wo_7.z, alpha_13);
-    float _e42 = sheenShadowing(wi_3.z, alpha_13);
+    float _e42 = sheenShadowing(wi_4.z, alpha_13);
     return (density / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
 }
 
 float sheenAlpha(float roughness_1) {
     float r_3 = max(roughness_1, 0.07);
     return (r_3 * r_3);
+}
+
+Cover coverTowards(vec3 wi_5, bool crossing_1) {
+    Cover cover = Cover(1.0, vec4(0.0));
+    const bool _e8 = hasCoats;
+    if (_e8) {
+        float _e11 = layersHere.coat;
+        float _e14 = stackHere.side;
+        float _e15 = coatCosine(_e14, wi_5);
+        float _e16 = coatReflectance(_e11, _e15);
+        float _e20 = stackHere.coat;
+        bool _e23 = stackHere.inside;
+        cover.left = (1.0 - pick(pick(_e23, crossing_1, false), _e16, _e20));
+    }
+    const bool _e29 = hasSheen;
+    if (_e29) {
+        float _e32 = stackHere.sheenColor;
+        if ((_e32 > 0.0)) {
+            float _e37 = layersHere.solid;
+            bool _e43 = stackHere.inside;
+            bool isOutside = pick(!((_e37 > 0.0)), true, (_e43 == crossing_1));
+            float _e48 = stackHere.sheen;
+            float _e53 = layersHere.sheenRoughness;
+            float _e54 = sheenAlbedo(abs(wi_5.z), _e53);
+            float most = max(_e48, _e54);
+            float _e58 = stackHere.coat;
+            vec3 _e63 = stackHere.wo;
+            float _e66 = layersHere.sheenRoughness;
+            float _e67 = sheenAlpha(_e66);
+            float _e68 = whiteSheen(_e63, wi_5, _e67);
+            float white = (((1.0 - _e58) * _e68) / max(most, 1.0));
+            vec3 _e76 = layersHere.sheenColor;
+            float _e80 = stackHere.ofSheen;
+            bool _e88 = stackHere.inside;
+            cover.fibres = pick(pick(crossing_1, true, _e88), vec4(0.0), vec4((white * _e76), (_e80 * 0.15915494)));
+            float _e92 = cover.left;
+            float _e95 = stackHere.sheenColor;
+            float _e98 = stackHere.sheen;
+            cover.left = (_e92 * (1.0 - (_e95 * min(pick(isOutside, most, _e98), 1.0))));
+        }
+    }
+    Cover _e106 = cover;
+    return _e106;
 }
 
 float ofBeyond() {
@@ -1177,196 +1279,103 @@ float ofBeyond() {
     return max(((((1.0 - _e2) - _e7) - _e11) - _e15), 0.0);
 }
 
-LayeredPair evaluateLayers(Surface s_13, vec3 toLight, vec3 toSample, bool byMirror) {
+LayeredPair evaluateLayers(Surface s_12, vec3 toLight, vec3 toSample, bool byMirror) {
     LayeredPair pair = LayeredPair(vec4(0.0), vec4(0.0));
     bool isLight = false;
     bool isFirst = true;
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
-    vec3 ownWo_1 = vec3(0.0);
-    vec3 ownWi = vec3(0.0);
-    vec3 ownH = vec3(0.0);
     Reflectance r_2 = Reflectance(vec3(0.0), vec3(0.0));
-    float under = 0.0;
-    vec4 broad = vec4(0.0);
     float chosen = 0.0;
-    vec3 wo_12 = stackHere.wo;
-    const bool _e8 = hasTransmission;
-    float _e11 = layersHere.solid;
-    bool isSolid_3 = pick(_e8, (_e11 > 0.0), false);
-    uint _e23 = frame.emitterCount;
-    isLight = (_e23 > 0u);
+    uint _e12 = frame.emitterCount;
+    isLight = (_e12 > 0u);
     while(true) {
-        bool _e34 = isLight;
-        vec3 given_1 = pick(_e34, toLight, toSample);
-        float _e40 = stackHere.side;
-        vec3 wi_4 = vec3(given_1.xy, (given_1.z * _e40));
-        const bool _e44 = hasTransmission;
-        const bool _e46 = hasCoatNormals;
-        bool crossing_4 = pick(pick(_e44, true, _e46), (wi_4.z < 0.0), false);
-        vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
-        bool _e56 = asksCoat(s_13, crossing_4);
-        bool _e57 = isFirst;
-        bool isCoat_1 = pick(_e57, _e56, false);
-        const bool _e60 = hasCoatNormals;
-        bool coatEnds = pick(crossing_4, !(pick(_e60, (s_13.eta.x >= 0.0), false)), false);
-        bool bends = pick(pick(isSolid_3, crossing_4, false), !(isCoat_1), false);
-        vec2 _e73 = stackHere.alpha;
-        float _e76 = stackHere.coatAlpha;
-        vec2 alpha_15 = pick(isCoat_1, vec2(_e76), _e73);
-        bool isSmooth_2 = (max(alpha_15.x, alpha_15.y) < 0.001);
-        bool _e84 = isLight;
-        bool drawnBySmooth = pick(byMirror, !(_e84), false);
-        bool _e89 = stackHere.drawnByCoat;
-        bool isMirror_1 = pick(drawnBySmooth, (isCoat_1 == _e89), false);
-        vec2 wide_1 = max(alpha_15, vec2(0.001));
-        vec3 met_2 = pick(pick(bends, true, pick(isCoat_1, !(coatEnds), false)), wi_4, facing);
-        float _e101 = stackHere.ratio;
-        vec3 m_4 = (wo_12 + (met_2 * pick(bends, _e101, 1.0)));
-        float m2_3 = max(dot(m_4, m_4), 1e-20);
-        vec3 h_7 = (m_4 * inversesqrt(m2_3));
-        float oh_3 = dot(wo_12, h_7);
-        float ih_1 = dot(met_2, h_7);
-        ownWo_1 = wo_12;
-        ownWi = met_2;
-        ownH = h_7;
-        const bool _e117 = hasCoatNormals;
-        if (_e117) {
-            if (isCoat_1) {
-                float _e120 = stackHere.side;
-                vec3 _e121 = coatNormal(_e120);
-                Basis _e122 = basisAbout(_e121);
-                vec3 _e123 = toLocal(_e122, wo_12);
-                ownWo_1 = _e123;
-                vec3 _e124 = toLocal(_e122, met_2);
-                ownWi = _e124;
-                vec3 _e125 = toLocal(_e122, h_7);
-                ownH = _e125;
-            }
+        bool _e23 = isLight;
+        vec3 given_1 = pick(_e23, toLight, toSample);
+        float _e29 = stackHere.side;
+        vec3 wi_6 = vec3(given_1.xy, (given_1.z * _e29));
+        vec3 facing = vec3(wi_6.xy, abs(wi_6.z));
+        const bool _e37 = hasTransmission;
+        const bool _e39 = hasCoatNormals;
+        bool crossing_4 = pick(pick(_e37, true, _e39), (wi_6.z < 0.0), false);
+        float _e47 = stackHere.coat;
+        bool _e50 = isSolidHere();
+        bool _e53 = stackHere.inside;
+        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_12.metallic < 1.0), false));
+        const bool _e62 = hasCoats;
+        const bool _e64 = hasTransmission;
+        bool _e66 = isFirst;
+        bool isCoat_2 = pick(pick(pick(_e62, true, _e64), _e66, false), apart_1, false);
+        const bool _e70 = hasCoatNormals;
+        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_12.eta.x >= 0.0), false)), false);
+        bool _e78 = isSolidHere();
+        bool bends_1 = pick(pick(_e78, crossing_4, false), !(isCoat_2), false);
+        Facets _e86 = facetsTowards(pick(pick(bends_1, true, pick(isCoat_2, !(coatEnds), false)), wi_6, facing), isCoat_2, bends_1);
+        bool _e87 = isLight;
+        bool ofMirror = pick(byMirror, !(_e87), false);
+        bool _e92 = stackHere.drawnByCoat;
+        bool isMirror_1 = pick(ofMirror, (isCoat_2 == _e92), false);
+        float value_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.value));
+        float density_1 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.density));
+        float _e109 = stackHere.wo.z;
+        bool _e112 = stackHere.inside;
+        float cosine_20 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
+        Reflectance _e116 = bareReflectance(s_12, cosine_20);
+        r_2 = _e116;
+        const bool _e119 = hasIridescence;
+        if (_e119) {
+            Reflectance _e120 = filmedReflectance(s_12, _e116, cosine_20);
+            r_2 = _e120;
         }
-        float _e127 = ownH.z;
-        float _e132 = ownH.z;
-        float _e135 = ownWi.z;
-        float _e141 = ownWi.z;
-        bool faces_1 = pick(pick(((oh_3 * _e127) >= 0.0), (((ih_1 * _e132) * _e135) >= 0.0), false), pick(bends, true, (_e141 >= 0.0)), false);
-        vec3 _e151 = ownH;
-        float _e152 = ellipticDensity(_e151, wide_1);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(pick(faces_1, !(isSmooth_2), false), !(drawnBySmooth), false), (2.0 * _e152), 0.0));
-        vec3 _e162 = ownWo_1;
-        float _e163 = ellipticStretched(_e162, wide_1);
-        float _e165 = ownWi.z;
-        float ownZi = abs(_e165);
-        float _e169 = ownWo_1.z;
-        vec3 _e170 = ownWi;
-        float _e171 = ellipticStretched(_e170, wide_1);
-        float masked_1 = (ownZi / max(((ownZi * _e163) + (_e169 * _e171)), 1e-20));
-        vec3 _e177 = ownWo_1;
-        float _e178 = ellipticBound(_e177, wide_1);
-        float bound_3 = pick(pick(isSolid_3, !(isCoat_1), false), 1.0, _e178);
-        float _e184 = ownWo_1.z;
-        float density_1 = (spread_1 / ((bound_3 * _e184) + _e163));
-        float value_2 = pick(isMirror_1, 1.0, (spread_1 * masked_1));
-        float found = pick(isMirror_1, 1.0, density_1);
-        bool _e199 = stackHere.inside;
-        float cosine_20 = pick(pick(pick(isCoat_1, _e199, false), true, isMirror_1), wo_12.z, min(abs(oh_3), 1.0));
-        Reflectance _e203 = bareReflectance(s_13, cosine_20);
-        r_2 = _e203;
-        const bool _e206 = hasIridescence;
-        if (_e206) {
-            Reflectance _e207 = filmedReflectance(s_13, _e203, cosine_20);
-            r_2 = _e207;
-        }
-        float _e208 = intoBody;
-        vec3 _e213 = r_2.dielectric;
-        float _e214 = greatest(_e213);
-        intoBody = pick(pick(isCoat_1, true, !(_e56)), ((1.0 - s_13.metallic) * (1.0 - _e214)), _e208);
-        if (isCoat_1) {
-            float shown = pick(coatEnds, 0.0, 1.0);
-            float _e226 = stackHere.coat;
-            float _e231 = stackHere.ofCoat;
-            sum_1 = (shown * vec4(vec3((_e226 * value_2)), (_e231 * found)));
+        float _e121 = intoBody;
+        vec3 _e126 = r_2.dielectric;
+        float _e127 = greatest(_e126);
+        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_12.metallic) * (1.0 - _e127)), _e121);
+        if (isCoat_2) {
+            float _e136 = stackHere.coat;
+            float _e141 = stackHere.ofCoat;
+            sum_1 = pick(coatEnds, vec4(0.0), vec4(vec3((_e136 * value_2)), (_e141 * density_1)));
             isFirst = false;
         } else {
-            under = 1.0;
-            const bool _e239 = hasCoats;
-            if (_e239) {
-                float _e242 = stackHere.coat;
-                float _e245 = layersHere.coat;
-                float _e248 = stackHere.side;
-                float _e249 = coatCosine(_e248, wi_4);
-                float _e250 = coatReflectance(_e245, _e249);
-                bool _e253 = stackHere.inside;
-                under = (1.0 - pick(pick(_e253, crossing_4, false), _e250, _e242));
+            Cover _e148 = coverTowards(wi_6, crossing_4);
+            Reflectance _e149 = r_2;
+            Parting _e150 = partingOf(s_12, _e149);
+            vec3 _e155 = stackHere.more;
+            vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
+            float _e165 = stackHere.ofFacets;
+            chosen = _e165;
+            const bool _e168 = hasTransmission;
+            if (_e168) {
+                float _e169 = shareToward(s_12, _e116);
+                float _e170 = chosen;
+                float _e176 = stackHere.ratio;
+                float _e179 = stackHere.ratio;
+                chosen = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
             }
-            broad = vec4(0.0);
-            const bool _e262 = hasSheen;
-            if (_e262) {
-                float _e265 = stackHere.sheenColor;
-                if ((_e265 > 0.0)) {
-                    float _e271 = layersHere.sheenRoughness;
-                    float _e272 = sheenAlbedo(facing.z, _e271);
-                    float _e275 = layersHere.solid;
-                    bool _e281 = stackHere.inside;
-                    bool isOutside = pick(!((_e275 > 0.0)), true, (_e281 == crossing_4));
-                    float _e286 = stackHere.sheen;
-                    float most = max(_e286, _e272);
-                    float _e290 = stackHere.coat;
-                    float _e295 = layersHere.sheenRoughness;
-                    float _e296 = sheenAlpha(_e295);
-                    float _e297 = whiteSheen(wo_12, wi_4, _e296);
-                    float white = (((1.0 - _e290) * _e297) / max(most, 1.0));
-                    vec3 _e304 = layersHere.sheenColor;
-                    float _e308 = stackHere.ofSheen;
-                    bool _e316 = stackHere.inside;
-                    broad = pick(pick(crossing_4, true, _e316), vec4(0.0), vec4((white * _e304), (_e308 * 0.15915494)));
-                    float _e319 = under;
-                    float _e322 = stackHere.sheenColor;
-                    float _e325 = stackHere.sheen;
-                    under = (_e319 * (1.0 - (_e322 * min(pick(isOutside, most, _e325), 1.0))));
-                }
-            }
-            Reflectance _e333 = r_2;
-            Parting _e334 = partingOf(s_13, _e333);
-            float _e335 = under;
-            vec3 _e339 = stackHere.more;
-            vec3 lobe = (_e335 * pick(crossing_4, _e334.beyond, (_e334.toward * pick(isMirror_1, vec3(1.0), _e339))));
-            float _e349 = stackHere.ofFacets;
-            chosen = _e349;
-            const bool _e352 = hasTransmission;
-            if (_e352) {
-                float _e353 = shareToward(s_13, _e203);
-                float _e354 = chosen;
-                float _e360 = stackHere.ratio;
-                float _e363 = stackHere.ratio;
-                chosen = (_e354 * (pick(crossing_4, (1.0 - _e353), _e353) * pick(bends, (_e360 * _e363), 1.0)));
-            }
-            vec4 _e369 = sum_1;
-            float _e371 = chosen;
-            sum_1 = (_e369 + vec4((lobe * value_2), (_e371 * found)));
-            float _e377 = layersHere.beyond;
-            float _e384 = layersHere.beyond;
-            vec3 _e387 = layersHere.beyondColor;
-            vec3 body_1 = pick(crossing_4, (_e384 * _e387), ((1.0 - _e377) * s_13.baseColor));
-            float _e390 = under;
-            float _e391 = intoBody;
-            float _e395 = layersHere.transmission;
-            vec3 matte = (((_e390 * _e391) * (1.0 - _e395)) * body_1);
-            vec4 _e400 = broad;
-            float _e403 = stackHere.ofDiffuse;
-            float _e404 = ofBeyond();
-            broad = (_e400 + (vec4(matte, pick(crossing_4, _e404, _e403)) * (0.31830987 * facing.z)));
-            vec4 _e412 = sum_1;
-            vec4 _e413 = broad;
-            sum_1 = (_e412 + pick(drawnBySmooth, vec4(0.0), _e413));
-            vec4 _e418 = sum_1;
-            sum_1 = pick(pick(!(crossing_4), (wi_4.z < 0.0), false), vec4(0.0), _e418);
-            vec4 _e428 = pair.toLight;
-            vec4 _e429 = sum_1;
-            bool _e430 = isLight;
-            vec4 _e432 = sum_1;
-            pair = LayeredPair(pick(_e430, _e429, _e428), _e432);
-            bool _e434 = isLight;
-            if (!(_e434)) {
+            vec4 _e185 = sum_1;
+            float _e187 = chosen;
+            sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_1)));
+            float _e193 = layersHere.beyond;
+            float _e200 = layersHere.beyond;
+            vec3 _e203 = layersHere.beyondColor;
+            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_12.baseColor));
+            float _e207 = intoBody;
+            float _e211 = layersHere.transmission;
+            vec3 matte = (((_e148.left * _e207) * (1.0 - _e211)) * body_1);
+            float _e219 = stackHere.ofDiffuse;
+            float _e220 = ofBeyond();
+            vec4 even_1 = (_e148.fibres + (vec4(matte, pick(crossing_4, _e220, _e219)) * (0.31830987 * facing.z)));
+            vec4 _e228 = sum_1;
+            sum_1 = (_e228 + pick(ofMirror, vec4(0.0), even_1));
+            vec4 _e233 = sum_1;
+            sum_1 = pick(pick(!(crossing_4), (wi_6.z < 0.0), false), vec4(0.0), _e233);
+            vec4 _e243 = pair.toLight;
+            vec4 _e244 = sum_1;
+            bool _e245 = isLight;
+            vec4 _e247 = sum_1;
+            pair = LayeredPair(pick(_e245, _e244, _e243), _e247);
+            bool _e249 = isLight;
+            if (!(_e249)) {
                 break;
             }
             isLight = false;
@@ -1374,24 +1383,24 @@ LayeredPair evaluateLayers(Surface s_13, vec3 toLight, vec3 toSample, bool byMir
             sum_1 = vec4(0.0);
         }
     }
-    LayeredPair _e440 = pair;
-    return _e440;
+    LayeredPair _e255 = pair;
+    return _e255;
 }
 
-Pair evaluatePair(Surface s_14, Outgoing o_5, vec3 toLight_1, BsdfSample drawn_3) {
+Pair evaluatePair(Surface s_13, Outgoing o_5, vec3 toLight_1, BsdfSample drawn_3) {
     Pair pair_1 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
-    vec4 _e4 = evaluateBsdf(s_14, o_5, toLight_1);
-    vec4 _e6 = evaluateBsdf(s_14, o_5, drawn_3.direction);
+    vec4 _e4 = evaluateBsdf(s_13, o_5, toLight_1);
+    vec4 _e6 = evaluateBsdf(s_13, o_5, drawn_3.direction);
     BsdfSample _e7 = completed(drawn_3, _e6);
     pair_1 = Pair(_e4, _e7);
     const bool _e11 = hasLayers;
     if (_e11) {
-        bool _e14 = isLayered(uint(s_14.code));
+        bool _e14 = isLayered(uint(s_13.code));
         if (_e14) {
             bool byMirror_1 = pick(drawn_3.delta, !(any(greaterThan(drawn_3.weight, vec3(0.0)))), false);
-            float _e24 = mirrorShare(s_14.reflectivity);
+            float _e24 = mirrorShare(s_13.reflectivity);
             float base_2 = (1.0 - _e24);
-            LayeredPair _e28 = evaluateLayers(s_14, toLight_1, drawn_3.direction, byMirror_1);
+            LayeredPair _e28 = evaluateLayers(s_13, toLight_1, drawn_3.direction, byMirror_1);
             pair_1.toLight = (base_2 * _e28.toLight);
             BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_2 * _e28.toSample));
             pair_1.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);

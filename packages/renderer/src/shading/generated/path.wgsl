@@ -1906,6 +1906,7 @@ fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
 // Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
 const invPi = 0.31830988618;
 
+
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;
   let isGlass = isDielectric(u32(s.code));

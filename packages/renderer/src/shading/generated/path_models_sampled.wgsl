@@ -2964,7 +2964,7 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
 // A direction by one of the lobes; stackHere says by which facets. u in [0, 1)^3: two for the direction, the third chooses the lobe.
 fn sampleLayered(s: Surface, u: vec3f) -> LayeredSample {
   let wo = stackHere.wo;
-  let isSolid = hasTransmission & (layersHere.solid > 0.0);
+  let isSolid = isSolidHere();
   let isCoat = hasCoats & (u.z < stackHere.ofCoat);
   let isFacet = u.z < stackHere.ofCoat + stackHere.ofFacets;
   stackHere.drawnByCoat = isCoat;
@@ -3016,6 +3016,10 @@ fn sampleLayered(s: Surface, u: vec3f) -> LayeredSample {
   }
   drawn.direction.z *= stackHere.side;
   return drawn;
+}
+
+fn isSolidHere() -> bool {
+  return hasTransmission & (layersHere.solid > 0.0);
 }
 
 // Eto and Tokuyoshi 2023, equation 6: the smaller width bounds both.
@@ -3124,8 +3128,6 @@ fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
 // One loop over both directions and, of each, the coat's facets and the base's: so that all stands in the program once, and in no loop within
 // another. Its begin is known at run time only, or Windows' compiler would write its turns out.
 fn evaluateLayers(s: Surface, toLight: vec3f, toSample: vec3f, byMirror: bool) -> LayeredPair {
-  let wo = stackHere.wo;
-  let isSolid = hasTransmission & (layersHere.solid > 0.0);
   var pair = LayeredPair(vec4f(0.0), vec4f(0.0));
   var isLight = frame.emitterCount > 0u;
   var isFirst = true;
@@ -3134,49 +3136,24 @@ fn evaluateLayers(s: Surface, toLight: vec3f, toSample: vec3f, byMirror: bool) -
   loop {
     let given = select(toSample, toLight, isLight);
     let wi = vec3f(given.xy, given.z * stackHere.side);
-    // Below the horizon there is light of what lets some through, and of coats with normals of their own.
-    let crossing = (hasTransmission | hasCoatNormals) & (wi.z < 0.0);
     // Through a thin wall light goes as if it were reflected and then mirrored.
     let facing = vec3f(wi.xy, abs(wi.z));
-    let apart = asksCoat(s, crossing);
-    let isCoat = isFirst & apart;
+    // Below the horizon there is light of what lets some through, and of coats with normals of their own.
+    let crossing = (hasTransmission | hasCoatNormals) & (wi.z < 0.0);
+    // The coat's facets come first where there is a coat, and where what reaches the body of a solid is not what the base's facets see that
+    // light comes through. Else the base's show that too.
+    let apart = (stackHere.coat > 0.0) | (isSolidHere() & (crossing | stackHere.inside) & (s.metallic < 1.0));
+    let isCoat = (hasCoats | hasTransmission) & isFirst & apart;
     // A coat may be bent towards what lies below the base's horizon; where light goes through that is the other side.
     let coatEnds = crossing & !(hasCoatNormals & (s.eta.x >= 0.0));
-    let bends = isSolid & crossing & !isCoat;
-    let alpha = select(stackHere.alpha, vec2f(stackHere.coatAlpha), isCoat);
-    let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
-    let drawnBySmooth = byMirror & !isLight;
-    let isMirror = drawnBySmooth & (isCoat == stackHere.drawnByCoat);
-    let wide = max(alpha, vec2f(leastAlpha));
-    let met = select(facing, wi, bends | (isCoat & !coatEnds));
-    let m = wo + met * select(1.0, stackHere.ratio, bends);
-    let m2 = max(dot(m, m), 1e-20);
-    let h = m * inverseSqrt(m2);
-    let oh = dot(wo, h);
-    let ih = dot(met, h);
-    // The same three in the frame of the layer whose facets are meant.
-    var ownWo = wo;
-    var ownWi = met;
-    var ownH = h;
-    if (hasCoatNormals) {
-      if (isCoat) {
-        let own = basisAbout(coatNormal(stackHere.side));
-        ownWo = toLocal(own, wo);
-        ownWi = toLocal(own, met);
-        ownH = toLocal(own, h);
-      }
-    }
-    let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
-    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & !isSmooth & !drawnBySmooth);
-    let ownStretched = ellipticStretched(ownWo, wide);
-    let ownZi = abs(ownWi.z);
-    let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
-    let bound = select(ellipticBound(ownWo, wide), 1.0, isSolid & !isCoat);
-    let density = spread / (bound * ownWo.z + ownStretched);
-    let value = select(spread * masked, 1.0, isMirror);
-    let found = select(density, 1.0, isMirror);
+    let bends = isSolidHere() & crossing & !isCoat;
+    let facets = facetsTowards(select(facing, wi, bends | (isCoat & !coatEnds)), isCoat, bends);
+    let ofMirror = byMirror & !isLight;
+    let isMirror = ofMirror & (isCoat == stackHere.drawnByCoat);
+    let value = select(select(facets.value, 0.0, ofMirror), 1.0, isMirror);
+    let density = select(select(facets.density, 0.0, ofMirror), 1.0, isMirror);
     // What reaches the body by way of a coated surface, met halfway; from inside, and by a mirror, by the angle of the surface itself.
-    let cosine = select(min(abs(oh), 1.0), wo.z, (isCoat & stackHere.inside) | isMirror);
+    let cosine = select(facets.cosine, stackHere.wo.z, (isCoat & stackHere.inside) | isMirror);
     let bare = bareReflectance(s, cosine);
     var r = bare;
     if (hasIridescence) {
@@ -3184,38 +3161,22 @@ fn evaluateLayers(s: Surface, toLight: vec3f, toSample: vec3f, byMirror: bool) -
     }
     intoBody = select(intoBody, (1.0 - s.metallic) * (1.0 - greatest(r.dielectric)), isCoat | !apart);
     if (isCoat) {
-      let shown = select(1.0, 0.0, coatEnds);
-      sum = shown * vec4f(vec3f(stackHere.coat * value), stackHere.ofCoat * found);
+      sum = select(vec4f(vec3f(stackHere.coat * value), stackHere.ofCoat * density), vec4f(0.0), coatEnds);
       isFirst = false;
     } else {
-      // What of the light is left by coat and sheen. Light that crosses a solid's boundary meets them once, outside.
-      var under = 1.0;
-      if (hasCoats) {
-        under = 1.0 - select(stackHere.coat, coatReflectance(layersHere.coat, coatCosine(stackHere.side, wi)), stackHere.inside & crossing);
-      }
-      var broad = vec4f(0.0);
-      if (hasSheen) {
-        if (stackHere.sheenColor > 0.0) {
-          let ofWi = sheenAlbedo(facing.z, layersHere.sheenRoughness);
-          let isOutside = !(layersHere.solid > 0.0) | (stackHere.inside == crossing);
-          let most = max(stackHere.sheen, ofWi);
-          let white = (1.0 - stackHere.coat) * whiteSheen(wo, wi, sheenAlpha(layersHere.sheenRoughness)) / max(most, 1.0);
-          broad = select(vec4f(white * layersHere.sheenColor, stackHere.ofSheen * invTwoPi), vec4f(0.0), crossing | stackHere.inside);
-          under *= 1.0 - stackHere.sheenColor * min(select(stackHere.sheen, most, isOutside), 1.0);
-        }
-      }
+      let cover = coverTowards(wi, crossing);
       let p = partingOf(s, r);
-      let lobe = under * select(p.toward * select(stackHere.more, vec3f(1.0), isMirror), p.beyond, crossing);
+      let lobe = cover.left * select(p.toward * select(stackHere.more, vec3f(1.0), isMirror), p.beyond, crossing);
       var chosen = stackHere.ofFacets;
       if (hasTransmission) {
         let share = shareToward(s, bare);
         chosen *= select(share, 1.0 - share, crossing) * select(1.0, stackHere.ratio * stackHere.ratio, bends);
       }
-      sum += vec4f(lobe * value, chosen * found);
+      sum += vec4f(lobe * value, chosen * density);
       let body = select((1.0 - layersHere.beyond) * s.baseColor, layersHere.beyond * layersHere.beyondColor, crossing);
-      let matte = under * intoBody * (1.0 - layersHere.transmission) * body;
-      broad += vec4f(matte, select(stackHere.ofDiffuse, ofBeyond(), crossing)) * (invPi * facing.z);
-      sum += select(broad, vec4f(0.0), drawnBySmooth);
+      let matte = cover.left * intoBody * (1.0 - layersHere.transmission) * body;
+      let even = cover.fibres + vec4f(matte, select(stackHere.ofDiffuse, ofBeyond(), crossing)) * (invPi * facing.z);
+      sum += select(even, vec4f(0.0), ofMirror);
       sum = select(sum, vec4f(0.0), !crossing & (wi.z < 0.0));
       pair = LayeredPair(select(pair.toLight, sum, isLight), sum);
       if (!isLight) {
@@ -3235,17 +3196,35 @@ struct LayeredPair {
 }
 
 
-// Whether the coat's facets are asked before the base's: where there is a coat, and where what reaches the body of a solid is not what the
-// facets see that light comes through. Else the base's show that too.
-fn asksCoat(s: Surface, crossing: bool) -> bool {
-  let isSolid = hasTransmission & (layersHere.solid > 0.0);
-  return (hasCoats | hasTransmission) & ((stackHere.coat > 0.0) | (isSolid & (crossing | stackHere.inside) & (s.metallic < 1.0)));
-}
-
-fn ellipticDensity(h: vec3f, alpha: vec2f) -> f32 {
-  let scaled = h.xy / alpha;
-  let slope = max(dot(scaled, scaled) + h.z * h.z, 1.0);
-  return 0.31830988618 / (alpha.x * alpha.y * slope * slope);
+fn facetsTowards(wi: vec3f, isCoat: bool, bends: bool) -> Facets {
+  let wo = stackHere.wo;
+  let alpha = select(stackHere.alpha, vec2f(stackHere.coatAlpha), isCoat);
+  let isRough = max(alpha.x, alpha.y) >= leastAlpha;
+  let wide = max(alpha, vec2f(leastAlpha));
+  let m = wo + wi * select(1.0, stackHere.ratio, bends);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  // The same three in the frame of the layer whose facets are meant.
+  var ownWo = wo;
+  var ownWi = wi;
+  var ownH = h;
+  if (hasCoatNormals) {
+    if (isCoat) {
+      let own = basisAbout(coatNormal(stackHere.side));
+      ownWo = toLocal(own, wo);
+      ownWi = toLocal(own, wi);
+      ownH = toLocal(own, h);
+    }
+  }
+  let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
+  let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & isRough);
+  let ownStretched = ellipticStretched(ownWo, wide);
+  let ownZi = abs(ownWi.z);
+  let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
+  let bound = select(ellipticBound(ownWo, wide), 1.0, isSolidHere() & !isCoat);
+  return Facets(spread * masked, spread / (bound * ownWo.z + ownStretched), min(abs(oh), 1.0));
 }
 
 fn filmedReflectance(s: Surface, bare: Reflectance, cosine: f32) -> Reflectance {
@@ -3327,12 +3306,38 @@ fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
   return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
 }
 
+fn coverTowards(wi: vec3f, crossing: bool) -> Cover0 {
+  var cover = Cover0(1.0, vec4f(0.0));
+  if (hasCoats) {
+    let ofWi = coatReflectance(layersHere.coat, coatCosine(stackHere.side, wi));
+    cover.left = 1.0 - select(stackHere.coat, ofWi, stackHere.inside & crossing);
+  }
+  if (hasSheen) {
+    if (stackHere.sheenColor > 0.0) {
+      let isOutside = !(layersHere.solid > 0.0) | (stackHere.inside == crossing);
+      let most = max(stackHere.sheen, sheenAlbedo(abs(wi.z), layersHere.sheenRoughness));
+      let white = (1.0 - stackHere.coat) * whiteSheen(stackHere.wo, wi, sheenAlpha(layersHere.sheenRoughness)) / max(most, 1.0);
+      cover.fibres = select(vec4f(white * layersHere.sheenColor, stackHere.ofSheen * invTwoPi), vec4f(0.0), crossing | stackHere.inside);
+      cover.left *= 1.0 - stackHere.sheenColor * min(select(stackHere.sheen, most, isOutside), 1.0);
+    }
+  }
+  return cover;
+}
+
 fn ofBeyond() -> f32 {
   return max(1.0 - stackHere.ofCoat - stackHere.ofFacets - stackHere.ofSheen - stackHere.ofDiffuse, 0.0);
 }
 
 // Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
 const invPi = 0.31830988618;
+
+// What of the light from wi is left by coat and sheen, and what the sheen adds, as evaluateLayers gives it. Light that crosses a solid's
+// boundary meets both once, outside.
+struct Cover0 {
+  left: f32,
+  fibres: vec4f,
+}
+
 
 // What the fibres send back, times the cosine of wi, for white ones. Both cosines are above 0.
 fn whiteSheen(wo: vec3f, wi: vec3f, alpha: f32) -> f32 {
@@ -3371,6 +3376,21 @@ fn shadowingExponent(x: f32, alpha: f32) -> f32 {
   let e = mix(-4.32054, -4.85967, m);
   return a / (1.0 + b * pow(x, c)) + d * x + e;
 }
+
+fn ellipticDensity(h: vec3f, alpha: vec2f) -> f32 {
+  let scaled = h.xy / alpha;
+  let slope = max(dot(scaled, scaled) + h.z * h.z, 1.0);
+  return 0.31830988618 / (alpha.x * alpha.y * slope * slope);
+}
+
+// Facets of coat or base between wo and a direction: f |cos| but for what they reflect, the density of samples by them, and the cosine that
+// they are met at. Smooth ones have neither.
+struct Facets {
+  value: f32,
+  density: f32,
+  cosine: f32,
+}
+
 
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;
