@@ -94,9 +94,12 @@ function check(scene: Scene, time: number, eye: Vec3, geometry: PackedGeometry):
       return [x - eye[0], y - eye[1], z - eye[2]] as const;
     }),
   );
-  const tree = wideSource(words, numbers, 64);
-  const found = checkBoxes(tree, 0, (instance) => inWorld[instance]! as Vec3[], 1e-5);
-  expect(found.sort((a, b) => a - b)).toEqual([...numbers]);
+  // Kernels go down no tree over one instance.
+  if (wanted.length > 1) {
+    const tree = wideSource(words, numbers, 64);
+    const found = checkBoxes(tree, 0, (instance) => inWorld[instance]! as Vec3[], 1e-5);
+    expect(found.sort((a, b) => a - b)).toEqual([...numbers]);
+  }
   const checked = new Set<number>();
   wanted.forEach(({ mesh }, i) => {
     const row = geometry.instances + i * geometryRows('Instance');

@@ -250,10 +250,14 @@ class GeometryOfScene implements PackedGeometry {
     if (renewed) this.#placeMeshes();
     this.bending?.update();
     const rows = this.#instanceRows;
+    const before = rows.count;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
     if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
     this.#forgetChanges();
-    if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
+    const kept = this.revision > 0 && rows.changedTo === 0;
+    if (kept && news === 'nothing' && this.#tree) return;
+    // Nobody goes down a tree over one instance, which changes its form.
+    if (kept && rows.count === 1 && before === 1) return;
     if (news !== 'nothing' || !this.#tree) this.#growTree(news);
     this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;
     this.changedInstances[1] = this.instances + Math.max(rows.changedTo, rows.changedFrom) * INSTANCE_ROWS;
