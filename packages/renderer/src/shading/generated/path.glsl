@@ -261,7 +261,7 @@ struct BsdfSample {
 };
 struct Pair {
     vec4 toLight;
-    vec4 toSample;
+    BsdfSample drawn;
 };
 struct FacetLobe {
     vec3 value;
@@ -352,27 +352,32 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread0_(uint x_1) {
-    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_8 | (y_8 << 1u)) & 85u);
+    uint y_8 = ((x_1 | (x_1 * 4u)) & 51u);
+    return ((y_8 | (y_8 * 2u)) & 85u);
 }
 
-uint reverseHalves(uint x_2) {
+uint reversedHigh(uint x_2) {
     uint y = 0u;
-    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
-    uint _e11 = y;
-    uint _e16 = y;
-    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y = (x_2 + ((x_2 & 21845u) * 3u));
+    uint _e7 = y;
+    uint _e8 = y;
+    y = (_e7 + ((_e8 & 26214u) * 15u));
+    uint _e14 = y;
+    uint _e15 = y;
+    y = (_e14 + ((_e15 & 30840u) * 255u));
+    uint _e21 = y;
     uint _e22 = y;
-    uint _e27 = y;
-    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y;
-    uint _e38 = y;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 + ((_e22 & 32640u) * 65535u));
 }
 
-uint mixBits(uint x_3) {
+uint reversed(uint x_3) {
+    uint _e1 = reversedHigh(x_3);
+    return (_e1 >> 15u);
+}
+
+uint mixBits(uint x_4) {
     uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
     uint _e7 = y_1;
     uint _e8 = y_1;
     y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
@@ -387,18 +392,19 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_1 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_1 << 24u)));
-    uint used = pick(independent, 0u, _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+    uint place_1 = (_e19 | (_e23 * 2u));
+    uint _e29 = reversed((sampleIndex_1 & 65535u));
+    uint sample_ = pick(independent, 0u, _e29);
+    uint _e34 = mixBits((_e15 ^ 1779033703u));
+    uint _e37 = reversed((place_1 * 256u));
+    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_14), 15.0);
-    float t_4 = (x_14 - piece);
+    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_15), 15.0);
+    float t_4 = (x_15 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_2 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
     return pick((across < 0.0), -(offset_2), offset_2);
@@ -417,9 +423,15 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-uint scramble(uint x_4, uint seed_2) {
+float toUnit(uint scrambled) {
+    uint _e3 = reversedHigh((scrambled & 65535u));
+    float digits_2 = (float(int(_e3)) * 4.656613e-10);
+    return (digits_2 + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+}
+
+uint scramble(uint x_5, uint seed_2) {
     uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    y_2 = (x_5 ^ (x_5 * 1025551850u));
     uint _e6 = y_2;
     y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
@@ -430,9 +442,9 @@ uint scramble(uint x_4, uint seed_2) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_5) {
+uint pascal(uint x_6) {
     uint y_3 = 0u;
-    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
     uint _e7 = y_3;
     uint _e8 = y_3;
     y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
@@ -444,33 +456,28 @@ uint pascal(uint x_5) {
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
-}
-
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
 vec2 points2d(Group g) {
     uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
+    float _e6 = toUnit(_e5);
+    uint _e9 = timesW(g.shift);
+    uint _e11 = pascal((g.index ^ _e9));
+    uint _e13 = scramble(_e11, g.seedB);
+    float _e14 = toUnit(_e13);
+    return vec2(_e6, _e14);
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
+uint shiftOfPlace(uint x_9) {
     uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_4 = (x_9 ^ _e5);
     uint _e8 = y_4;
     uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
@@ -478,7 +485,7 @@ uint shiftOfPlace(uint x_8) {
     uint _e16 = y_4;
     uint _e17 = timesW(_e16);
     uint _e18 = y_4;
-    return (_e17 | (_e18 << 8u));
+    return (_e17 | (_e18 * 256u));
 }
 
 Group nextGroup(inout Sampler s) {
@@ -495,9 +502,9 @@ Group nextGroup(inout Sampler s) {
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
-    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_5 >> 16u) | (b_5 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_5 >> 16u) | (b_5 * 65536u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -518,12 +525,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_16 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_15 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_16 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -540,7 +547,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_15);
+            float longitude = (3.1415927 * x_16);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -929,15 +936,15 @@ bool isMetallicRoughness(uint code_2) {
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-bool isLayered(uint code_3, float eta) {
-    bool _e3 = isMetallicRoughness(code_3);
-    return pick(pick(hasLayers, _e3, false), (eta != 0.0), false);
+bool isLayered(uint code_3) {
+    bool _e2 = isMetallicRoughness(code_3);
+    return pick(hasLayers, _e2, false);
 }
 
-bool letsThrough(uint code_4, float eta_1) {
+bool letsThrough(uint code_4, float eta) {
     bool _e2 = isDielectric(code_4);
-    bool _e4 = isLayered(code_4, eta_1);
-    return pick(_e2, true, pick(pick(hasTransmission, _e4, false), (eta_1 < 0.0), false));
+    bool _e4 = isLayered(code_4);
+    return pick(_e2, true, pick(pick(hasTransmission, _e4, false), (eta < 0.0), false));
 }
 
 Basis basisAbout(vec3 n) {
@@ -970,15 +977,15 @@ int emitterOf(float code_6) {
     return ((int(code_6) >> 7u) - 1);
 }
 
-vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
-    vec2 low_1 = min(x_9, y_5);
-    vec2 high_1 = max(x_9, y_5);
+vec2 quadrantAngles(vec2 x_10, vec2 y_5) {
+    vec2 low_1 = min(x_10, y_5);
+    vec2 high_1 = max(x_10, y_5);
     bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high_1));
     vec2 r = (mix(low_1, (low_1 - high_1), middle_1) / max(mix(high_1, (low_1 + high_1), middle_1), vec2(1e-30)));
     vec2 z_1 = (r * r);
     vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_9));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_10));
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -1094,21 +1101,21 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     return pick(q_3.lit, pdf_2, 0.0);
 }
 
-float arctangent(float x_10) {
-    float a_3 = abs(x_10);
+float arctangent(float x_11) {
+    float a_3 = abs(x_11);
     bool steep = (a_3 > 2.4142137);
     bool middle_2 = pick((a_3 > 0.41421357), !(steep), false);
     float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_2, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
     float z_2 = (r_1 * r_1);
     float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
-    return (sign(x_10) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
+    return (sign(x_11) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
 }
 
-float stretch(float x_11, vec2 y_6, float h) {
-    vec2 r_2 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
-    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_2.y)));
-    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_2.x)));
+float stretch(float x_12, vec2 y_6, float h) {
+    vec2 r_2 = sqrt(((vec2((x_12 * x_12)) + (y_6 * y_6)) + vec2((h * h))));
+    float _e16 = arctangent(((x_12 * y_6.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_12 * y_6.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
@@ -1331,10 +1338,10 @@ vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
     return _e100;
 }
 
-uint pascalW2_(uint x_12) {
+uint pascalW2_(uint x_13) {
     uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_12 >> 2u) & 13107u));
-    y_7 = (x_12 ^ _e5);
+    uint _e5 = timesW2_(((x_13 >> 2u) & 13107u));
+    y_7 = (x_13 ^ _e5);
     uint _e8 = y_7;
     uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
@@ -1351,9 +1358,8 @@ vec3 next3d(inout Sampler s_7) {
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
     vec2 _e13 = points2d(_e1);
-    uint _e16 = reverseHalves((_e12 & 65535u));
-    float _e17 = toUnit(_e16, _e12);
-    return vec3(_e13, _e17);
+    float _e14 = toUnit(_e12);
+    return vec3(_e13, _e14);
 }
 
 EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
@@ -1417,9 +1423,9 @@ vec3 turnTo(vec3 axis, vec3 v_4) {
     float s_20 = pick((axis.z >= 0.0), 1.0, -1.0);
     float a_4 = (-1.0 / (s_20 + axis.z));
     float b_7 = ((axis.x * axis.y) * a_4);
-    vec3 x_16 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
+    vec3 x_17 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
     vec3 y_11 = vec3(b_7, (s_20 + ((axis.y * axis.y) * a_4)), -(axis.y));
-    return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
+    return (((v_4.x * x_17) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_5) {
@@ -1446,8 +1452,8 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
     return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_13) {
-    float h_4 = (0.5 * x_13);
+vec2 cosineAndSine(float x_14) {
+    float h_4 = (0.5 * x_14);
     float z_3 = (h_4 * h_4);
     float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
@@ -1460,12 +1466,12 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
     vec2 across_3 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
-    float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_17 * x_17) + (h_5 * h_5));
+    float x_18 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_18 * x_18) + (h_5 * h_5));
     vec2 ends_2 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
     float v_8 = mix(ends_2.x, ends_2.y, u_7.y);
     float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
-    return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
+    return (((x_18 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
@@ -1605,12 +1611,12 @@ Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
 ChosenCell chooseCell(vec2 u_12) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_2 = uvec2(_e3);
-    uvec2 digits_2 = uvec2((u_12 * 16777216.0));
-    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uvec2 digits_3 = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((digits_3.x ^ (digits_3.y * 2654435761u)));
     uint columns = ((size_2.x + 1u) / 2u);
     uint tables = (size_2.x * size_2.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_2.y + 1u)), digits_2.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_2.y + 2u) / 2u)) + (_e29.entry * columns)), size_2.x), digits_2.x, (_e13 >> 20u));
+    Choice _e29 = chooseEntry(Table(tables, (size_2.y + 1u)), digits_3.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_2.y + 2u) / 2u)) + (_e29.entry * columns)), size_2.x), digits_3.x, (_e13 >> 20u));
     return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
@@ -1748,8 +1754,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
     return (specular / max((specular + diffuse), 1e-20));
 }
 
-float indexRatio(float eta_2, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
+float indexRatio(float eta_1, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_1), eta_1);
 }
 
 float reflectionBound(vec3 wo, float alpha) {
@@ -1771,30 +1777,32 @@ Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasMetallicRoughness;
     if (_e17) {
-        float _e20 = o.share;
-        float _e24 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
-        bool _e25 = isMetallicRoughness(code_10);
-        o.share = pick(_e25, _e24, _e20);
+        if (true) {
+            float _e21 = o.share;
+            float _e25 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
+            bool _e26 = isMetallicRoughness(code_10);
+            o.share = pick(_e26, _e25, _e21);
+        }
     }
-    const bool _e28 = hasGlass;
-    if (_e28) {
-        bool _e33 = isThin(code_10);
-        float _e34 = indexRatio(s_11.eta.x, wo_1.z, _e33);
-        bool _e35 = isDielectric(code_10);
-        o.ratio = pick(_e35, _e34, 1.0);
+    const bool _e29 = hasGlass;
+    if (_e29) {
+        bool _e34 = isThin(code_10);
+        float _e35 = indexRatio(s_11.eta.x, wo_1.z, _e34);
+        bool _e36 = isDielectric(code_10);
+        o.ratio = pick(_e36, _e35, 1.0);
     }
-    const bool _e39 = hasConductors;
-    const bool _e41 = hasMetallicRoughness;
-    const bool _e44 = hasGlass;
-    if (pick(pick(_e39, true, _e41), true, _e44)) {
-        float _e48 = reflectionBound(wo_1, s_11.alpha);
-        bool _e49 = isDielectric(code_10);
-        o.bound = pick(_e49, 1.0, _e48);
-        float _e54 = stretched(wo_1, s_11.alpha);
-        o.stretched = _e54;
+    const bool _e40 = hasConductors;
+    const bool _e42 = hasMetallicRoughness;
+    const bool _e47 = hasGlass;
+    if (pick(pick(_e40, true, pick(_e42, true, false)), true, _e47)) {
+        float _e51 = reflectionBound(wo_1, s_11.alpha);
+        bool _e52 = isDielectric(code_10);
+        o.bound = pick(_e52, 1.0, _e51);
+        float _e57 = stretched(wo_1, s_11.alpha);
+        o.stretched = _e57;
     }
-    Outgoing _e55 = o;
-    return _e55;
+    Outgoing _e58 = o;
+    return _e58;
 }
 
 float mirrorShare(float reflectivity) {
@@ -1828,13 +1836,13 @@ vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_19) {
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
-vec3 conductorFresnel(float cosine_3, vec3 eta_3, vec3 k_1) {
+vec3 conductorFresnel(float cosine_3, vec3 eta_2, vec3 k_1) {
     float cosine2_ = (cosine_3 * cosine_3);
     float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
+    vec3 difference = (((eta_2 * eta_2) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_2) * eta_2) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_3 * k_1) / larger_1);
+    vec3 smaller = ((eta_2 * k_1) / larger_1);
     vec3 a_5 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
     vec3 b_8 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_8 * b_8) + vec3(1e-20));
@@ -1847,9 +1855,9 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_3, vec3 k_1) {
     return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_4) {
-    float constants = dot((eta_4 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_4, eta_4, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_3, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_3 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_3, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
@@ -1871,27 +1879,29 @@ vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     uint code_11 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
-        vec3 _e13 = schlick(_e12, cosine_7);
-        reflectance = _e13;
+        if (true) {
+            vec3 _e13 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
+            vec3 _e14 = schlick(_e13, cosine_7);
+            reflectance = _e14;
+        }
     }
-    const bool _e15 = hasConductors;
-    if (_e15) {
-        vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
-        bool _e21 = isConductor(code_11);
-        reflectance = pick(_e21, _e20, _e16);
+    const bool _e16 = hasConductors;
+    if (_e16) {
+        vec3 _e17 = reflectance;
+        vec3 _e21 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
+        bool _e22 = isConductor(code_11);
+        reflectance = pick(_e22, _e21, _e17);
     }
-    const bool _e24 = hasGlass;
-    if (_e24) {
-        vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_11);
-        float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_11);
-        reflectance = pick(_e29, vec3(_e27), _e25);
+    const bool _e25 = hasGlass;
+    if (_e25) {
+        vec3 _e26 = reflectance;
+        bool _e27 = isThin(code_11);
+        float _e28 = glassReflectance(cosine_7, ratio_2, _e27);
+        bool _e30 = isDielectric(code_11);
+        reflectance = pick(_e30, vec3(_e28), _e26);
     }
-    vec3 _e31 = reflectance;
-    return _e31;
+    vec3 _e32 = reflectance;
+    return _e32;
 }
 
 vec3 refracted(vec3 wo_3, vec3 h_1, float ratio_3) {
@@ -1917,58 +1927,58 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
     drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
-    const bool _e25 = hasGlass;
-    if (pick(pick(_e20, true, _e22), true, _e25)) {
+    const bool _e27 = hasGlass;
+    if (pick(pick(_e20, true, pick(_e22, true, false)), true, _e27)) {
         uint code_12 = uint(s_13.code);
-        bool _e29 = isDielectric(code_12);
-        bool _e30 = isSmooth(code_12);
-        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_20.xy);
-        float oh = max(dot(wo_5, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
-        bool crossing = pick(_e29, (choice_1 >= _e38.x), false);
-        wi = (((2.0 * oh) * _e33) - wo_5);
+        bool _e31 = isDielectric(code_12);
+        bool _e32 = isSmooth(code_12);
+        vec3 _e35 = sampleFacet(s_13.alpha, _e32, o_2, u_20.xy);
+        float oh = max(dot(wo_5, _e35), 0.0);
+        vec3 _e40 = facetReflectance(s_13, oh, o_2.ratio);
+        bool crossing = pick(_e31, (choice_1 >= _e40.x), false);
+        wi = (((2.0 * oh) * _e35) - wo_5);
         probability_2 = (base_2 * o_2.share);
-        weight = (_e38 / vec3(o_2.share));
-        const bool _e55 = hasGlass;
-        if (_e55) {
-            bool _e56 = isThin(code_12);
-            vec3 _e57 = wi;
-            vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
-            wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
-            float _e63 = probability_2;
-            probability_2 = pick(_e29, (base_2 * pick(crossing, (1.0 - _e38.x), _e38.x)), _e63);
-            vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing, !(_e56), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e71);
+        weight = (_e40 / vec3(o_2.share));
+        const bool _e57 = hasGlass;
+        if (_e57) {
+            bool _e58 = isThin(code_12);
+            vec3 _e59 = wi;
+            vec3 _e61 = refracted(wo_5, _e35, o_2.ratio);
+            wi = pick(crossing, pick(_e58, -(wo_5), _e61), _e59);
+            float _e65 = probability_2;
+            probability_2 = pick(_e31, (base_2 * pick(crossing, (1.0 - _e40.x), _e40.x)), _e65);
+            vec3 _e73 = weight;
+            weight = pick(_e31, vec3(pick(pick(crossing, !(_e58), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e73);
         }
-        float _e88 = wi.z;
-        bool lost = pick(!(_e30), (crossing != ((wo_5.z < 0.0) != (_e88 < 0.0))), false);
+        float _e90 = wi.z;
+        bool lost = pick(!(_e32), (crossing != ((wo_5.z < 0.0) != (_e90 < 0.0))), false);
         bool specular_1 = (choice_1 < o_2.share);
-        vec3 _e98 = drawn.direction;
-        vec3 _e99 = wi;
-        drawn.direction = pick(specular_1, _e99, _e98);
-        float _e103 = drawn.pdf;
-        float _e104 = probability_2;
-        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e104), _e103);
-        vec3 _e110 = drawn.weight;
-        vec3 _e111 = weight;
-        drawn.weight = pick(specular_1, _e111, _e110);
-        drawn.delta = pick(specular_1, _e30, false);
+        vec3 _e100 = drawn.direction;
+        vec3 _e101 = wi;
+        drawn.direction = pick(specular_1, _e101, _e100);
+        float _e105 = drawn.pdf;
+        float _e106 = probability_2;
+        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e106), _e105);
+        vec3 _e112 = drawn.weight;
+        vec3 _e113 = weight;
+        drawn.weight = pick(specular_1, _e113, _e112);
+        drawn.delta = pick(specular_1, _e32, false);
     }
-    const bool _e116 = hasMirrorLayers;
-    if (_e116) {
+    const bool _e118 = hasMirrorLayers;
+    if (_e118) {
         bool reflected = (u_20.z < _e5);
-        vec3 _e121 = drawn.direction;
-        vec3 _e122 = mirrored(wo_5);
-        drawn.direction = pick(reflected, _e122, _e121);
-        float _e126 = drawn.pdf;
-        drawn.pdf = pick(reflected, _e5, _e126);
-        vec3 _e130 = drawn.weight;
-        drawn.weight = pick(reflected, vec3(1.0), _e130);
-        bool _e136 = drawn.delta;
-        drawn.delta = pick(_e136, true, reflected);
+        vec3 _e123 = drawn.direction;
+        vec3 _e124 = mirrored(wo_5);
+        drawn.direction = pick(reflected, _e124, _e123);
+        float _e128 = drawn.pdf;
+        drawn.pdf = pick(reflected, _e5, _e128);
+        vec3 _e132 = drawn.weight;
+        drawn.weight = pick(reflected, vec3(1.0), _e132);
+        bool _e138 = drawn.delta;
+        drawn.delta = pick(_e138, true, reflected);
     }
-    BsdfSample _e138 = drawn;
-    return _e138;
+    BsdfSample _e140 = drawn;
+    return _e140;
 }
 
 float facetDensity(vec3 h_2, float alpha_4) {
@@ -1981,8 +1991,8 @@ bool hidesApart(uint code_9) {
 }
 
 float singleScatteringAlbedo(float cosine_8, float alpha_5) {
-    float x_18 = (cosine_8 / (cosine_8 + alpha_5));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_18 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_18 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_18 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_18 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_19 = (cosine_8 / (cosine_8 + alpha_5));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_5 * alpha_5);
     return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
 }
@@ -2039,51 +2049,54 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
     dark = pick((o_4.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
-    const bool _e28 = hasGlass;
-    if (pick(pick(_e23, true, _e25), true, _e28)) {
+    const bool _e30 = hasGlass;
+    if (pick(pick(_e23, true, pick(_e25, true, false)), true, _e30)) {
         uint code_14 = uint(s_16.code);
-        FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
-        const bool _e37 = hasMetallicRoughness;
-        if (_e37) {
-            vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_14);
-            base = pick(_e43, _e42, _e38);
+        FacetLobe _e34 = evaluateFacets(s_16, o_4, wi_2);
+        const bool _e39 = hasMetallicRoughness;
+        if (_e39) {
+            if (true) {
+                vec3 _e41 = base;
+                vec3 _e45 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e34.cosine);
+                bool _e46 = isMetallicRoughness(code_14);
+                base = pick(_e46, _e45, _e41);
+            }
         }
-        bool _e52 = isSmooth(code_14);
-        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
-        vec3 _e54 = base;
-        vec4 _e61 = value;
-        uint _e62 = kindOf(code_14);
-        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
-        bool _e66 = dark;
-        bool _e67 = isSmooth(code_14);
-        bool _e68 = isDielectric(code_14);
-        dark = pick(_e68, _e67, _e66);
+        bool _e55 = isSmooth(code_14);
+        vec4 rough = pick(_e55, vec4(0.0), vec4(_e34.value, (o_4.share * _e34.pdf)));
+        vec3 _e57 = base;
+        vec4 _e64 = value;
+        uint _e65 = kindOf(code_14);
+        value = pick((_e65 == diffuse0_), _e64, (rough + (vec4(_e57, (1.0 - o_4.share)) * lambert)));
+        bool _e69 = dark;
+        bool _e70 = isSmooth(code_14);
+        bool _e71 = isDielectric(code_14);
+        dark = pick(_e71, _e70, _e69);
     }
-    float _e71 = mirrorShare(s_16.reflectivity);
-    vec4 _e74 = value;
-    bool _e78 = dark;
-    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
-}
-
-Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
-    Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
-    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
-    vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
-    pair_2 = Pair(_e4, _e5);
-    Pair _e8 = pair_2;
-    return _e8;
-}
-
-bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
-    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
+    float _e74 = mirrorShare(s_16.reflectivity);
+    vec4 _e77 = value;
+    bool _e81 = dark;
+    return pick(_e81, vec4(0.0), ((1.0 - _e74) * _e77));
 }
 
 BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
     float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
     vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
     return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_2), drawn_1.delta);
+}
+
+Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, BsdfSample drawn_2) {
+    Pair pair_2 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
+    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
+    vec4 _e6 = evaluateBsdf(s_17, o_5, drawn_2.direction);
+    BsdfSample _e7 = completed(drawn_2, _e6);
+    pair_2 = Pair(_e4, _e7);
+    Pair _e10 = pair_2;
+    return _e10;
+}
+
+bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
+    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
 }
 
 vec3 toWorld(Basis b_4, vec3 v_6) {
@@ -2106,7 +2119,7 @@ float nextHash(inout Sampler s_18) {
     uint _e11 = mixBits((_e7 ^ _e9));
     uint _e13 = s_18.sample_;
     uint _e17 = s_18.place;
-    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
 }
@@ -2166,47 +2179,47 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     Surface _e103 = surface_1;
     Basis _e104 = basis;
     vec3 _e106 = toLocal(_e104, _e91.direction);
-    Pair _e108 = evaluatePair(_e103, _e100, _e106, _e102.direction);
+    Pair _e107 = evaluatePair(_e103, _e100, _e106, _e102);
     bool opaque = pick(hasMeshes, !(_e19), false);
-    bool _e116 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
-    bool lightLeaks = pick(opaque, _e116, false);
-    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e108.toLight);
+    bool _e115 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
+    bool lightLeaks = pick(opaque, _e115, false);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e107.toLight);
     bool alone = pick(_e91.delta, true, pick((_e89.shape < 0.0), (_e91.distance_ < 1e30), false));
-    float _e132 = misWeight(lightPdf, toLight_6.w);
-    float lightWeight = (pick(alone, 1.0, _e132) / lightPdf);
-    BsdfSample _e137 = completed(_e102, _e108.toSample);
-    Basis _e138 = basis;
-    vec3 _e140 = toWorld(_e138, _e137.direction);
-    bool _e144 = crosses(_e10.geometric, _e140, -(rays_1.direction));
-    bool leaks = pick(opaque, _e144, false);
-    uint _e148 = p_9.depth;
-    uint _e151 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e148 != _e151), false);
-    vec3 _e155 = p_9.throughput;
-    vec3 contribution = (((_e155 * toLight_6.xyz) * _e91.radiance) * lightWeight);
+    float _e131 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone, 1.0, _e131) / lightPdf);
+    BsdfSample bsdf = _e107.drawn;
+    Basis _e136 = basis;
+    vec3 _e138 = toWorld(_e136, bsdf.direction);
+    bool _e142 = crosses(_e10.geometric, _e138, -(rays_1.direction));
+    bool leaks = pick(opaque, _e142, false);
+    uint _e146 = p_9.depth;
+    uint _e149 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e146 != _e149), false);
+    vec3 _e153 = p_9.throughput;
+    vec3 contribution = (((_e153 * toLight_6.xyz) * _e91.radiance) * lightWeight);
     bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
     p_9.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e177 = p_9.throughput;
-    vec3 throughput = (_e177 * _e137.weight);
-    float _e180 = max3_(throughput);
-    uint _e186 = p_9.depth;
-    float survival = pick((_e186 < rouletteDepth), 1.0, min((_e180 / 0.33333334), 0.95));
-    float _e198 = max3_(throughput);
-    float _e203 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(pick(goesOn, (_e137.pdf > 0.0), false), !(leaks), false), (_e198 > 0.0), false), (_e203 < survival), false);
+    vec3 _e175 = p_9.throughput;
+    vec3 throughput = (_e175 * bsdf.weight);
+    float _e178 = max3_(throughput);
+    uint _e184 = p_9.depth;
+    float survival = pick((_e184 < rouletteDepth), 1.0, min((_e178 / 0.33333334), 0.95));
+    float _e196 = max3_(throughput);
+    float _e201 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e196 > 0.0), false), (_e201 < survival), false);
     p_9.throughput = (throughput / vec3(survival));
-    uint _e211 = p_9.depth;
-    p_9.depth = (_e211 + 1u);
-    p_9.pdf = pick(_e137.delta, 0.0, _e137.pdf);
+    uint _e209 = p_9.depth;
+    p_9.depth = (_e209 + 1u);
+    p_9.pdf = pick(bsdf.delta, 0.0, bsdf.pdf);
     p_9.litSide = litSide;
     p_9.odds = _e87.odds;
-    bool _e221 = isFlat(shape_1);
-    bool solid = !(_e221);
+    bool _e219 = isFlat(shape_1);
+    bool solid = !(_e219);
     uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
-    bool _e238 = p_9.alive;
-    Sampler _e253 = p_9.sampler_;
-    uint _e254 = numberOfNext(_e253);
-    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e238, _e140, pick(solid, (dot(_e140, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e254);
+    bool _e236 = p_9.alive;
+    Sampler _e251 = p_9.sampler_;
+    uint _e252 = numberOfNext(_e251);
+    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e236, _e138, pick(solid, (dot(_e138, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e252);
     return;
 }
 

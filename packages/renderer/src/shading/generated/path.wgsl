@@ -58,20 +58,22 @@ var<workgroup> squares: array<vec3f, 128>;
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
-  if (index < end) {
-    var p = startPath(pixel, index);
-    loop {
-      extendPath(&p);
-      if (isOver(p)) {
-        let i = index / group - firstGroup;
-        ownSums[i] += p.radiance;
-        ownSquares[i] += p.radiance * p.radiance;
-        index += shares;
-        if (index >= end) {
-          break;
-        }
-        p = startPath(pixel, index);
+  // Over before it has begun: a path starts at one place only, or it would stand in the program twice.
+  var p: Path;
+  p.rays.lightDistance = -1.0;
+  loop {
+    if (isOver(p)) {
+      if (index >= end) {
+        break;
       }
+      p = startPath(pixel, index);
+    }
+    extendPath(&p);
+    if (isOver(p)) {
+      let i = index / group - firstGroup;
+      ownSums[i] += p.radiance;
+      ownSquares[i] += p.radiance * p.radiance;
+      index += shares;
     }
   }
   let adds = (thread % shares == 0u) & inside;
@@ -291,7 +293,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   
   let o = outgoing(surface, wo, hero);
   let drawn = sampleLobe(surface, o, uBsdf);
-  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn.direction);
+  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
   let opaque = hasMeshes & !isClear;
   let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
@@ -299,7 +301,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   // A light that rays cannot meet is found by light sampling only.
   let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
   let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
-  let bsdf = completed(drawn, values.toSample);
+  let bsdf = values.drawn;
   let direction = toWorld(basis, bsdf.direction);
   let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
   let goesOn = !escaped & ((*p).depth != frame.maxDepth);
@@ -338,9 +340,9 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
-// Whether light may go through the surface.
+// Whether light may go through the surface. `eta`: Surface.eta.x, which says of metallicRoughness where its layers are.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code) & (eta < 0.0));
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -419,7 +421,7 @@ const hasMeshes = false;
 fn next3d(s: ptr<function, Sampler>) -> vec3f {
   let g = nextGroup(s);
   let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
-  return vec3f(points2d(g), toUnit(reverseHalves(z & 0xffffu), z));
+  return vec3f(points2d(g), toUnit(z));
 }
 
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
@@ -515,12 +517,14 @@ fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
   
   if (hasMetallicRoughness) {
-    o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    if (!hasLayers) {
+      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    }
   }
   if (hasGlass) {
     o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
   }
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
     o.stretched = stretched(wo, s.alpha);
   }
@@ -528,7 +532,7 @@ fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
 }
 
 // A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
-// are still to be had from evaluatePair: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
 fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   let wo = o.wo;
   let mirror = mirrorShare(s.reflectivity);
@@ -536,7 +540,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   // What is left of u.z is uniform again, and once more below.
   let choice = (u.z - mirror) / base;
   var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     let code = u32(s.code);
     let isGlass = isDielectric(code);
     let delta = isSmooth(code);
@@ -572,10 +576,9 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
-// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
-fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+// What there is to know of the direction to the light and of the one that sampleLobe gave.
+fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
+  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
   
   return pair;
 }
@@ -591,13 +594,6 @@ const miss = 1e30;
 fn misWeight(own: f32, other: f32) -> f32 {
   let ratio = other / own;
   return 1.0 / (1.0 + ratio * ratio);
-}
-
-// `value` is what evaluatePair says of the sample's direction.
-fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
-  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
-  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
-  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
 }
 
 fn toWorld(b: Basis, v: vec3f) -> vec3f {
@@ -659,7 +655,7 @@ fn schlick(f0: vec3f, cosine: f32) -> vec3f {
 // One more number of this sample, independent of all others: for choices that nothing is gained by stratifying.
 fn nextHash(s: ptr<function, Sampler>) -> f32 {
   (*s).key = (*s).key + 1u;
-  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample << 8u) | (*s).place)));
+  return unitFloat(mixBits(mixBits((*s).key ^ (*s).salt) + (((*s).sample * 256u) | (*s).place)));
 }
 
 // Uniform in [0, 1) with 24 bits.
@@ -722,9 +718,9 @@ struct SurfacePoint {
   shading: vec3f,
 }
 
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+// In a program with layers every metallicRoughness material has some, if only such as change nothing: its facets stand in the program once.
+fn isLayered(code: u32) -> bool {
+  return hasLayers & isMetallicRoughness(code);
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
@@ -1330,8 +1326,8 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
   // come from two groups together would be the same all over the tile.
   let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
-  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
-  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+  let index = reversed(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a * 65536u), (b >> 16u) | (b * 65536u));
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
@@ -1352,28 +1348,21 @@ fn pascalW2(x: u32) -> u32 {
 }
 
 fn timesW2(x: u32) -> u32 {
-  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+  return ((x * 2u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
 }
 
 fn points2d(g: Group) -> vec2f {
-  let x = scramble(g.index ^ g.shift, g.seedA);
-  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
-  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
-  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+  return vec2f(toUnit(scramble(g.index ^ g.shift, g.seedA)), toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB)));
 }
 
-// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
-fn toUnit(reversed: u32, scrambled: u32) -> f32 {
-  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
+// The first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. The two parts are exact, and so is their sum.
+fn toUnit(scrambled: u32) -> f32 {
+  let digits = f32(i32(reversedHigh(scrambled & 0xffffu))) * 4.656612873077392578125e-10;
+  return digits + f32(scrambled & 0xff000000u) * 3.552713678800501e-15;
 }
 
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
-fn reverseHalves(x: u32) -> u32 {
-  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
-  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
-  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
-  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+fn reversed(x: u32) -> u32 {
+  return reversedHigh(x) >> 15u;
 }
 
 // One padded sequence: what all its dimensions have in common.
@@ -1392,12 +1381,23 @@ struct Group {
 fn shiftOfPlace(x: u32) -> u32 {
   var y = x ^ timesW((x >> 2u) & 0x33u);
   y ^= timesW2((y >> 4u) & 0x0fu);
-  return timesW(y) | (y << 8u);
+  return timesW(y) | (y * 256u);
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
+// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
+// where it is, and what comes first goes past it. (WebGL2 has no reverseBits.)
+fn reversedHigh(x: u32) -> u32 {
+  var y = x + (x & 0x5555u) * 3u;
+  y += (y & 0x6666u) * 15u;
+  y += (y & 0x7878u) * 255u;
+  return y + (y & 0x7f80u) * 65535u;
 }
 
 // Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
 fn timesW(x: u32) -> u32 {
-  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
+  return ((x ^ (x * 2u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
 }
 
 // Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
@@ -1786,7 +1786,9 @@ fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
   let code = u32(s.code);
   var reflectance = vec3f(0.0);
   if (hasMetallicRoughness) {
-    reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    if (!hasLayers) {
+      reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    }
   }
   if (hasConductors) {
     reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
@@ -1864,29 +1866,32 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
   return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
 }
 
-
 // The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
 fn mirrored(wo: vec3f) -> vec3f {
   return vec3f(-wo.xy, wo.z);
 }
 
 struct Pair {
+  // As of evaluateBsdf.
   toLight: vec4f,
-  toSample: vec4f,
+  // With the density and weight of all lobes together.
+  drawn: BsdfSample,
 }
 
 
-// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Without layers: evaluatePair.
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Of what has no layers: evaluatePair.
 fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   let lambert = invPi * max(wi.z, 0.0);
   var value = vec4f(s.baseColor, 1.0) * lambert;
   var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     let code = u32(s.code);
     let facets = evaluateFacets(s, o, wi);
     var base = vec3f(0.0);
     if (hasMetallicRoughness) {
-      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      if (!hasLayers) {
+        base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      }
     }
     let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
     value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
@@ -1895,8 +1900,16 @@ fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
 }
 
+// `value` is what evaluateBsdf says of the sample's direction.
+fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
+  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
+  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
+  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
+}
+
 // Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
 const invPi = 0.31830988618;
+
 
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;
@@ -2069,10 +2082,9 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
   let independent = frame.independent != 0u;
   let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
-  let place = spread0(pixel.x & 15u) | (spread0(pixel.y & 15u) << 1u);
-  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
-  let used = select(reversed, 0u, independent);
-  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+  let place = spread0(pixel.x & 15u) | (spread0(pixel.y & 15u) * 2u);
+  let sample = select(reversed(sampleIndex & 0xffffu), 0u, independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), sample, select(reversed(place * 256u), 0u, independent));
 }
 
 // From the centre of the pixel, in pixels.
@@ -2119,8 +2131,8 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 
 // Bits 0 to 3 of x to the even places.
 fn spread0(x: u32) -> u32 {
-  let y = (x | (x << 2u)) & 0x33u;
-  return (y | (y << 1u)) & 0x55u;
+  let y = (x | (x * 4u)) & 0x33u;
+  return (y | (y * 2u)) & 0x55u;
 }
 
 override hasFilter = false;
