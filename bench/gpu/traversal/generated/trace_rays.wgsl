@@ -284,9 +284,9 @@ const childrenRow = 6u;
 fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
   // The row of the far planes is the other one of the two.
   let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  return select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
+  let near4 = larger(larger(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), larger(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = smaller(smaller(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  return select(vec4f(1e30), near4, near4 <= smaller(far4 * slabRounding, vec4f(t)));
 }
 
 // Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
@@ -294,8 +294,18 @@ fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
 
 const leastToGreatest = 3u;
 
+// Of floats above 0 the order is that of their bits, and all below 0 are less; where WGSL's own `max` and `min` are asked for what may be
+// no number, a software rasteriser looks for that, with some twenty operations. What comes out below 0 is not exact, and does not count.
+fn larger(a: vec4f, b: vec4f) -> vec4f {
+  return max(a, b);
+}
+
 fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
   return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+fn smaller(a: vec4f, b: vec4f) -> vec4f {
+  return min(a, b);
 }
 
 // Rounding of the distances to a box, relative; of the box itself the encoder takes care.
@@ -315,7 +325,7 @@ fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
   let w = edge(pb, pa);
   let sum = u + v + w;
   let side = select(1.0, -1.0, sum < 0.0);
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
+  let within = isWithin(u, v, w);
   let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
   return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
 }
@@ -347,6 +357,11 @@ fn edge(a: vec2f, b: vec2f) -> f32 {
   let p = a.x * b.y;
   let q = a.y * b.x;
   return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+// No two of them on different sides. A software rasteriser has more to do for WGSL's `min` and `max` than for all these comparisons.
+fn isWithin(u: f32, v: f32, w: f32) -> bool {
+  return (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
 }
 
 // Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray

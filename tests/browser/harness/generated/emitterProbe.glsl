@@ -373,6 +373,7 @@ const uint leaving = 2415919102u;
 const uint leastToGreatest = 3u;
 const uint nodeRows = 7u;
 const uint childrenRow = 6u;
+const int notEntered = 1900671690;
 const uint countShift = 28u;
 const uint isOneSided = 2147483648u;
 const uint hasNormals = 1u;
@@ -743,10 +744,10 @@ SphereView viewSphere(Emitter e_5, vec3 point_7) {
 
 vec3 turnTo(vec3 axis, vec3 v) {
     float s_3 = pick((axis.z >= 0.0), 1.0, -1.0);
-    float a_2 = (-1.0 / (s_3 + axis.z));
-    float b_3 = ((axis.x * axis.y) * a_2);
-    vec3 x_8 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_2)), (s_3 * b_3), (-(s_3) * axis.x));
-    vec3 y_4 = vec3(b_3, (s_3 + ((axis.y * axis.y) * a_2)), -(axis.y));
+    float a_4 = (-1.0 / (s_3 + axis.z));
+    float b_5 = ((axis.x * axis.y) * a_4);
+    vec3 x_8 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_4)), (s_3 * b_5), (-(s_3) * axis.x));
+    vec3 y_4 = vec3(b_5, (s_3 + ((axis.y * axis.y) * a_4)), -(axis.y));
     return (((v.x * x_8) + (v.y * y_4)) + (v.z * axis));
 }
 
@@ -771,18 +772,18 @@ LightSample sampleSphere(Emitter e_6, vec3 point_8, vec2 u_3) {
     ConeDirection _e19 = sampleCone(axis_3, _e3.width, u_3);
     float along_1 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_6.radius * e_6.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
-    float larger = (abs(along_1) + halfChord);
+    float larger_1 = (abs(along_1) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
-    float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
+    float distance_7 = pick(takeLarger, larger_1, (_e3.power / max(larger_1, 1e-30)));
     float _e49 = conePdf(_e3.width);
     return LightSample(_e19.direction, distance_7, e_6.radiance, _e49, false);
 }
 
 float arctangent(float x) {
-    float a_3 = abs(x);
-    bool steep = (a_3 > 2.4142137);
-    bool middle_1 = pick((a_3 > 0.41421357), !(steep), false);
-    float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_1, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
+    float a_5 = abs(x);
+    bool steep = (a_5 > 2.4142137);
+    bool middle_1 = pick((a_5 > 0.41421357), !(steep), false);
+    float r_1 = pick(steep, (-1.0 / max(a_5, 1.0)), pick(middle_1, ((a_5 - 1.0) / (a_5 + 1.0)), a_5));
     float base = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
     float z_1 = (r_1 * r_1);
     float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
@@ -830,12 +831,12 @@ vec3 sphericalRectangle(QuadView q, vec2 u_4) {
     vec2 s_4 = (y_6 / sqrt(((y_6 * y_6) + vec2((h_3 * h_3)))));
     vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_4.x * q.solidAngle))));
     vec2 across_1 = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
-    float w_1 = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
-    float x_9 = clamp(((h_3 * w_1) * inversesqrt(max((1.0 - (w_1 * w_1)), 1e-12))), q.low.x, q.high.x);
+    float w_2 = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
+    float x_9 = clamp(((h_3 * w_2) * inversesqrt(max((1.0 - (w_2 * w_2)), 1e-12))), q.low.x, q.high.x);
     float d2_ = ((x_9 * x_9) + (h_3 * h_3));
     vec2 ends_1 = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
-    float v_5 = mix(ends_1.x, ends_1.y, u_4.y);
-    float atY = clamp(((v_5 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_5 * v_5)), 1e-12))), y_6.x, y_6.y);
+    float v_6 = mix(ends_1.x, ends_1.y, u_4.y);
+    float atY = clamp(((v_6 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_6 * v_6)), 1e-12))), y_6.x, y_6.y);
     return (((x_9 * q.axisX) + (atY * q.axisY)) + (h_3 * q.axisZ));
 }
 
@@ -1519,14 +1520,91 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_15) {
     return _e17;
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
+SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
+    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis_2, vec3 v_4) {
+    return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
+}
+
+MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
+    vec3 size_4 = abs(direction_7);
+    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_5, direction_7);
+    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 larger(vec4 a_1, vec4 b_2) {
+    return intBitsToFloat(max(floatBitsToInt(a_1), floatBitsToInt(b_2)));
+}
+
+vec4 planes(uint row_9, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_9);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
+}
+
+vec4 smaller(vec4 a_2, vec4 b_3) {
+    return intBitsToFloat(min(floatBitsToInt(a_2), floatBitsToInt(b_3)));
+}
+
+vec4 enterChildren(uint node_1, SlabRay r, float t_5) {
+    uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e25 = larger(_e16, _e24);
+    vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 _e36 = larger(_e33, vec4(0.0));
+    vec4 _e37 = larger(_e25, _e36);
+    vec4 _e44 = planes((node_1 + far_5.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node_1 + far_5.y), r.inverse_.y, r.offset.y);
+    vec4 _e52 = smaller(_e44, _e51);
+    vec4 _e59 = planes((node_1 + far_5.z), r.inverse_.z, r.offset.z);
+    vec4 _e60 = smaller(_e52, _e59);
+    vec4 _e66 = smaller((_e60 * 1.000001), vec4(t_5));
+    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
+}
+
+float edge(vec2 a_3, vec2 b_4) {
+    float p_11 = (a_3.x * b_4.y);
+    float q_7 = (a_3.y * b_4.x);
+    return ((a_3.x * b_4.y + -(q_7)) - (a_3.y * b_4.x + -(p_11)));
+}
+
+bool isWithin(float u_17, float v_5, float w_1) {
+    return pick(pick(pick((u_17 >= 0.0), (v_5 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_17 <= 0.0), (v_5 <= 0.0), false), (w_1 <= 0.0), false));
+}
+
+Crossing crossTriangle(MeshRay ray, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
+    vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
+    vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    float side_2 = pick((sum < 0.0), -1.0, 1.0);
+    bool _e45 = isWithin(_e35, _e36, _e37);
+    float depth = ((ray.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(_e45, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
+}
+
 float unitFloat(uint h_1) {
     return (float((h_1 >> 8u)) * 5.9604645e-8);
 }
 
 uint pcg(uint x_5) {
     uint s_5 = ((x_5 * 747796405u) + 2891336453u);
-    uint w_2 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
-    return ((w_2 >> 22u) ^ w_2);
+    uint w_3 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
+    return ((w_3 >> 22u) ^ w_3);
 }
 
 bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
@@ -1551,67 +1629,6 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     float _e63 = opacity_1;
     float _e66 = opacity_1;
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
-}
-
-bool isAmongInstances(uint reference) {
-    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
-}
-
-SlabRay slabRay(vec3 origin_6, vec3 direction_6) {
-    vec3 inverse_2 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_2, (-(origin_6) * inverse_2), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis_2, vec3 v_4) {
-    return pick((axis_2 == 0u), v_4.yzx, pick((axis_2 == 1u), v_4.zxy, v_4));
-}
-
-MeshRay meshRay(vec3 origin_7, vec3 direction_7) {
-    vec3 size_4 = abs(direction_7);
-    uint axis_5 = pick((size_4.z >= max(size_4.x, size_4.y)), 2u, pick((size_4.y > size_4.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_5, direction_7);
-    return MeshRay(origin_7, axis_5, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
-vec4 planes(uint row_9, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_9);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
-}
-
-vec4 enterChildren(uint node_1, SlabRay r, float t_5) {
-    uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node_1 + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node_1 + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e33 = planes((node_1 + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node_1 + far_5.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node_1 + far_5.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node_1 + far_5.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_5))));
-}
-
-float edge(vec2 a_1, vec2 b_2) {
-    float p_11 = (a_1.x * b_2.y);
-    float q_7 = (a_1.y * b_2.x);
-    return ((a_1.x * b_2.y + -(q_7)) - (a_1.y * b_2.x + -(p_11)));
-}
-
-Crossing crossTriangle(MeshRay ray, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray.axis, (triangle.a - ray.origin));
-    vec3 _e11 = turnedTo(ray.axis, (triangle.b - ray.origin));
-    vec3 _e16 = turnedTo(ray.axis, (triangle.c - ray.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum = ((_e35 + _e36) + _e37);
-    float side_2 = pick((sum < 0.0), -1.0, 1.0);
-    bool within_2 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_2, (sum != 0.0), false), (sum * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum * ray.shear.z) > 0.0));
 }
 
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
@@ -1651,210 +1668,215 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     current = first_2;
     while(true) {
         const bool _e75 = hasCutouts;
-        if (_e75) {
-            uint _e77 = doubted.instance;
-            if ((_e77 != noInstance)) {
-                uint _e81 = doubted.instance;
-                uint _e83 = doubted.triangle;
-                vec2 _e85 = doubted.weights;
-                bool _e87 = toLight_1;
-                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
+        uint _e77 = waiting;
+        uint _e80 = current;
+        bool _e81 = isAmongInstances(_e80);
+        if (pick(!(_e75), true, pick((_e77 == noLeaf0_), _e81, false))) {
+            uint _e84 = current;
+            bool toWorld = (_e84 >= beginning);
+            uint _e87 = current;
+            instance_1 = pick(toWorld, noInstance, (_e87 & placeMask));
+            o = rays.origin;
+            bool _e96 = toLight_1;
+            d_1 = pick(_e96, rays.lightDirection, rays.direction);
+            nodes = 0u;
+            if (!(toWorld)) {
+                uint _e103 = frame.instances;
+                uint _e104 = instance_1;
+                Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
+                vec3 _e109 = o;
+                vec4 p_12 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_12), dot(_e108.toMeshY, p_12), dot(_e108.toMeshZ, p_12));
+                vec3 _e121 = d_1;
+                vec3 _e125 = d_1;
+                vec3 _e129 = d_1;
+                d_1 = vec3(dot(_e108.toMeshX.xyz, _e121), dot(_e108.toMeshY.xyz, _e125), dot(_e108.toMeshZ.xyz, _e129));
+                nodes = _e108.nodes;
+                triangles = _e108.triangles;
+                cover = _e108.cover;
+                uint _e137 = instance_1;
+                own = pick((_e137 == left.instance), left.triangle, placeMask);
+                if (!(alone)) {
+                    uint _e143 = top;
+                    stack[_e143] = leaving;
+                    uint _e147 = top;
+                    top = (_e147 + 1u);
+                }
+            }
+            vec3 _e149 = o;
+            vec3 _e150 = d_1;
+            SlabRay _e151 = slabRay(_e149, _e150);
+            slabs = _e151;
+            vec3 _e152 = o;
+            vec3 _e153 = d_1;
+            MeshRay _e154 = meshRay(_e152, _e153);
+            ray_1 = _e154;
+            uint _e157 = current;
+            current = pick((_e157 == leaving), unread, 0u);
+        }
+        while(true) {
+            uint _e161 = current;
+            if ((_e161 == unread)) {
+                uint _e165 = top;
+                top = (_e165 - 1u);
+                uint _e168 = top;
+                uint _e170 = stack[_e168];
+                current = _e170;
+            }
+            uint _e171 = current;
+            if ((_e171 < instances)) {
+                uint _e174 = nodes;
+                uint _e175 = current;
+                uint node_2 = (_e174 + (_e175 * nodeRows));
+                uvec4 _e181 = geometryRow((node_2 + childrenRow));
+                SlabRay _e182 = slabs;
+                float _e183 = most;
+                vec4 _e184 = enterChildren(node_2, _e182, _e183);
+                ivec4 t_14 = floatBitsToInt(_e184);
+                bool a_6 = (t_14.x < t_14.z);
+                bool b_6 = (t_14.y < t_14.w);
+                uvec2 r0_ = pick(a_6, uvec2(_e181.z, _e181.x), uvec2(_e181.x, _e181.z));
+                uvec2 r1_ = pick(b_6, uvec2(_e181.w, _e181.y), uvec2(_e181.y, _e181.w));
+                int far0_ = max(t_14.x, t_14.z);
+                int far1_ = max(t_14.y, t_14.w);
+                int near0_ = min(t_14.x, t_14.z);
+                int near1_ = min(t_14.y, t_14.w);
+                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                int far2_ = min(far0_, far1_);
+                int near2_ = max(near0_, near1_);
+                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                uint _e245 = top;
+                stack[_e245] = ra.x;
+                uint _e248 = top;
+                top = (_e248 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e257 = top;
+                stack[_e257] = rm.x;
+                uint _e260 = top;
+                top = (_e260 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e269 = top;
+                stack[_e269] = rm.y;
+                uint _e272 = top;
+                top = (_e272 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
+            }
+            uint _e286 = waiting;
+            uint _e289 = current;
+            bool takes = pick((_e286 == noLeaf0_), (_e289 >= leaves), false);
+            uint _e293 = waiting;
+            uint _e294 = current;
+            waiting = pick(takes, _e294, _e293);
+            uint _e296 = current;
+            current = pick(takes, unread, _e296);
+            uint _e299 = waiting;
+            if ((_e299 != noLeaf0_)) {
+                uint _e302 = waiting;
+                uint place_6 = (_e302 & placeMask);
+                uint _e305 = waiting;
+                waiting = ((_e305 + 1u) - 268435456u);
+                uint _e310 = waiting;
+                uint _e312 = waiting;
+                waiting = pick((_e312 < leaves), noLeaf0_, _e310);
+                MeshRay _e316 = ray_1;
+                uint _e317 = triangles;
+                Triangle _e321 = fetchTriangle((_e317 + (place_6 * triangleRows)));
+                Crossing _e322 = crossTriangle(_e316, _e321);
+                float _e331 = most;
+                uint _e336 = own;
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_6 != _e336), false);
+                const bool _e341 = hasOneSided;
+                if (_e341) {
+                    bool _e342 = nearer;
+                    uint _e344 = cover;
+                    nearer = pick(_e342, pick(_e322.front, true, ((_e344 & isOneSided) == 0u)), false);
+                }
+                float inverse_3 = (1.0 / _e322.sum);
+                float t_15 = (_e322.depth * inverse_3);
+                vec2 weights_3 = (_e322.weights * inverse_3);
+                const bool _e359 = hasCutouts;
+                if (_e359) {
+                    bool _e360 = nearer;
+                    uint _e361 = cover;
+                    if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
+                        uint _e367 = instance_1;
+                        doubted = MeshHit(t_15, _e367, place_6, weights_3, false);
+                        nearer = false;
+                    }
+                }
+                bool _e371 = nearer;
+                bool _e372 = toLight_1;
+                bool blocks = pick(_e371, _e372, false);
+                bool _e374 = nearer;
+                bool _e375 = toLight_1;
+                bool counts = pick(_e374, !(_e375), false);
+                float _e378 = most;
+                bool _e379 = nearer;
+                most = pick(_e379, t_15, _e378);
+                float _e383 = found_5.t;
+                found_5.t = pick(counts, t_15, _e383);
+                uint _e387 = found_5.instance;
+                uint _e388 = instance_1;
+                found_5.instance = pick(counts, _e388, _e387);
+                uint _e392 = found_5.triangle;
+                found_5.triangle = pick(counts, place_6, _e392);
+                vec2 _e396 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e396);
+                bool _e400 = found_5.blocked;
+                found_5.blocked = pick(_e400, true, blocks);
+                uint _e402 = waiting;
+                waiting = pick(blocks, noLeaf0_, _e402);
+                uint _e405 = current;
+                current = pick(blocks, ending, _e405);
+            }
+            uint _e408 = waiting;
+            uint _e411 = current;
+            bool _e412 = isAmongInstances(_e411);
+            const bool _e415 = hasCutouts;
+            uint _e417 = doubted.instance;
+            if (pick(pick((_e408 == noLeaf0_), _e412, false), true, pick(_e415, (_e417 != noInstance), false))) {
+                break;
+            }
+        }
+        const bool _e423 = hasCutouts;
+        if (_e423) {
+            uint _e425 = doubted.instance;
+            if ((_e425 != noInstance)) {
+                uint _e429 = doubted.instance;
+                uint _e431 = doubted.triangle;
+                vec2 _e433 = doubted.weights;
+                bool _e435 = toLight_1;
+                bool _e438 = isThere(_e429, _e431, _e433, (rays.number + uint(_e435)));
                 MeshHit instead = doubted;
                 doubted.instance = noInstance;
-                bool _e94 = toLight_1;
-                if (pick(_e90, _e94, false)) {
+                bool _e442 = toLight_1;
+                if (pick(_e438, _e442, false)) {
                     found_5.blocked = true;
                     break;
                 }
-                if (_e90) {
+                if (_e438) {
                     most = instead.t;
                     found_5 = instead;
                 }
             }
         }
-        const bool _e100 = hasCutouts;
-        uint _e102 = waiting;
-        uint _e105 = current;
-        bool _e106 = isAmongInstances(_e105);
-        if (pick(!(_e100), true, pick((_e102 == noLeaf0_), _e106, false))) {
-            uint _e109 = current;
-            if ((_e109 == ending)) {
-                bool _e112 = toLight_1;
-                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
-                    break;
-                }
-                toLight_1 = true;
-                most = rays.lightMost;
-                top = 1u;
-                current = first_2;
-            }
-            uint _e121 = current;
-            bool toWorld = (_e121 >= beginning);
-            uint _e124 = current;
-            instance_1 = pick(toWorld, noInstance, (_e124 & placeMask));
-            o = rays.origin;
-            bool _e133 = toLight_1;
-            d_1 = pick(_e133, rays.lightDirection, rays.direction);
-            nodes = 0u;
-            if (!(toWorld)) {
-                uint _e140 = frame.instances;
-                uint _e141 = instance_1;
-                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
-                vec3 _e146 = o;
-                vec4 p_12 = vec4(_e146, 1.0);
-                o = vec3(dot(_e145.toMeshX, p_12), dot(_e145.toMeshY, p_12), dot(_e145.toMeshZ, p_12));
-                vec3 _e158 = d_1;
-                vec3 _e162 = d_1;
-                vec3 _e166 = d_1;
-                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
-                nodes = _e145.nodes;
-                triangles = _e145.triangles;
-                cover = _e145.cover;
-                uint _e174 = instance_1;
-                own = pick((_e174 == left.instance), left.triangle, placeMask);
-                if (!(alone)) {
-                    uint _e180 = top;
-                    stack[_e180] = leaving;
-                    uint _e184 = top;
-                    top = (_e184 + 1u);
-                }
-            }
-            vec3 _e186 = o;
-            vec3 _e187 = d_1;
-            SlabRay _e188 = slabRay(_e186, _e187);
-            slabs = _e188;
-            vec3 _e189 = o;
-            vec3 _e190 = d_1;
-            MeshRay _e191 = meshRay(_e189, _e190);
-            ray_1 = _e191;
-            uint _e194 = current;
-            current = pick((_e194 == leaving), unread, 0u);
+        uint _e447 = current;
+        uint _e450 = waiting;
+        bool ended = pick((_e447 == ending), (_e450 == noLeaf0_), false);
+        bool _e454 = toLight_1;
+        if (pick(ended, pick(_e454, true, !((rays.lightMost > 0.0))), false)) {
+            break;
         }
-        while(true) {
-            uint _e198 = current;
-            if ((_e198 == unread)) {
-                uint _e202 = top;
-                top = (_e202 - 1u);
-                uint _e205 = top;
-                uint _e207 = stack[_e205];
-                current = _e207;
-            }
-            uint _e208 = current;
-            if ((_e208 < instances)) {
-                uint _e211 = nodes;
-                uint _e212 = current;
-                uint node_2 = (_e211 + (_e212 * nodeRows));
-                uvec4 _e218 = geometryRow((node_2 + childrenRow));
-                SlabRay _e219 = slabs;
-                float _e220 = most;
-                vec4 _e221 = enterChildren(node_2, _e219, _e220);
-                bool a_4 = (_e221.x < _e221.z);
-                bool b_4 = (_e221.y < _e221.w);
-                uvec2 r0_ = pick(a_4, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_4, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
-                float far0_ = max(_e221.x, _e221.z);
-                float far1_ = max(_e221.y, _e221.w);
-                float near0_ = min(_e221.x, _e221.z);
-                float near1_ = min(_e221.y, _e221.w);
-                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                float far2_ = min(far0_, far1_);
-                float near2_ = max(near0_, near1_);
-                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e281 = top;
-                stack[_e281] = ra.x;
-                uint _e284 = top;
-                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
-                uint _e293 = top;
-                stack[_e293] = rm.x;
-                uint _e296 = top;
-                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
-                uint _e305 = top;
-                stack[_e305] = rm.y;
-                uint _e308 = top;
-                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
-                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
-            }
-            uint _e322 = waiting;
-            uint _e325 = current;
-            bool takes = pick((_e322 == noLeaf0_), (_e325 >= leaves), false);
-            uint _e329 = waiting;
-            uint _e330 = current;
-            waiting = pick(takes, _e330, _e329);
-            uint _e332 = current;
-            current = pick(takes, unread, _e332);
-            uint _e335 = waiting;
-            if ((_e335 != noLeaf0_)) {
-                uint _e338 = waiting;
-                uint place_6 = (_e338 & placeMask);
-                uint _e341 = waiting;
-                waiting = ((_e341 + 1u) - 268435456u);
-                uint _e346 = waiting;
-                uint _e348 = waiting;
-                waiting = pick((_e348 < leaves), noLeaf0_, _e346);
-                MeshRay _e352 = ray_1;
-                uint _e353 = triangles;
-                Triangle _e357 = fetchTriangle((_e353 + (place_6 * triangleRows)));
-                Crossing _e358 = crossTriangle(_e352, _e357);
-                float _e367 = most;
-                uint _e372 = own;
-                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_6 != _e372), false);
-                const bool _e377 = hasOneSided;
-                if (_e377) {
-                    bool _e378 = nearer;
-                    uint _e380 = cover;
-                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
-                }
-                float inverse_3 = (1.0 / _e358.sum);
-                float t_14 = (_e358.depth * inverse_3);
-                vec2 weights_3 = (_e358.weights * inverse_3);
-                const bool _e395 = hasCutouts;
-                if (_e395) {
-                    bool _e396 = nearer;
-                    uint _e397 = cover;
-                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
-                        uint _e403 = instance_1;
-                        doubted = MeshHit(t_14, _e403, place_6, weights_3, false);
-                        nearer = false;
-                    }
-                }
-                bool _e407 = nearer;
-                bool _e408 = toLight_1;
-                bool blocks = pick(_e407, _e408, false);
-                bool _e410 = nearer;
-                bool _e411 = toLight_1;
-                bool counts = pick(_e410, !(_e411), false);
-                float _e414 = most;
-                bool _e415 = nearer;
-                most = pick(_e415, t_14, _e414);
-                float _e419 = found_5.t;
-                found_5.t = pick(counts, t_14, _e419);
-                uint _e423 = found_5.instance;
-                uint _e424 = instance_1;
-                found_5.instance = pick(counts, _e424, _e423);
-                uint _e428 = found_5.triangle;
-                found_5.triangle = pick(counts, place_6, _e428);
-                vec2 _e432 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e432);
-                bool _e436 = found_5.blocked;
-                found_5.blocked = pick(_e436, true, blocks);
-                uint _e438 = waiting;
-                waiting = pick(blocks, noLeaf0_, _e438);
-                uint _e441 = current;
-                current = pick(blocks, ending, _e441);
-            }
-            uint _e444 = waiting;
-            uint _e447 = current;
-            bool _e448 = isAmongInstances(_e447);
-            const bool _e451 = hasCutouts;
-            uint _e453 = doubted.instance;
-            if (pick(pick((_e444 == noLeaf0_), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
-                break;
-            }
-        }
+        bool _e461 = toLight_1;
+        toLight_1 = pick(_e461, true, ended);
+        float _e463 = most;
+        most = pick(ended, rays.lightMost, _e463);
+        uint _e466 = top;
+        top = pick(ended, 1u, _e466);
+        uint _e469 = current;
+        current = pick(ended, first_2, _e469);
     }
-    MeshHit _e458 = found_5;
-    return _e458;
+    MeshHit _e471 = found_5;
+    return _e471;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -2202,10 +2224,10 @@ vec3 boxNormal(vec3 origin_10, vec3 direction_14, vec3 halfSize_2, float tMin_4,
     Slabs _e5 = boxSlabs(origin_10, direction_14, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_15 = pick(entering, _e5.near, _e5.far);
+    float t_16 = pick(entering, _e5.near, _e5.far);
     vec3 side_4 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_14, vec3(0.0))));
-    bool onX_1 = (crossed.x == t_15);
-    bool onY_1 = pick(!(onX_1), (crossed.y == t_15), false);
+    bool onX_1 = (crossed.x == t_16);
+    bool onY_1 = pick(!(onX_1), (crossed.y == t_16), false);
     return (side_4 * mix(vec3(0.0), vec3(1.0), bvec3(onX_1, onY_1, !(pick(onX_1, true, onY_1)))));
 }
 
@@ -2284,8 +2306,8 @@ EnvironmentLight lookUpEnvironment(vec3 direction_18) {
     float row_13 = floor(fromPole_1);
     bool isLower_1 = (direction_18.y < 0.0);
     vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_13), row_13));
-    float within_3 = (fromPole_1 - row_13);
-    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
+    float within_2 = (fromPole_1 - row_13);
+    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
     return _e67;
@@ -2320,22 +2342,22 @@ void main() {
     float t = 1e30;
     vec3 normal = vec3(0.0);
     uvec2 pixel = uvec2(fragment.xy);
-    vec4 a_5 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
-    vec4 b_5 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
+    vec4 a_7 = texelFetch(questions, ivec2(uvec2((3u * pixel.x), pixel.y)), 0);
+    vec4 b_7 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 1u), pixel.y)), 0);
     vec4 c_4 = texelFetch(questions, ivec2(uvec2(((3u * pixel.x) + 2u), pixel.y)), 0);
-    uint question = uint(b_5.w);
-    uint index = uint(a_5.w);
+    uint question = uint(b_7.w);
+    uint index = uint(a_7.w);
     if ((question == choice_2)) {
-        EmitterChoice _e40 = chooseEmitter(a_5.xyz, c_4.xyz, b_5.x);
+        EmitterChoice _e40 = chooseEmitter(a_7.xyz, c_4.xyz, b_7.x);
         Emitter _e42 = fetchEmitter(_e40.index);
-        float _e46 = probabilityOf(_e42, a_5.xyz, c_4.xyz, _e40.odds);
+        float _e46 = probabilityOf(_e42, a_7.xyz, c_4.xyz, _e40.odds);
         Emitter _e50 = fetchEmitter(index);
-        float _e54 = probabilityOf(_e50, a_5.xyz, c_4.xyz, _e40.odds);
+        float _e54 = probabilityOf(_e50, a_7.xyz, c_4.xyz, _e40.odds);
         _fs2p_location0 = vec4(float(_e40.index), _e40.probability, _e46, _e54);
         return;
     }
     Emitter _e56 = fetchEmitter(index);
-    LightSample _e59 = sampleEmitter(_e56, a_5.xyz, b_5.xy);
+    LightSample _e59 = sampleEmitter(_e56, a_7.xyz, b_7.xy);
     if ((question == directionAndPdf)) {
         _fs2p_location0 = vec4(_e59.direction, _e59.pdf);
         return;
@@ -2346,7 +2368,7 @@ void main() {
     }
     vec3 direction_23 = pick((question == pdfOfSample), _e59.direction, c_4.xyz);
     if ((_e56.kind == 7.0)) {
-        RayPair _e85 = oneRay(a_5.xyz, direction_23, 0u);
+        RayPair _e85 = oneRay(a_7.xyz, direction_23, 0u);
         PairHit _e86 = tracePair(_e85);
         if ((_e86.triangle.instance == noInstance)) {
             _fs2p_location0 = vec4(0.0, 1e30, _e59.pdf, float(_e59.delta));
@@ -2357,13 +2379,13 @@ void main() {
         uint _e105 = emitterOfTriangle(_e56, _e86.triangle);
         Emitter _e107 = fetchEmitter((index + _e105));
         vec3 _e110 = normal;
-        float _e113 = shapePdf(_e107, a_5.xyz, direction_23, _e86.t, _e110, _e86.triangle.triangle);
+        float _e113 = shapePdf(_e107, a_7.xyz, direction_23, _e86.t, _e110, _e86.triangle.triangle);
         _fs2p_location0 = vec4(_e113, _e86.t, _e59.pdf, float(_e59.delta));
         return;
     }
     if ((_e56.shape >= 0.0)) {
         uint shape_1 = uint(_e56.shape);
-        Start _e127 = onSurface(a_5.xyz, noShape, false);
+        Start _e127 = onSurface(a_7.xyz, noShape, false);
         Ray ray_8 = Ray(_e127, direction_23);
         Bounds _e129 = fetchBounds(shape_1);
         float _e130 = hitShape(shape_1, _e129, ray_8);
@@ -2381,7 +2403,7 @@ void main() {
     FarLight _e145 = farLight(_e56, direction_23, _e144);
     float _e147 = t;
     vec3 _e148 = normal;
-    float _e150 = shapePdf(_e56, a_5.xyz, direction_23, _e147, _e148, 0u);
+    float _e150 = shapePdf(_e56, a_7.xyz, direction_23, _e147, _e148, 0u);
     float _e153 = t;
     _fs2p_location0 = vec4((_e150 + _e145.pdf), _e153, length(_e145.radiance), float(_e59.delta));
     return;

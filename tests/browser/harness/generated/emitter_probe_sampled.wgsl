@@ -967,31 +967,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var current = first;
   var waiting = noLeaf0;
   loop {
-    if (hasCutouts) {
-      if (doubted.instance != noInstance) {
-        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
-        let instead = doubted;
-        doubted.instance = noInstance;
-        if (there & toLight) {
-          found.blocked = true;
-          break;
-        }
-        if (there) {
-          most = instead.t;
-          found = instead;
-        }
-      }
-    }
     if (!hasCutouts | ((waiting == noLeaf0) & isAmongInstances(current))) {
-      if (current == ending) {
-        if (toLight | !(rays.lightMost > 0.0)) {
-          break;
-        }
-        toLight = true;
-        most = rays.lightMost;
-        top = 1u;
-        current = first;
-      }
       let toWorld = current >= beginning;
       instance = select(current & placeMask, noInstance, toWorld);
       var o = rays.origin;
@@ -1023,7 +999,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
       if (current < instances) {
         let node = nodes + current * nodeRows;
         let r = geometryRow(node + childrenRow);
-        let t = enterChildren(node, slabs, most);
+        let t = bitcast<vec4i>(enterChildren(node, slabs, most));
         // Farthest first onto the stack: a sorting network of five exchanges.
         let a = t.x < t.z;
         let b = t.y < t.w;
@@ -1040,12 +1016,12 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), far2 < near2);
         // What lies above the top does not count.
         stack[top] = ra.x;
-        top += select(0u, 1u, max(far0, far1) < 1e30);
+        top += select(0u, 1u, max(far0, far1) < notEntered);
         stack[top] = rm.x;
-        top += select(0u, 1u, max(far2, near2) < 1e30);
+        top += select(0u, 1u, max(far2, near2) < notEntered);
         stack[top] = rm.y;
-        top += select(0u, 1u, min(far2, near2) < 1e30);
-        current = select(unread, rb.y, min(near0, near1) < 1e30);
+        top += select(0u, 1u, min(far2, near2) < notEntered);
+        current = select(unread, rb.y, min(near0, near1) < notEntered);
       }
       let takes = (waiting == noLeaf0) & (current >= leaves);
       waiting = select(waiting, current, takes);
@@ -1083,6 +1059,29 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         break;
       }
     }
+    if (hasCutouts) {
+      if (doubted.instance != noInstance) {
+        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
+        let instead = doubted;
+        doubted.instance = noInstance;
+        if (there & toLight) {
+          found.blocked = true;
+          break;
+        }
+        if (there) {
+          most = instead.t;
+          found = instead;
+        }
+      }
+    }
+    let ended = (current == ending) & (waiting == noLeaf0);
+    if (ended & (toLight | !(rays.lightMost > 0.0))) {
+      break;
+    }
+    toLight = toLight | ended;
+    most = select(most, rays.lightMost, ended);
+    top = select(top, 1u, ended);
+    current = select(current, first, ended);
   }
   return found;
 }
@@ -1204,6 +1203,139 @@ fn isAmongInstances(reference: u32) -> bool {
   return (reference >= instances) & (reference < leaves) & (reference != unread);
 }
 
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+// What comes next is on top of the stack.
+const unread = 0x8ffffffcu;
+
+const leaving = 0x8ffffffeu;
+
+const leastToGreatest = 3u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
+const leaves = 0x90000000u;
+
+// Rows of a node; from the rows of least to those of greatest places; and where the references are.
+const nodeRows = 7u;
+
+const childrenRow = 6u;
+
+// Where the ray enters each child, 1e30 where it does not.
+fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
+  // The row of the far planes is the other one of the two.
+  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
+  let near4 = larger(larger(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), larger(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = smaller(smaller(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  return select(vec4f(1e30), near4, near4 <= smaller(far4 * slabRounding, vec4f(t)));
+}
+
+// The bits of 1e30, the distance to a child that is not entered.
+const notEntered = 0x7149f2cai;
+
+fn larger(a: vec4f, b: vec4f) -> vec4f {
+  return bitcast<vec4f>(max(bitcast<vec4i>(a), bitcast<vec4i>(b)));
+}
+
+fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
+  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+fn smaller(a: vec4f, b: vec4f) -> vec4f {
+  return bitcast<vec4f>(min(bitcast<vec4i>(a), bitcast<vec4i>(b)));
+}
+
+// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
+const slabRounding = 1.0 + 1e-6;
+
+const countShift = 28u;
+
+fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
+  let a = turnedTo(ray.axis, triangle.a - ray.origin);
+  let b = turnedTo(ray.axis, triangle.b - ray.origin);
+  let c = turnedTo(ray.axis, triangle.c - ray.origin);
+  let pa = a.xy + a.z * ray.shear.xy;
+  let pb = b.xy + b.z * ray.shear.xy;
+  let pc = c.xy + c.z * ray.shear.xy;
+  let u = edge(pc, pb);
+  let v = edge(pa, pc);
+  let w = edge(pb, pa);
+  let sum = u + v + w;
+  let side = select(1.0, -1.0, sum < 0.0);
+  let within = isWithin(u, v, w);
+  let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
+  return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
+}
+
+fn fetchTriangle(row: u32) -> Triangle {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
+}
+
+const triangleRows = 3u;
+
+// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
+override hasOneSided = false;
+
+const isOneSided = 2147483648u;
+
+const coverRow = 2147483647u;
+
+fn edge(a: vec2f, b: vec2f) -> f32 {
+  let p = a.x * b.y;
+  let q = a.y * b.x;
+  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+fn isWithin(u: f32, v: f32, w: f32) -> bool {
+  return ((u >= 0.0) & (v >= 0.0) & (w >= 0.0)) | ((u <= 0.0) & (v <= 0.0) & (w <= 0.0));
+}
+
+// Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
+// is tested against need not.
+struct Crossing {
+  within: bool,
+  // Above 0 where `within`.
+  sum: f32,
+  depth: f32,
+  // How much the second and third vertex count.
+  weights: vec2f,
+  // Whether it is met on the side from which its vertices go counter-clockwise.
+  front: bool,
+}
+
+
+struct Triangle {
+  // first vertex, in the space of its mesh
+  a: vec3f,
+  // its number among the vertices of the mesh
+  vertexA: u32,
+  // second vertex
+  b: vec3f,
+  // its number
+  vertexB: u32,
+  // third vertex
+  c: vec3f,
+  // its number
+  vertexC: u32,
+}
+
+
 // `number`: of the ray.
 fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let i = fetchInstance(frame.instances + instance * instanceRows);
@@ -1219,17 +1351,6 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
 }
-
-fn fetchTriangle(row: u32) -> Triangle {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
-}
-
-const triangleRows = 3u;
-
-const coverRow = 2147483647u;
 
 fn fetchMaterialTextures(row: u32) -> MaterialTextures {
   let r0 = texelRow(row + 0u);
@@ -1376,22 +1497,6 @@ fn linearFromSrgb(c: vec3f) -> vec3f {
   return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
 }
 
-struct Triangle {
-  // first vertex, in the space of its mesh
-  a: vec3f,
-  // its number among the vertices of the mesh
-  vertexA: u32,
-  // second vertex
-  b: vec3f,
-  // its number
-  vertexB: u32,
-  // third vertex
-  c: vec3f,
-  // its number
-  vertexC: u32,
-}
-
-
 struct MaterialTextures {
   // uses of textures: TextureUse, in the rows that follow
   count: u32,
@@ -1445,97 +1550,6 @@ struct VertexMore {
   blueAlpha: u32,
   // texture coordinates of set 1
   uv: vec2f,
-}
-
-
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
-}
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-// What comes next is on top of the stack.
-const unread = 0x8ffffffcu;
-
-const leaving = 0x8ffffffeu;
-
-const leastToGreatest = 3u;
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
-const leaves = 0x90000000u;
-
-// Rows of a node; from the rows of least to those of greatest places; and where the references are.
-const nodeRows = 7u;
-
-const childrenRow = 6u;
-
-// Where the ray enters each child, 1e30 where it does not.
-fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
-  // The row of the far planes is the other one of the two.
-  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  return select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
-}
-
-fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
-  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
-}
-
-// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
-const slabRounding = 1.0 + 1e-6;
-
-const countShift = 28u;
-
-fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
-  let a = turnedTo(ray.axis, triangle.a - ray.origin);
-  let b = turnedTo(ray.axis, triangle.b - ray.origin);
-  let c = turnedTo(ray.axis, triangle.c - ray.origin);
-  let pa = a.xy + a.z * ray.shear.xy;
-  let pb = b.xy + b.z * ray.shear.xy;
-  let pc = c.xy + c.z * ray.shear.xy;
-  let u = edge(pc, pb);
-  let v = edge(pa, pc);
-  let w = edge(pb, pa);
-  let sum = u + v + w;
-  let side = select(1.0, -1.0, sum < 0.0);
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
-  let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
-  return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
-}
-
-// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
-override hasOneSided = false;
-
-const isOneSided = 2147483648u;
-
-fn edge(a: vec2f, b: vec2f) -> f32 {
-  let p = a.x * b.y;
-  let q = a.y * b.x;
-  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
-}
-
-// Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
-// is tested against need not.
-struct Crossing {
-  within: bool,
-  // Above 0 where `within`.
-  sum: f32,
-  depth: f32,
-  // How much the second and third vertex count.
-  weights: vec2f,
-  // Whether it is met on the side from which its vertices go counter-clockwise.
-  front: bool,
 }
 
 

@@ -114,10 +114,9 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
   let independent = frame.independent != 0u;
   let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
-  let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) << 1u);
-  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
-  let used = select(reversed, 0u, independent);
-  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+  let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) * 2u);
+  let sample = select(reversed(sampleIndex & 0xffffu), 0u, independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), sample, select(reversed(place * 256u), 0u, independent));
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -213,17 +212,12 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 
 // Bits 0 to 3 of x to the even places.
 fn spread(x: u32) -> u32 {
-  let y = (x | (x << 2u)) & 0x33u;
-  return (y | (y << 1u)) & 0x55u;
+  let y = (x | (x * 4u)) & 0x33u;
+  return (y | (y * 2u)) & 0x55u;
 }
 
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
-fn reverseHalves(x: u32) -> u32 {
-  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
-  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
-  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
-  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+fn reversed(x: u32) -> u32 {
+  return reversedHigh(x) >> 15u;
 }
 
 struct Sampler {
@@ -251,6 +245,17 @@ fn pcg(x: u32) -> u32 {
   let s = x * 747796405u + 2891336453u;
   let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
   return (w >> 22u) ^ w;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
+// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
+// where it is, and what comes first goes past it. (WebGL2 has no reverseBits.)
+fn reversedHigh(x: u32) -> u32 {
+  var y = x + (x & 0x5555u) * 3u;
+  y += (y & 0x6666u) * 15u;
+  y += (y & 0x7878u) * 255u;
+  return y + (y & 0x7f80u) * 65535u;
 }
 
 struct Frame {
@@ -350,10 +355,7 @@ fn filterAxis(u: f32) -> f32 {
 }
 
 fn points2d(g: Group) -> vec2f {
-  let x = scramble(g.index ^ g.shift, g.seedA);
-  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
-  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
-  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+  return vec2f(toUnit(scramble(g.index ^ g.shift, g.seedA)), toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB)));
 }
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
@@ -366,8 +368,14 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
   // come from two groups together would be the same all over the tile.
   let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
-  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
-  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+  let index = reversed(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a * 65536u), (b >> 16u) | (b * 65536u));
+}
+
+// The first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. The two parts are exact, and so is their sum.
+fn toUnit(scrambled: u32) -> f32 {
+  let digits = f32(i32(reversedHigh(scrambled & 0xffffu))) * 4.656612873077392578125e-10;
+  return digits + f32(scrambled & 0xff000000u) * 3.552713678800501e-15;
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
@@ -390,12 +398,7 @@ fn pascal(x: u32) -> u32 {
 
 // Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
 fn timesW(x: u32) -> u32 {
-  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
-}
-
-// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
-fn toUnit(reversed: u32, scrambled: u32) -> f32 {
-  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
+  return ((x ^ (x * 2u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
 }
 
 // One padded sequence: what all its dimensions have in common.
@@ -414,11 +417,11 @@ struct Group {
 fn shiftOfPlace(x: u32) -> u32 {
   var y = x ^ timesW((x >> 2u) & 0x33u);
   y ^= timesW2((y >> 4u) & 0x0fu);
-  return timesW(y) | (y << 8u);
+  return timesW(y) | (y * 256u);
 }
 
 fn timesW2(x: u32) -> u32 {
-  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+  return ((x * 2u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
 }
 
 // Cameras other than pinholes, filters other than the box.
@@ -666,6 +669,16 @@ const parallel = 1e-12;
 
 // References: encode-wide-bvh.ts. Below `instances` those of nodes, from `leaves` on of leaves.
 const instances = 0x80000000u;
+
+// Of floats above 0 the order is that of their bits, and all below 0 are less; where WGSL's own `max` and `min` are asked for what may be
+// no number, a software rasteriser looks for that, with some twenty operations. What comes out below 0 is not exact, and does not count.
+fn larger(a: vec4f, b: vec4f) -> vec4f {
+  return max(a, b);
+}
+
+fn smaller(a: vec4f, b: vec4f) -> vec4f {
+  return min(a, b);
+}
 
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.

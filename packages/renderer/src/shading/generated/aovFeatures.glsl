@@ -195,27 +195,32 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread(uint x_1) {
-    uint y_5 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_5 | (y_5 << 1u)) & 85u);
+    uint y_5 = ((x_1 | (x_1 * 4u)) & 51u);
+    return ((y_5 | (y_5 * 2u)) & 85u);
 }
 
-uint reverseHalves(uint x_2) {
+uint reversedHigh(uint x_2) {
     uint y = 0u;
-    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
-    uint _e11 = y;
-    uint _e16 = y;
-    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y = (x_2 + ((x_2 & 21845u) * 3u));
+    uint _e7 = y;
+    uint _e8 = y;
+    y = (_e7 + ((_e8 & 26214u) * 15u));
+    uint _e14 = y;
+    uint _e15 = y;
+    y = (_e14 + ((_e15 & 30840u) * 255u));
+    uint _e21 = y;
     uint _e22 = y;
-    uint _e27 = y;
-    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y;
-    uint _e38 = y;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 + ((_e22 & 32640u) * 65535u));
 }
 
-uint mixBits(uint x_3) {
+uint reversed(uint x_3) {
+    uint _e1 = reversedHigh(x_3);
+    return (_e1 >> 15u);
+}
+
+uint mixBits(uint x_4) {
     uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
     uint _e7 = y_1;
     uint _e8 = y_1;
     y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
@@ -230,18 +235,19 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
-    uint place = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place << 24u)));
-    uint used = pick(independent, 0u, _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+    uint place = (_e19 | (_e23 * 2u));
+    uint _e29 = reversed((sampleIndex_1 & 65535u));
+    uint sample_ = pick(independent, 0u, _e29);
+    uint _e34 = mixBits((_e15 ^ 1779033703u));
+    uint _e37 = reversed((place * 256u));
+    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_9 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_9), 15.0);
-    float t_2 = (x_9 - piece);
+    float x_10 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_10), 15.0);
+    float t_2 = (x_10 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_2 = (c.x + (t_2 * (c.y + (t_2 * (c.z + (t_2 * c.w))))));
     return pick((across < 0.0), -(offset_2), offset_2);
@@ -260,9 +266,15 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-uint scramble(uint x_4, uint seed_2) {
+float toUnit(uint scrambled) {
+    uint _e3 = reversedHigh((scrambled & 65535u));
+    float digits = (float(int(_e3)) * 4.656613e-10);
+    return (digits + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+}
+
+uint scramble(uint x_5, uint seed_2) {
     uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    y_2 = (x_5 ^ (x_5 * 1025551850u));
     uint _e6 = y_2;
     y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
@@ -273,9 +285,9 @@ uint scramble(uint x_4, uint seed_2) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_5) {
+uint pascal(uint x_6) {
     uint y_3 = 0u;
-    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
     uint _e7 = y_3;
     uint _e8 = y_3;
     y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
@@ -287,33 +299,28 @@ uint pascal(uint x_5) {
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
-}
-
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
 vec2 points2d(Group g) {
     uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
+    float _e6 = toUnit(_e5);
+    uint _e9 = timesW(g.shift);
+    uint _e11 = pascal((g.index ^ _e9));
+    uint _e13 = scramble(_e11, g.seedB);
+    float _e14 = toUnit(_e13);
+    return vec2(_e6, _e14);
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
+uint shiftOfPlace(uint x_9) {
     uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_4 = (x_9 ^ _e5);
     uint _e8 = y_4;
     uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
@@ -321,7 +328,7 @@ uint shiftOfPlace(uint x_8) {
     uint _e16 = y_4;
     uint _e17 = timesW(_e16);
     uint _e18 = y_4;
-    return (_e17 | (_e18 << 8u));
+    return (_e17 | (_e18 * 256u));
 }
 
 Group nextGroup(inout Sampler s) {
@@ -331,16 +338,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b = (half_ ^ (half_ >> 16u));
+    uint b_2 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b);
+    uint _e19 = scramble(_e18, b_2);
     uint _e21 = s.sample_;
     uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own), _e8);
-    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b >> 16u) | (b << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_2 >> 16u) | (b_2 * 65536u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -361,12 +368,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_10 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_11 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_6 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_10 * _e22) + (y_6 * _e26));
+    vec3 across_1 = ((x_11 * _e22) + (y_6 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -383,7 +390,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_10);
+            float longitude = (3.1415927 * x_11);
             float latitude = (1.5707964 * y_6);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -749,16 +756,16 @@ vec3 conductorFresnel(float cosine, vec3 eta, vec3 k) {
     float sine2_ = (1.0 - cosine2_);
     vec3 difference = (((eta * eta) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta) * eta) * k) * k)));
-    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta * k) / larger);
-    vec3 a = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
-    vec3 b_1 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_1 * b_1) + vec3(1e-20));
-    vec3 acrossFar = (a + vec3(cosine));
-    vec3 acrossNear = (a - vec3(cosine));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 smaller_1 = ((eta * k) / larger_1);
+    vec3 a_2 = mix(smaller_1, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_3 = mix(larger_1, smaller_1, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_3 * b_3) + vec3(1e-20));
+    vec3 acrossFar = (a_2 + vec3(cosine));
+    vec3 acrossNear = (a_2 - vec3(cosine));
     vec3 across_3 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a * cosine) + vec3(sine2_));
-    vec3 alongNear = ((a * cosine) - vec3(sine2_));
+    vec3 alongFar = ((a_2 * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a_2 * cosine) - vec3(sine2_));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_3) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
@@ -793,6 +800,14 @@ Material fetchMaterial(uint i_13) {
     vec4 _e2 = tableTexel(3u, i_13);
     vec4 _e4 = tableTexel(4u, i_13);
     return Material(_e2.xyz, _e2.w, _e4.x, _e4.y, _e4.z, _e4.w);
+}
+
+vec4 larger(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
+vec4 smaller(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
 }
 
 void main() {

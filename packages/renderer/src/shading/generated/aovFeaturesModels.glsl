@@ -164,6 +164,13 @@ struct Triangle {
     vec3 c;
     uint vertexC;
 };
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
 struct MaterialTextures {
     uint count;
     uint flags;
@@ -198,13 +205,6 @@ struct Neighbours {
     uint first;
     uint second;
     float share;
-};
-struct Crossing {
-    bool within;
-    float sum;
-    float depth;
-    vec2 weights;
-    bool front;
 };
 struct Surface {
     vec3 baseColor;
@@ -279,8 +279,17 @@ const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
 const uint noLeaf = 0u;
+const uint leaves = 2415919104u;
+const uint unread = 2415919100u;
 const uint instanceRows = 5u;
+const uint leaving = 2415919102u;
+const uint leastToGreatest = 3u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const int notEntered = 1900671690;
+const uint countShift = 28u;
 const uint triangleRows = 3u;
+const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
@@ -292,14 +301,6 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
-const uint leaves = 2415919104u;
-const uint unread = 2415919100u;
-const uint leaving = 2415919102u;
-const uint leastToGreatest = 3u;
-const uint nodeRows = 7u;
-const uint childrenRow = 6u;
-const uint countShift = 28u;
-const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
@@ -357,11 +358,11 @@ const bool hasCutouts = false;
 
 uniform highp usampler2D geometry;
 
+const bool hasOneSided = false;
+
 uniform highp usampler2D texels;
 
 const bool hasOtherLookups = false;
-
-const bool hasOneSided = false;
 
 const bool hasLayers = false;
 
@@ -398,8 +399,8 @@ layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_6 = ((x * 747796405u) + 2891336453u);
-    uint w_1 = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
-    return ((w_1 >> 22u) ^ w_1);
+    uint w_2 = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
+    return ((w_2 >> 22u) ^ w_2);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -411,27 +412,32 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread(uint x_1) {
-    uint y_5 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_5 | (y_5 << 1u)) & 85u);
+    uint y_5 = ((x_1 | (x_1 * 4u)) & 51u);
+    return ((y_5 | (y_5 * 2u)) & 85u);
 }
 
-uint reverseHalves(uint x_2) {
+uint reversedHigh(uint x_2) {
     uint y = 0u;
-    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
-    uint _e11 = y;
-    uint _e16 = y;
-    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y = (x_2 + ((x_2 & 21845u) * 3u));
+    uint _e7 = y;
+    uint _e8 = y;
+    y = (_e7 + ((_e8 & 26214u) * 15u));
+    uint _e14 = y;
+    uint _e15 = y;
+    y = (_e14 + ((_e15 & 30840u) * 255u));
+    uint _e21 = y;
     uint _e22 = y;
-    uint _e27 = y;
-    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y;
-    uint _e38 = y;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 + ((_e22 & 32640u) * 65535u));
 }
 
-uint mixBits(uint x_3) {
+uint reversed(uint x_3) {
+    uint _e1 = reversedHigh(x_3);
+    return (_e1 >> 15u);
+}
+
+uint mixBits(uint x_4) {
     uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
     uint _e7 = y_1;
     uint _e8 = y_1;
     y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
@@ -446,18 +452,19 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
-    uint place_3 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_3 << 24u)));
-    uint used = pick(independent, 0u, _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+    uint place_3 = (_e19 | (_e23 * 2u));
+    uint _e29 = reversed((sampleIndex_1 & 65535u));
+    uint sample_ = pick(independent, 0u, _e29);
+    uint _e34 = mixBits((_e15 ^ 1779033703u));
+    uint _e37 = reversed((place_3 * 256u));
+    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_10 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_10), 15.0);
-    float t_4 = (x_10 - piece);
+    float x_11 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_11), 15.0);
+    float t_4 = (x_11 - piece);
     vec4 c_2 = frame.filterPieces[uint(piece)];
     float offset_3 = (c_2.x + (t_4 * (c_2.y + (t_4 * (c_2.z + (t_4 * c_2.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
@@ -476,9 +483,15 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-uint scramble(uint x_4, uint seed_2) {
+float toUnit(uint scrambled) {
+    uint _e3 = reversedHigh((scrambled & 65535u));
+    float digits = (float(int(_e3)) * 4.656613e-10);
+    return (digits + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+}
+
+uint scramble(uint x_5, uint seed_2) {
     uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    y_2 = (x_5 ^ (x_5 * 1025551850u));
     uint _e6 = y_2;
     y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
@@ -489,9 +502,9 @@ uint scramble(uint x_4, uint seed_2) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_5) {
+uint pascal(uint x_6) {
     uint y_3 = 0u;
-    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
     uint _e7 = y_3;
     uint _e8 = y_3;
     y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
@@ -503,33 +516,28 @@ uint pascal(uint x_5) {
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
-}
-
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
 vec2 points2d(Group g) {
     uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
+    float _e6 = toUnit(_e5);
+    uint _e9 = timesW(g.shift);
+    uint _e11 = pascal((g.index ^ _e9));
+    uint _e13 = scramble(_e11, g.seedB);
+    float _e14 = toUnit(_e13);
+    return vec2(_e6, _e14);
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
+uint shiftOfPlace(uint x_9) {
     uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_4 = (x_9 ^ _e5);
     uint _e8 = y_4;
     uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
@@ -537,7 +545,7 @@ uint shiftOfPlace(uint x_8) {
     uint _e16 = y_4;
     uint _e17 = timesW(_e16);
     uint _e18 = y_4;
-    return (_e17 | (_e18 << 8u));
+    return (_e17 | (_e18 * 256u));
 }
 
 Group nextGroup(inout Sampler s) {
@@ -547,16 +555,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_1 = (half_ ^ (half_ >> 16u));
+    uint b_3 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_1);
+    uint _e19 = scramble(_e18, b_3);
     uint _e21 = s.sample_;
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
-    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_1 >> 16u) | (b_1 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_3 >> 16u) | (b_3 * 65536u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -577,12 +585,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_11 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_12 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_6 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_11 * _e22) + (y_6 * _e26));
+    vec3 across_1 = ((x_12 * _e22) + (y_6 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -599,7 +607,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_11);
+            float longitude = (3.1415927 * x_12);
             float latitude = (1.5707964 * y_6);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -765,6 +773,10 @@ PairHit meetPlane(PairHit found_4, RayPair p_4, uint i_6) {
     return _e17;
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
 uvec4 geometryRow(uint i_7) {
     uvec4 _e14 = texelFetch(geometry, ivec2(int((i_7 & 2047u)), int((float(int((i_7 & 2147481600u))) / 2048.0))), 0);
     return _e14;
@@ -779,10 +791,83 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
-Triangle fetchTriangle(uint row_2) {
-    uvec4 _e3 = geometryRow((row_2 + 0u));
-    uvec4 _e6 = geometryRow((row_2 + 1u));
-    uvec4 _e9 = geometryRow((row_2 + 2u));
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_1, direction_7);
+    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 larger(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
+vec4 planes(uint row_2, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_2);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 smaller(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
+}
+
+vec4 enterChildren(uint node, SlabRay r, float t_1) {
+    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e25 = larger(_e16, _e24);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 _e36 = larger(_e33, vec4(0.0));
+    vec4 _e37 = larger(_e25, _e36);
+    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
+    vec4 _e52 = smaller(_e44, _e51);
+    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
+    vec4 _e60 = smaller(_e52, _e59);
+    vec4 _e66 = smaller((_e60 * 1.000001), vec4(t_1));
+    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
+}
+
+float edge(vec2 a_2, vec2 b_2) {
+    float p_11 = (a_2.x * b_2.y);
+    float q_3 = (a_2.y * b_2.x);
+    return ((a_2.x * b_2.y + -(q_3)) - (a_2.y * b_2.x + -(p_11)));
+}
+
+bool isWithin(float u_3, float v_3, float w_1) {
+    return pick(pick(pick((u_3 >= 0.0), (v_3 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_3 <= 0.0), (v_3 <= 0.0), false), (w_1 <= 0.0), false));
+}
+
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum = ((_e35 + _e36) + _e37);
+    float side = pick((sum < 0.0), -1.0, 1.0);
+    bool _e45 = isWithin(_e35, _e36, _e37);
+    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(_e45, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
+}
+
+Triangle fetchTriangle(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    uvec4 _e6 = geometryRow((row_3 + 1u));
+    uvec4 _e9 = geometryRow((row_3 + 2u));
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
@@ -791,18 +876,18 @@ uvec4 texelRow(uint i_8) {
     return _e14;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_3) {
-    uvec4 _e3 = texelRow((row_3 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_4) {
-    uvec4 _e3 = geometryRow((row_4 + 0u));
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -835,15 +920,15 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
     return _e76;
 }
 
-TextureUse fetchTextureUse(uint row_6) {
-    uvec4 _e3 = texelRow((row_6 + 0u));
-    uvec4 _e6 = texelRow((row_6 + 1u));
-    uvec4 _e9 = texelRow((row_6 + 2u));
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
-Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
+Neighbours neighbours(float x_10, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
     float at = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
     float low = floor(at);
     int last = (int(size) - 1);
@@ -871,16 +956,16 @@ uint texelAt(uint i_9) {
     return pick(((i_9 & 1u) != 0u), pair.y, pair.x);
 }
 
-vec4 lookUp(TextureUse t_1, vec2 uv) {
+vec4 lookUp(TextureUse t_2, vec2 uv) {
     vec3 place_4 = vec3(uv, 1.0);
     const bool _e7 = hasOtherLookups;
-    uint flags = pick(_e7, t_1.flags, 0u);
+    uint flags = pick(_e7, t_2.flags, 0u);
     bool nearest_1 = ((flags & isNearest) != 0u);
-    Neighbours _e24 = neighbours(dot(t_1.toU, place_4), t_1.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_1.toV, place_4), t_1.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
-    uint upper = (t_1.first + (_e36.first * t_1.width));
-    uint lower = (t_1.first + (_e36.second * t_1.width));
-    bool colored_1 = ((t_1.flags & isColor) != 0u);
+    Neighbours _e24 = neighbours(dot(t_2.toU, place_4), t_2.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_4), t_2.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_2.first + (_e36.first * t_2.width));
+    uint lower = (t_2.first + (_e36.second * t_2.width));
+    bool colored_1 = ((t_2.flags & isColor) != 0u);
     uint _e54 = texelAt((upper + _e24.first));
     vec4 _e55 = decoded(_e54, colored_1);
     uint _e58 = texelAt((upper + _e24.second));
@@ -922,67 +1007,6 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
-bool isAmongInstances(uint reference) {
-    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_1 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_1, direction_7);
-    return MeshRay(origin_8, axis_1, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
-vec4 planes(uint row_7, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row_7);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
-}
-
-vec4 enterChildren(uint node, SlabRay r, float t_2) {
-    uvec3 far_1 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node + far_1.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_1.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node + far_1.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
-}
-
-float edge(vec2 a, vec2 b) {
-    float p_11 = (a.x * b.y);
-    float q_3 = (a.y * b.x);
-    return ((a.x * b.y + -(q_3)) - (a.y * b.x + -(p_11)));
-}
-
-Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
-    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
-    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum = ((_e35 + _e36) + _e37);
-    float side = pick((sum < 0.0), -1.0, 1.0);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray_1.shear.z * side) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum != 0.0), false), (sum * side), depth, (vec2(_e36, _e37) * side), ((sum * ray_1.shear.z) > 0.0));
-}
-
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight = false;
@@ -1020,210 +1044,215 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     current = first_1;
     while(true) {
         const bool _e75 = hasCutouts;
-        if (_e75) {
-            uint _e77 = doubted.instance;
-            if ((_e77 != noInstance)) {
-                uint _e81 = doubted.instance;
-                uint _e83 = doubted.triangle;
-                vec2 _e85 = doubted.weights;
-                bool _e87 = toLight;
-                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
+        uint _e77 = waiting;
+        uint _e80 = current;
+        bool _e81 = isAmongInstances(_e80);
+        if (pick(!(_e75), true, pick((_e77 == noLeaf), _e81, false))) {
+            uint _e84 = current;
+            bool toWorld = (_e84 >= beginning);
+            uint _e87 = current;
+            instance_1 = pick(toWorld, noInstance, (_e87 & placeMask));
+            o = rays.origin;
+            bool _e96 = toLight;
+            d_1 = pick(_e96, rays.lightDirection, rays.direction);
+            nodes = 0u;
+            if (!(toWorld)) {
+                uint _e103 = frame.instances;
+                uint _e104 = instance_1;
+                Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
+                vec3 _e109 = o;
+                vec4 p_12 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_12), dot(_e108.toMeshY, p_12), dot(_e108.toMeshZ, p_12));
+                vec3 _e121 = d_1;
+                vec3 _e125 = d_1;
+                vec3 _e129 = d_1;
+                d_1 = vec3(dot(_e108.toMeshX.xyz, _e121), dot(_e108.toMeshY.xyz, _e125), dot(_e108.toMeshZ.xyz, _e129));
+                nodes = _e108.nodes;
+                triangles = _e108.triangles;
+                cover = _e108.cover;
+                uint _e137 = instance_1;
+                own = pick((_e137 == left.instance), left.triangle, placeMask);
+                if (!(alone)) {
+                    uint _e143 = top;
+                    stack[_e143] = leaving;
+                    uint _e147 = top;
+                    top = (_e147 + 1u);
+                }
+            }
+            vec3 _e149 = o;
+            vec3 _e150 = d_1;
+            SlabRay _e151 = slabRay(_e149, _e150);
+            slabs = _e151;
+            vec3 _e152 = o;
+            vec3 _e153 = d_1;
+            MeshRay _e154 = meshRay(_e152, _e153);
+            ray_2 = _e154;
+            uint _e157 = current;
+            current = pick((_e157 == leaving), unread, 0u);
+        }
+        while(true) {
+            uint _e161 = current;
+            if ((_e161 == unread)) {
+                uint _e165 = top;
+                top = (_e165 - 1u);
+                uint _e168 = top;
+                uint _e170 = stack[_e168];
+                current = _e170;
+            }
+            uint _e171 = current;
+            if ((_e171 < instances)) {
+                uint _e174 = nodes;
+                uint _e175 = current;
+                uint node_1 = (_e174 + (_e175 * nodeRows));
+                uvec4 _e181 = geometryRow((node_1 + childrenRow));
+                SlabRay _e182 = slabs;
+                float _e183 = most;
+                vec4 _e184 = enterChildren(node_1, _e182, _e183);
+                ivec4 t_10 = floatBitsToInt(_e184);
+                bool a_3 = (t_10.x < t_10.z);
+                bool b_4 = (t_10.y < t_10.w);
+                uvec2 r0_ = pick(a_3, uvec2(_e181.z, _e181.x), uvec2(_e181.x, _e181.z));
+                uvec2 r1_ = pick(b_4, uvec2(_e181.w, _e181.y), uvec2(_e181.y, _e181.w));
+                int far0_ = max(t_10.x, t_10.z);
+                int far1_ = max(t_10.y, t_10.w);
+                int near0_ = min(t_10.x, t_10.z);
+                int near1_ = min(t_10.y, t_10.w);
+                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                int far2_ = min(far0_, far1_);
+                int near2_ = max(near0_, near1_);
+                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                uint _e245 = top;
+                stack[_e245] = ra.x;
+                uint _e248 = top;
+                top = (_e248 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e257 = top;
+                stack[_e257] = rm.x;
+                uint _e260 = top;
+                top = (_e260 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e269 = top;
+                stack[_e269] = rm.y;
+                uint _e272 = top;
+                top = (_e272 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
+            }
+            uint _e286 = waiting;
+            uint _e289 = current;
+            bool takes = pick((_e286 == noLeaf), (_e289 >= leaves), false);
+            uint _e293 = waiting;
+            uint _e294 = current;
+            waiting = pick(takes, _e294, _e293);
+            uint _e296 = current;
+            current = pick(takes, unread, _e296);
+            uint _e299 = waiting;
+            if ((_e299 != noLeaf)) {
+                uint _e302 = waiting;
+                uint place_5 = (_e302 & placeMask);
+                uint _e305 = waiting;
+                waiting = ((_e305 + 1u) - 268435456u);
+                uint _e310 = waiting;
+                uint _e312 = waiting;
+                waiting = pick((_e312 < leaves), noLeaf, _e310);
+                MeshRay _e316 = ray_2;
+                uint _e317 = triangles;
+                Triangle _e321 = fetchTriangle((_e317 + (place_5 * triangleRows)));
+                Crossing _e322 = crossTriangle(_e316, _e321);
+                float _e331 = most;
+                uint _e336 = own;
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_5 != _e336), false);
+                const bool _e341 = hasOneSided;
+                if (_e341) {
+                    bool _e342 = nearer;
+                    uint _e344 = cover;
+                    nearer = pick(_e342, pick(_e322.front, true, ((_e344 & isOneSided) == 0u)), false);
+                }
+                float inverse_2 = (1.0 / _e322.sum);
+                float t_11 = (_e322.depth * inverse_2);
+                vec2 weights_3 = (_e322.weights * inverse_2);
+                const bool _e359 = hasCutouts;
+                if (_e359) {
+                    bool _e360 = nearer;
+                    uint _e361 = cover;
+                    if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
+                        uint _e367 = instance_1;
+                        doubted = MeshHit(t_11, _e367, place_5, weights_3, false);
+                        nearer = false;
+                    }
+                }
+                bool _e371 = nearer;
+                bool _e372 = toLight;
+                bool blocks = pick(_e371, _e372, false);
+                bool _e374 = nearer;
+                bool _e375 = toLight;
+                bool counts = pick(_e374, !(_e375), false);
+                float _e378 = most;
+                bool _e379 = nearer;
+                most = pick(_e379, t_11, _e378);
+                float _e383 = found_5.t;
+                found_5.t = pick(counts, t_11, _e383);
+                uint _e387 = found_5.instance;
+                uint _e388 = instance_1;
+                found_5.instance = pick(counts, _e388, _e387);
+                uint _e392 = found_5.triangle;
+                found_5.triangle = pick(counts, place_5, _e392);
+                vec2 _e396 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e396);
+                bool _e400 = found_5.blocked;
+                found_5.blocked = pick(_e400, true, blocks);
+                uint _e402 = waiting;
+                waiting = pick(blocks, noLeaf, _e402);
+                uint _e405 = current;
+                current = pick(blocks, ending, _e405);
+            }
+            uint _e408 = waiting;
+            uint _e411 = current;
+            bool _e412 = isAmongInstances(_e411);
+            const bool _e415 = hasCutouts;
+            uint _e417 = doubted.instance;
+            if (pick(pick((_e408 == noLeaf), _e412, false), true, pick(_e415, (_e417 != noInstance), false))) {
+                break;
+            }
+        }
+        const bool _e423 = hasCutouts;
+        if (_e423) {
+            uint _e425 = doubted.instance;
+            if ((_e425 != noInstance)) {
+                uint _e429 = doubted.instance;
+                uint _e431 = doubted.triangle;
+                vec2 _e433 = doubted.weights;
+                bool _e435 = toLight;
+                bool _e438 = isThere(_e429, _e431, _e433, (rays.number + uint(_e435)));
                 MeshHit instead = doubted;
                 doubted.instance = noInstance;
-                bool _e94 = toLight;
-                if (pick(_e90, _e94, false)) {
+                bool _e442 = toLight;
+                if (pick(_e438, _e442, false)) {
                     found_5.blocked = true;
                     break;
                 }
-                if (_e90) {
+                if (_e438) {
                     most = instead.t;
                     found_5 = instead;
                 }
             }
         }
-        const bool _e100 = hasCutouts;
-        uint _e102 = waiting;
-        uint _e105 = current;
-        bool _e106 = isAmongInstances(_e105);
-        if (pick(!(_e100), true, pick((_e102 == noLeaf), _e106, false))) {
-            uint _e109 = current;
-            if ((_e109 == ending)) {
-                bool _e112 = toLight;
-                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
-                    break;
-                }
-                toLight = true;
-                most = rays.lightMost;
-                top = 1u;
-                current = first_1;
-            }
-            uint _e121 = current;
-            bool toWorld = (_e121 >= beginning);
-            uint _e124 = current;
-            instance_1 = pick(toWorld, noInstance, (_e124 & placeMask));
-            o = rays.origin;
-            bool _e133 = toLight;
-            d_1 = pick(_e133, rays.lightDirection, rays.direction);
-            nodes = 0u;
-            if (!(toWorld)) {
-                uint _e140 = frame.instances;
-                uint _e141 = instance_1;
-                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
-                vec3 _e146 = o;
-                vec4 p_12 = vec4(_e146, 1.0);
-                o = vec3(dot(_e145.toMeshX, p_12), dot(_e145.toMeshY, p_12), dot(_e145.toMeshZ, p_12));
-                vec3 _e158 = d_1;
-                vec3 _e162 = d_1;
-                vec3 _e166 = d_1;
-                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
-                nodes = _e145.nodes;
-                triangles = _e145.triangles;
-                cover = _e145.cover;
-                uint _e174 = instance_1;
-                own = pick((_e174 == left.instance), left.triangle, placeMask);
-                if (!(alone)) {
-                    uint _e180 = top;
-                    stack[_e180] = leaving;
-                    uint _e184 = top;
-                    top = (_e184 + 1u);
-                }
-            }
-            vec3 _e186 = o;
-            vec3 _e187 = d_1;
-            SlabRay _e188 = slabRay(_e186, _e187);
-            slabs = _e188;
-            vec3 _e189 = o;
-            vec3 _e190 = d_1;
-            MeshRay _e191 = meshRay(_e189, _e190);
-            ray_2 = _e191;
-            uint _e194 = current;
-            current = pick((_e194 == leaving), unread, 0u);
+        uint _e447 = current;
+        uint _e450 = waiting;
+        bool ended = pick((_e447 == ending), (_e450 == noLeaf), false);
+        bool _e454 = toLight;
+        if (pick(ended, pick(_e454, true, !((rays.lightMost > 0.0))), false)) {
+            break;
         }
-        while(true) {
-            uint _e198 = current;
-            if ((_e198 == unread)) {
-                uint _e202 = top;
-                top = (_e202 - 1u);
-                uint _e205 = top;
-                uint _e207 = stack[_e205];
-                current = _e207;
-            }
-            uint _e208 = current;
-            if ((_e208 < instances)) {
-                uint _e211 = nodes;
-                uint _e212 = current;
-                uint node_1 = (_e211 + (_e212 * nodeRows));
-                uvec4 _e218 = geometryRow((node_1 + childrenRow));
-                SlabRay _e219 = slabs;
-                float _e220 = most;
-                vec4 _e221 = enterChildren(node_1, _e219, _e220);
-                bool a_1 = (_e221.x < _e221.z);
-                bool b_2 = (_e221.y < _e221.w);
-                uvec2 r0_ = pick(a_1, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_2, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
-                float far0_ = max(_e221.x, _e221.z);
-                float far1_ = max(_e221.y, _e221.w);
-                float near0_ = min(_e221.x, _e221.z);
-                float near1_ = min(_e221.y, _e221.w);
-                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                float far2_ = min(far0_, far1_);
-                float near2_ = max(near0_, near1_);
-                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e281 = top;
-                stack[_e281] = ra.x;
-                uint _e284 = top;
-                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
-                uint _e293 = top;
-                stack[_e293] = rm.x;
-                uint _e296 = top;
-                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
-                uint _e305 = top;
-                stack[_e305] = rm.y;
-                uint _e308 = top;
-                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
-                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
-            }
-            uint _e322 = waiting;
-            uint _e325 = current;
-            bool takes = pick((_e322 == noLeaf), (_e325 >= leaves), false);
-            uint _e329 = waiting;
-            uint _e330 = current;
-            waiting = pick(takes, _e330, _e329);
-            uint _e332 = current;
-            current = pick(takes, unread, _e332);
-            uint _e335 = waiting;
-            if ((_e335 != noLeaf)) {
-                uint _e338 = waiting;
-                uint place_5 = (_e338 & placeMask);
-                uint _e341 = waiting;
-                waiting = ((_e341 + 1u) - 268435456u);
-                uint _e346 = waiting;
-                uint _e348 = waiting;
-                waiting = pick((_e348 < leaves), noLeaf, _e346);
-                MeshRay _e352 = ray_2;
-                uint _e353 = triangles;
-                Triangle _e357 = fetchTriangle((_e353 + (place_5 * triangleRows)));
-                Crossing _e358 = crossTriangle(_e352, _e357);
-                float _e367 = most;
-                uint _e372 = own;
-                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_5 != _e372), false);
-                const bool _e377 = hasOneSided;
-                if (_e377) {
-                    bool _e378 = nearer;
-                    uint _e380 = cover;
-                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
-                }
-                float inverse_2 = (1.0 / _e358.sum);
-                float t_10 = (_e358.depth * inverse_2);
-                vec2 weights_3 = (_e358.weights * inverse_2);
-                const bool _e395 = hasCutouts;
-                if (_e395) {
-                    bool _e396 = nearer;
-                    uint _e397 = cover;
-                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
-                        uint _e403 = instance_1;
-                        doubted = MeshHit(t_10, _e403, place_5, weights_3, false);
-                        nearer = false;
-                    }
-                }
-                bool _e407 = nearer;
-                bool _e408 = toLight;
-                bool blocks = pick(_e407, _e408, false);
-                bool _e410 = nearer;
-                bool _e411 = toLight;
-                bool counts = pick(_e410, !(_e411), false);
-                float _e414 = most;
-                bool _e415 = nearer;
-                most = pick(_e415, t_10, _e414);
-                float _e419 = found_5.t;
-                found_5.t = pick(counts, t_10, _e419);
-                uint _e423 = found_5.instance;
-                uint _e424 = instance_1;
-                found_5.instance = pick(counts, _e424, _e423);
-                uint _e428 = found_5.triangle;
-                found_5.triangle = pick(counts, place_5, _e428);
-                vec2 _e432 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e432);
-                bool _e436 = found_5.blocked;
-                found_5.blocked = pick(_e436, true, blocks);
-                uint _e438 = waiting;
-                waiting = pick(blocks, noLeaf, _e438);
-                uint _e441 = current;
-                current = pick(blocks, ending, _e441);
-            }
-            uint _e444 = waiting;
-            uint _e447 = current;
-            bool _e448 = isAmongInstances(_e447);
-            const bool _e451 = hasCutouts;
-            uint _e453 = doubted.instance;
-            if (pick(pick((_e444 == noLeaf), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
-                break;
-            }
-        }
+        bool _e461 = toLight;
+        toLight = pick(_e461, true, ended);
+        float _e463 = most;
+        most = pick(ended, rays.lightMost, _e463);
+        uint _e466 = top;
+        top = pick(ended, 1u, _e466);
+        uint _e469 = current;
+        current = pick(ended, first_1, _e469);
     }
-    MeshHit _e458 = found_5;
-    return _e458;
+    MeshHit _e471 = found_5;
+    return _e471;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1364,15 +1393,15 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_11 = pick(entering, _e5.near, _e5.far);
+    float t_12 = pick(entering, _e5.near, _e5.far);
     vec3 side_1 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_11);
-    bool onY = pick(!(onX), (crossed.y == t_11), false);
+    bool onX = (crossed.x == t_12);
+    bool onY = pick(!(onX), (crossed.y == t_12), false);
     return (side_1 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 turnedBack(vec4 q_2, vec3 v_3) {
-    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
+vec3 turnedBack(vec4 q_2, vec3 v_4) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_4);
     return _e6;
 }
 
@@ -1664,14 +1693,14 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float oz = max(dot(o_1, g_1), 0.0);
     float least = min((0.9 * oz), 0.01);
     vec3 across_3 = (n - (dot(n, g_1) * g_1));
-    vec3 x_12 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
-    float ox = dot(o_1, x_12);
-    float a_2 = max(((ox * ox) + (oz * oz)), 1e-20);
-    float b_3 = (2.0 * (a_2 + (oz * least)));
+    vec3 x_13 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_13);
+    float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
+    float b_5 = (2.0 * (a_4 + (oz * least)));
     float c_4 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_3 * b_3) - ((4.0 * a_2) * c_4)), 0.0));
-    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_3 + root), (b_3 - root))) / a_2), 0.0, 1.0);
-    vec3 raised = ((sqrt((1.0 - z2_)) * x_12) + (sqrt(z2_) * g_1));
+    float root = sqrt(max(((b_5 * b_5) - ((4.0 * a_4) * c_4)), 0.0));
+    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_5 + root), (b_5 - root))) / a_4), 0.0, 1.0);
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_13) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
     return pick((dot(g_1, reflected) >= least), n, raised);
 }
@@ -1713,10 +1742,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_6 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_12 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_12);
+    vec3 t_13 = pick(own_6, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_13);
     float hand_1 = pick(pick(own_6, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_12) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_13) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -1805,16 +1834,16 @@ vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
     float sine2_ = (1.0 - cosine2_);
     vec3 difference = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_));
     vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k) * k)));
-    vec3 larger = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_3 * k) / larger);
-    vec3 a_3 = mix(smaller, larger, greaterThan(difference, vec3(0.0)));
-    vec3 b_4 = mix(larger, smaller, greaterThan(difference, vec3(0.0)));
-    vec3 b2_ = ((b_4 * b_4) + vec3(1e-20));
-    vec3 acrossFar = (a_3 + vec3(cosine));
-    vec3 acrossNear = (a_3 - vec3(cosine));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
+    vec3 smaller_1 = ((eta_3 * k) / larger_1);
+    vec3 a_5 = mix(smaller_1, larger_1, greaterThan(difference, vec3(0.0)));
+    vec3 b_6 = mix(larger_1, smaller_1, greaterThan(difference, vec3(0.0)));
+    vec3 b2_ = ((b_6 * b_6) + vec3(1e-20));
+    vec3 acrossFar = (a_5 + vec3(cosine));
+    vec3 acrossNear = (a_5 - vec3(cosine));
     vec3 across_5 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_3 * cosine) + vec3(sine2_));
-    vec3 alongNear = ((a_3 * cosine) - vec3(sine2_));
+    vec3 alongFar = ((a_5 * cosine) + vec3(sine2_));
+    vec3 alongNear = ((a_5 * cosine) - vec3(sine2_));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }

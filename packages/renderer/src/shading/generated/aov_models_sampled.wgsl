@@ -114,10 +114,9 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   // Independent numbers come about when each sample of each pixel has its own sequence, and only the first point of it is used.
   let independent = frame.independent != 0u;
   let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
-  let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) << 1u);
-  let reversed = reverseHalves((sampleIndex & 0xffffu) | (place << 24u));
-  let used = select(reversed, 0u, independent);
-  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), used & 0xffffu, used >> 16u);
+  let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) * 2u);
+  let sample = select(reversed(sampleIndex & 0xffffu), 0u, independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), sample, select(reversed(place * 256u), 0u, independent));
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -215,17 +214,12 @@ fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
 
 // Bits 0 to 3 of x to the even places.
 fn spread(x: u32) -> u32 {
-  let y = (x | (x << 2u)) & 0x33u;
-  return (y | (y << 1u)) & 0x55u;
+  let y = (x | (x * 4u)) & 0x33u;
+  return (y | (y * 2u)) & 0x55u;
 }
 
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// The sixteen bits of each half in reverse order: two numbers for the price of one. (WebGL2 has no reverseBits.)
-fn reverseHalves(x: u32) -> u32 {
-  var y = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
-  y = ((y >> 2u) & 0x33333333u) | ((y & 0x33333333u) << 2u);
-  y = ((y >> 4u) & 0x0f0f0f0fu) | ((y & 0x0f0f0f0fu) << 4u);
-  return ((y >> 8u) & 0x00ff00ffu) | ((y & 0x00ff00ffu) << 8u);
+fn reversed(x: u32) -> u32 {
+  return reversedHigh(x) >> 15u;
 }
 
 struct Sampler {
@@ -253,6 +247,17 @@ fn pcg(x: u32) -> u32 {
   let s = x * 747796405u + 2891336453u;
   let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
   return (w >> 22u) ^ w;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
+// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
+// where it is, and what comes first goes past it. (WebGL2 has no reverseBits.)
+fn reversedHigh(x: u32) -> u32 {
+  var y = x + (x & 0x5555u) * 3u;
+  y += (y & 0x6666u) * 15u;
+  y += (y & 0x7878u) * 255u;
+  return y + (y & 0x7f80u) * 65535u;
 }
 
 struct Frame {
@@ -352,10 +357,7 @@ fn filterAxis(u: f32) -> f32 {
 }
 
 fn points2d(g: Group) -> vec2f {
-  let x = scramble(g.index ^ g.shift, g.seedA);
-  let y = scramble(pascal(g.index ^ timesW(g.shift)), g.seedB);
-  let reversed = reverseHalves((x & 0xffffu) | (y << 16u));
-  return vec2f(toUnit(reversed & 0xffffu, x), toUnit(reversed >> 16u, y));
+  return vec2f(toUnit(scramble(g.index ^ g.shift, g.seedA)), toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB)));
 }
 
 fn nextGroup(s: ptr<function, Sampler>) -> Group {
@@ -368,8 +370,14 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
   // come from two groups together would be the same all over the tile.
   let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
-  let index = reverseHalves(scramble((*s).sample ^ own, a) & 0xffffu);
-  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a << 16u), (b >> 16u) | (b << 16u));
+  let index = reversed(scramble((*s).sample ^ own, a) & 0xffffu);
+  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a * 65536u), (b >> 16u) | (b * 65536u));
+}
+
+// The first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. The two parts are exact, and so is their sum.
+fn toUnit(scrambled: u32) -> f32 {
+  let digits = f32(i32(reversedHigh(scrambled & 0xffffu))) * 4.656612873077392578125e-10;
+  return digits + f32(scrambled & 0xff000000u) * 3.552713678800501e-15;
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
@@ -392,12 +400,7 @@ fn pascal(x: u32) -> u32 {
 
 // Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
 fn timesW(x: u32) -> u32 {
-  return ((x ^ (x << 1u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
-}
-
-// 16 digits in their order, then 8 that need none. As a signed number, because processors turn that into a float in one step.
-fn toUnit(reversed: u32, scrambled: u32) -> f32 {
-  return f32(i32((reversed << 8u) | (scrambled >> 24u))) * 5.9604644775390625e-8;
+  return ((x ^ (x * 2u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
 }
 
 // One padded sequence: what all its dimensions have in common.
@@ -416,11 +419,11 @@ struct Group {
 fn shiftOfPlace(x: u32) -> u32 {
   var y = x ^ timesW((x >> 2u) & 0x33u);
   y ^= timesW2((y >> 4u) & 0x0fu);
-  return timesW(y) | (y << 8u);
+  return timesW(y) | (y * 256u);
 }
 
 fn timesW2(x: u32) -> u32 {
-  return ((x << 1u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+  return ((x * 2u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
 }
 
 // Cameras other than pinholes, filters other than the box.
@@ -703,31 +706,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var current = first;
   var waiting = noLeaf;
   loop {
-    if (hasCutouts) {
-      if (doubted.instance != noInstance) {
-        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
-        let instead = doubted;
-        doubted.instance = noInstance;
-        if (there & toLight) {
-          found.blocked = true;
-          break;
-        }
-        if (there) {
-          most = instead.t;
-          found = instead;
-        }
-      }
-    }
     if (!hasCutouts | ((waiting == noLeaf) & isAmongInstances(current))) {
-      if (current == ending) {
-        if (toLight | !(rays.lightMost > 0.0)) {
-          break;
-        }
-        toLight = true;
-        most = rays.lightMost;
-        top = 1u;
-        current = first;
-      }
       let toWorld = current >= beginning;
       instance = select(current & placeMask, noInstance, toWorld);
       var o = rays.origin;
@@ -759,7 +738,7 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
       if (current < instances) {
         let node = nodes + current * nodeRows;
         let r = geometryRow(node + childrenRow);
-        let t = enterChildren(node, slabs, most);
+        let t = bitcast<vec4i>(enterChildren(node, slabs, most));
         // Farthest first onto the stack: a sorting network of five exchanges.
         let a = t.x < t.z;
         let b = t.y < t.w;
@@ -776,12 +755,12 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), far2 < near2);
         // What lies above the top does not count.
         stack[top] = ra.x;
-        top += select(0u, 1u, max(far0, far1) < 1e30);
+        top += select(0u, 1u, max(far0, far1) < notEntered);
         stack[top] = rm.x;
-        top += select(0u, 1u, max(far2, near2) < 1e30);
+        top += select(0u, 1u, max(far2, near2) < notEntered);
         stack[top] = rm.y;
-        top += select(0u, 1u, min(far2, near2) < 1e30);
-        current = select(unread, rb.y, min(near0, near1) < 1e30);
+        top += select(0u, 1u, min(far2, near2) < notEntered);
+        current = select(unread, rb.y, min(near0, near1) < notEntered);
       }
       let takes = (waiting == noLeaf) & (current >= leaves);
       waiting = select(waiting, current, takes);
@@ -819,6 +798,29 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         break;
       }
     }
+    if (hasCutouts) {
+      if (doubted.instance != noInstance) {
+        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
+        let instead = doubted;
+        doubted.instance = noInstance;
+        if (there & toLight) {
+          found.blocked = true;
+          break;
+        }
+        if (there) {
+          most = instead.t;
+          found = instead;
+        }
+      }
+    }
+    let ended = (current == ending) & (waiting == noLeaf);
+    if (ended & (toLight | !(rays.lightMost > 0.0))) {
+      break;
+    }
+    toLight = toLight | ended;
+    most = select(most, rays.lightMost, ended);
+    top = select(top, 1u, ended);
+    current = select(current, first, ended);
   }
   return found;
 }
@@ -940,6 +942,139 @@ fn isAmongInstances(reference: u32) -> bool {
   return (reference >= instances) & (reference < leaves) & (reference != unread);
 }
 
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+// What comes next is on top of the stack.
+const unread = 0x8ffffffcu;
+
+const leaving = 0x8ffffffeu;
+
+const leastToGreatest = 3u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
+const leaves = 0x90000000u;
+
+// Rows of a node; from the rows of least to those of greatest places; and where the references are.
+const nodeRows = 7u;
+
+const childrenRow = 6u;
+
+// Where the ray enters each child, 1e30 where it does not.
+fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
+  // The row of the far planes is the other one of the two.
+  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
+  let near4 = larger(larger(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), larger(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
+  let far4 = smaller(smaller(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
+  return select(vec4f(1e30), near4, near4 <= smaller(far4 * slabRounding, vec4f(t)));
+}
+
+// The bits of 1e30, the distance to a child that is not entered.
+const notEntered = 0x7149f2cai;
+
+fn larger(a: vec4f, b: vec4f) -> vec4f {
+  return bitcast<vec4f>(max(bitcast<vec4i>(a), bitcast<vec4i>(b)));
+}
+
+fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
+  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
+}
+
+fn smaller(a: vec4f, b: vec4f) -> vec4f {
+  return bitcast<vec4f>(min(bitcast<vec4i>(a), bitcast<vec4i>(b)));
+}
+
+// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
+const slabRounding = 1.0 + 1e-6;
+
+const countShift = 28u;
+
+fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
+  let a = turnedTo(ray.axis, triangle.a - ray.origin);
+  let b = turnedTo(ray.axis, triangle.b - ray.origin);
+  let c = turnedTo(ray.axis, triangle.c - ray.origin);
+  let pa = a.xy + a.z * ray.shear.xy;
+  let pb = b.xy + b.z * ray.shear.xy;
+  let pc = c.xy + c.z * ray.shear.xy;
+  let u = edge(pc, pb);
+  let v = edge(pa, pc);
+  let w = edge(pb, pa);
+  let sum = u + v + w;
+  let side = select(1.0, -1.0, sum < 0.0);
+  let within = isWithin(u, v, w);
+  let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
+  return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
+}
+
+fn fetchTriangle(row: u32) -> Triangle {
+  let r0 = geometryRow(row + 0u);
+  let r1 = geometryRow(row + 1u);
+  let r2 = geometryRow(row + 2u);
+  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
+}
+
+const triangleRows = 3u;
+
+// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
+override hasOneSided = false;
+
+const isOneSided = 2147483648u;
+
+const coverRow = 2147483647u;
+
+fn edge(a: vec2f, b: vec2f) -> f32 {
+  let p = a.x * b.y;
+  let q = a.y * b.x;
+  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
+}
+
+fn isWithin(u: f32, v: f32, w: f32) -> bool {
+  return ((u >= 0.0) & (v >= 0.0) & (w >= 0.0)) | ((u <= 0.0) & (v <= 0.0) & (w <= 0.0));
+}
+
+// Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
+// is tested against need not.
+struct Crossing {
+  within: bool,
+  // Above 0 where `within`.
+  sum: f32,
+  depth: f32,
+  // How much the second and third vertex count.
+  weights: vec2f,
+  // Whether it is met on the side from which its vertices go counter-clockwise.
+  front: bool,
+}
+
+
+struct Triangle {
+  // first vertex, in the space of its mesh
+  a: vec3f,
+  // its number among the vertices of the mesh
+  vertexA: u32,
+  // second vertex
+  b: vec3f,
+  // its number
+  vertexB: u32,
+  // third vertex
+  c: vec3f,
+  // its number
+  vertexC: u32,
+}
+
+
 // `number`: of the ray.
 fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let i = fetchInstance(frame.instances + instance * instanceRows);
@@ -955,17 +1090,6 @@ fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
   let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
   return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
 }
-
-fn fetchTriangle(row: u32) -> Triangle {
-  let r0 = geometryRow(row + 0u);
-  let r1 = geometryRow(row + 1u);
-  let r2 = geometryRow(row + 2u);
-  return Triangle(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, bitcast<vec3f>(r2.xyz), r2.w);
-}
-
-const triangleRows = 3u;
-
-const coverRow = 2147483647u;
 
 fn fetchMaterialTextures(row: u32) -> MaterialTextures {
   let r0 = texelRow(row + 0u);
@@ -1104,22 +1228,6 @@ fn linearFromSrgb(c: vec3f) -> vec3f {
   return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
 }
 
-struct Triangle {
-  // first vertex, in the space of its mesh
-  a: vec3f,
-  // its number among the vertices of the mesh
-  vertexA: u32,
-  // second vertex
-  b: vec3f,
-  // its number
-  vertexB: u32,
-  // third vertex
-  c: vec3f,
-  // its number
-  vertexC: u32,
-}
-
-
 struct MaterialTextures {
   // uses of textures: TextureUse, in the rows that follow
   count: u32,
@@ -1173,97 +1281,6 @@ struct VertexMore {
   blueAlpha: u32,
   // texture coordinates of set 1
   uv: vec2f,
-}
-
-
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
-}
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-// What comes next is on top of the stack.
-const unread = 0x8ffffffcu;
-
-const leaving = 0x8ffffffeu;
-
-const leastToGreatest = 3u;
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
-
-const leaves = 0x90000000u;
-
-// Rows of a node; from the rows of least to those of greatest places; and where the references are.
-const nodeRows = 7u;
-
-const childrenRow = 6u;
-
-// Where the ray enters each child, 1e30 where it does not.
-fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
-  // The row of the far planes is the other one of the two.
-  let far = vec3u(leastToGreatest) + vec3u(0u, 2u, 4u) - r.near;
-  let near4 = max(max(planes(node + r.near.x, r.inverse.x, r.offset.x), planes(node + r.near.y, r.inverse.y, r.offset.y)), max(planes(node + r.near.z, r.inverse.z, r.offset.z), vec4f(0.0)));
-  let far4 = min(min(planes(node + far.x, r.inverse.x, r.offset.x), planes(node + far.y, r.inverse.y, r.offset.y)), planes(node + far.z, r.inverse.z, r.offset.z));
-  return select(vec4f(1e30), near4, near4 <= min(far4 * slabRounding, vec4f(t)));
-}
-
-fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
-  return bitcast<vec4f>(geometryRow(row)) * inverse + offset;
-}
-
-// Rounding of the distances to a box, relative; of the box itself the encoder takes care.
-const slabRounding = 1.0 + 1e-6;
-
-const countShift = 28u;
-
-fn crossTriangle(ray: MeshRay, triangle: Triangle) -> Crossing {
-  let a = turnedTo(ray.axis, triangle.a - ray.origin);
-  let b = turnedTo(ray.axis, triangle.b - ray.origin);
-  let c = turnedTo(ray.axis, triangle.c - ray.origin);
-  let pa = a.xy + a.z * ray.shear.xy;
-  let pb = b.xy + b.z * ray.shear.xy;
-  let pc = c.xy + c.z * ray.shear.xy;
-  let u = edge(pc, pb);
-  let v = edge(pa, pc);
-  let w = edge(pb, pa);
-  let sum = u + v + w;
-  let side = select(1.0, -1.0, sum < 0.0);
-  let within = (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
-  let depth = ray.shear.z * side * (u * a.z + v * b.z + w * c.z);
-  return Crossing(within & (sum != 0.0), sum * side, depth, vec2f(v, w) * side, sum * ray.shear.z > 0.0);
-}
-
-// Triangles that are not there from behind, and such that are there where, or as often as, their opacity says.
-override hasOneSided = false;
-
-const isOneSided = 2147483648u;
-
-fn edge(a: vec2f, b: vec2f) -> f32 {
-  let p = a.x * b.y;
-  let q = a.y * b.x;
-  return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
-}
-
-// Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
-// is tested against need not.
-struct Crossing {
-  within: bool,
-  // Above 0 where `within`.
-  sum: f32,
-  depth: f32,
-  // How much the second and third vertex count.
-  weights: vec2f,
-  // Whether it is met on the side from which its vertices go counter-clockwise.
-  front: bool,
 }
 
 

@@ -352,27 +352,32 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread0_(uint x_1) {
-    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_8 | (y_8 << 1u)) & 85u);
+    uint y_8 = ((x_1 | (x_1 * 4u)) & 51u);
+    return ((y_8 | (y_8 * 2u)) & 85u);
 }
 
-uint reverseHalves(uint x_2) {
+uint reversedHigh(uint x_2) {
     uint y = 0u;
-    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
-    uint _e11 = y;
-    uint _e16 = y;
-    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y = (x_2 + ((x_2 & 21845u) * 3u));
+    uint _e7 = y;
+    uint _e8 = y;
+    y = (_e7 + ((_e8 & 26214u) * 15u));
+    uint _e14 = y;
+    uint _e15 = y;
+    y = (_e14 + ((_e15 & 30840u) * 255u));
+    uint _e21 = y;
     uint _e22 = y;
-    uint _e27 = y;
-    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y;
-    uint _e38 = y;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 + ((_e22 & 32640u) * 65535u));
 }
 
-uint mixBits(uint x_3) {
+uint reversed(uint x_3) {
+    uint _e1 = reversedHigh(x_3);
+    return (_e1 >> 15u);
+}
+
+uint mixBits(uint x_4) {
     uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
     uint _e7 = y_1;
     uint _e8 = y_1;
     y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
@@ -387,18 +392,19 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_1 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_1 << 24u)));
-    uint used = pick(independent, 0u, _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+    uint place_1 = (_e19 | (_e23 * 2u));
+    uint _e29 = reversed((sampleIndex_1 & 65535u));
+    uint sample_ = pick(independent, 0u, _e29);
+    uint _e34 = mixBits((_e15 ^ 1779033703u));
+    uint _e37 = reversed((place_1 * 256u));
+    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_14 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_14), 15.0);
-    float t_4 = (x_14 - piece);
+    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_15), 15.0);
+    float t_4 = (x_15 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_2 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
     return pick((across < 0.0), -(offset_2), offset_2);
@@ -417,9 +423,15 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-uint scramble(uint x_4, uint seed_2) {
+float toUnit(uint scrambled) {
+    uint _e3 = reversedHigh((scrambled & 65535u));
+    float digits_2 = (float(int(_e3)) * 4.656613e-10);
+    return (digits_2 + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+}
+
+uint scramble(uint x_5, uint seed_2) {
     uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    y_2 = (x_5 ^ (x_5 * 1025551850u));
     uint _e6 = y_2;
     y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
@@ -430,9 +442,9 @@ uint scramble(uint x_4, uint seed_2) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_5) {
+uint pascal(uint x_6) {
     uint y_3 = 0u;
-    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
     uint _e7 = y_3;
     uint _e8 = y_3;
     y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
@@ -444,33 +456,28 @@ uint pascal(uint x_5) {
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
-}
-
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
 vec2 points2d(Group g) {
     uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
+    float _e6 = toUnit(_e5);
+    uint _e9 = timesW(g.shift);
+    uint _e11 = pascal((g.index ^ _e9));
+    uint _e13 = scramble(_e11, g.seedB);
+    float _e14 = toUnit(_e13);
+    return vec2(_e6, _e14);
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
+uint shiftOfPlace(uint x_9) {
     uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_4 = (x_9 ^ _e5);
     uint _e8 = y_4;
     uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
@@ -478,7 +485,7 @@ uint shiftOfPlace(uint x_8) {
     uint _e16 = y_4;
     uint _e17 = timesW(_e16);
     uint _e18 = y_4;
-    return (_e17 | (_e18 << 8u));
+    return (_e17 | (_e18 * 256u));
 }
 
 Group nextGroup(inout Sampler s) {
@@ -495,9 +502,9 @@ Group nextGroup(inout Sampler s) {
     uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_1), _e8);
-    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_5 >> 16u) | (b_5 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_5 >> 16u) | (b_5 * 65536u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -518,12 +525,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_15 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_16 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_15 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_16 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -540,7 +547,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_15);
+            float longitude = (3.1415927 * x_16);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -970,15 +977,15 @@ int emitterOf(float code_6) {
     return ((int(code_6) >> 7u) - 1);
 }
 
-vec2 quadrantAngles(vec2 x_9, vec2 y_5) {
-    vec2 low_1 = min(x_9, y_5);
-    vec2 high_1 = max(x_9, y_5);
+vec2 quadrantAngles(vec2 x_10, vec2 y_5) {
+    vec2 low_1 = min(x_10, y_5);
+    vec2 high_1 = max(x_10, y_5);
     bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high_1));
     vec2 r = (mix(low_1, (low_1 - high_1), middle_1) / max(mix(high_1, (low_1 + high_1), middle_1), vec2(1e-30)));
     vec2 z_1 = (r * r);
     vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_9));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_10));
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -1094,21 +1101,21 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     return pick(q_3.lit, pdf_2, 0.0);
 }
 
-float arctangent(float x_10) {
-    float a_3 = abs(x_10);
+float arctangent(float x_11) {
+    float a_3 = abs(x_11);
     bool steep = (a_3 > 2.4142137);
     bool middle_2 = pick((a_3 > 0.41421357), !(steep), false);
     float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_2, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
     float z_2 = (r_1 * r_1);
     float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
-    return (sign(x_10) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
+    return (sign(x_11) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
 }
 
-float stretch(float x_11, vec2 y_6, float h) {
-    vec2 r_2 = sqrt(((vec2((x_11 * x_11)) + (y_6 * y_6)) + vec2((h * h))));
-    float _e16 = arctangent(((x_11 * y_6.y) / (h * r_2.y)));
-    float _e22 = arctangent(((x_11 * y_6.x) / (h * r_2.x)));
+float stretch(float x_12, vec2 y_6, float h) {
+    vec2 r_2 = sqrt(((vec2((x_12 * x_12)) + (y_6 * y_6)) + vec2((h * h))));
+    float _e16 = arctangent(((x_12 * y_6.y) / (h * r_2.y)));
+    float _e22 = arctangent(((x_12 * y_6.x) / (h * r_2.x)));
     return (_e16 - _e22);
 }
 
@@ -1331,10 +1338,10 @@ vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only
     return _e100;
 }
 
-uint pascalW2_(uint x_12) {
+uint pascalW2_(uint x_13) {
     uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_12 >> 2u) & 13107u));
-    y_7 = (x_12 ^ _e5);
+    uint _e5 = timesW2_(((x_13 >> 2u) & 13107u));
+    y_7 = (x_13 ^ _e5);
     uint _e8 = y_7;
     uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
@@ -1351,9 +1358,8 @@ vec3 next3d(inout Sampler s_7) {
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
     vec2 _e13 = points2d(_e1);
-    uint _e16 = reverseHalves((_e12 & 65535u));
-    float _e17 = toUnit(_e16, _e12);
-    return vec3(_e13, _e17);
+    float _e14 = toUnit(_e12);
+    return vec3(_e13, _e14);
 }
 
 EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
@@ -1417,9 +1423,9 @@ vec3 turnTo(vec3 axis, vec3 v_4) {
     float s_20 = pick((axis.z >= 0.0), 1.0, -1.0);
     float a_4 = (-1.0 / (s_20 + axis.z));
     float b_7 = ((axis.x * axis.y) * a_4);
-    vec3 x_16 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
+    vec3 x_17 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
     vec3 y_11 = vec3(b_7, (s_20 + ((axis.y * axis.y) * a_4)), -(axis.y));
-    return (((v_4.x * x_16) + (v_4.y * y_11)) + (v_4.z * axis));
+    return (((v_4.x * x_17) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_5) {
@@ -1446,8 +1452,8 @@ LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
     return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_13) {
-    float h_4 = (0.5 * x_13);
+vec2 cosineAndSine(float x_14) {
+    float h_4 = (0.5 * x_14);
     float z_3 = (h_4 * h_4);
     float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
@@ -1460,12 +1466,12 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
     vec2 across_3 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
-    float x_17 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_17 * x_17) + (h_5 * h_5));
+    float x_18 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_18 * x_18) + (h_5 * h_5));
     vec2 ends_2 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
     float v_8 = mix(ends_2.x, ends_2.y, u_7.y);
     float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
-    return (((x_17 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
+    return (((x_18 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
 LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
@@ -1605,12 +1611,12 @@ Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
 ChosenCell chooseCell(vec2 u_12) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_2 = uvec2(_e3);
-    uvec2 digits_2 = uvec2((u_12 * 16777216.0));
-    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uvec2 digits_3 = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((digits_3.x ^ (digits_3.y * 2654435761u)));
     uint columns = ((size_2.x + 1u) / 2u);
     uint tables = (size_2.x * size_2.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_2.y + 1u)), digits_2.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_2.y + 2u) / 2u)) + (_e29.entry * columns)), size_2.x), digits_2.x, (_e13 >> 20u));
+    Choice _e29 = chooseEntry(Table(tables, (size_2.y + 1u)), digits_3.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_2.y + 2u) / 2u)) + (_e29.entry * columns)), size_2.x), digits_3.x, (_e13 >> 20u));
     return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
@@ -1981,8 +1987,8 @@ bool hidesApart(uint code_9) {
 }
 
 float singleScatteringAlbedo(float cosine_8, float alpha_5) {
-    float x_18 = (cosine_8 / (cosine_8 + alpha_5));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_18 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_18 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_18 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_18 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_19 = (cosine_8 / (cosine_8 + alpha_5));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_5 * alpha_5);
     return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
 }
@@ -2106,7 +2112,7 @@ float nextHash(inout Sampler s_18) {
     uint _e11 = mixBits((_e7 ^ _e9));
     uint _e13 = s_18.sample_;
     uint _e17 = s_18.place;
-    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
 }

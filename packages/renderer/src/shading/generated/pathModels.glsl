@@ -175,6 +175,13 @@ struct Triangle {
     vec3 c;
     uint vertexC;
 };
+struct Crossing {
+    bool within;
+    float sum;
+    float depth;
+    vec2 weights;
+    bool front;
+};
 struct MaterialTextures {
     uint count;
     uint flags;
@@ -209,13 +216,6 @@ struct Neighbours {
     uint first;
     uint second;
     float share;
-};
-struct Crossing {
-    bool within;
-    float sum;
-    float depth;
-    vec2 weights;
-    bool front;
 };
 struct Surface {
     vec3 baseColor;
@@ -461,8 +461,17 @@ const uint beginning = 2415919101u;
 const uint instances = 2147483648u;
 const uint ending = 2415919103u;
 const uint noLeaf0_ = 0u;
+const uint leaves = 2415919104u;
+const uint unread = 2415919100u;
 const uint instanceRows = 5u;
+const uint leaving = 2415919102u;
+const uint leastToGreatest = 3u;
+const uint nodeRows = 7u;
+const uint childrenRow = 6u;
+const int notEntered = 1900671690;
+const uint countShift = 28u;
 const uint triangleRows = 3u;
+const uint isOneSided = 2147483648u;
 const uint coverRow = 2147483647u;
 const uint vertexRows = 1u;
 const uint hasOpacityTexture = 2u;
@@ -474,14 +483,6 @@ const uint clampsV = 32u;
 const uint mirrorsV = 64u;
 const uint isColor = 2u;
 const uint usesSecondSet = 1u;
-const uint leaves = 2415919104u;
-const uint unread = 2415919100u;
-const uint leaving = 2415919102u;
-const uint leastToGreatest = 3u;
-const uint nodeRows = 7u;
-const uint childrenRow = 6u;
-const uint countShift = 28u;
-const uint isOneSided = 2147483648u;
 const uint metallicRoughness = 1u;
 const uint hasNormals = 1u;
 const uint hasTangents = 2u;
@@ -538,11 +539,11 @@ const bool hasCutouts = false;
 
 uniform highp usampler2D geometry;
 
+const bool hasOneSided = false;
+
 uniform highp usampler2D texels;
 
 const bool hasOtherLookups = false;
-
-const bool hasOneSided = false;
 
 const bool hasLayers = false;
 
@@ -615,8 +616,8 @@ layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
     uint s_25 = ((x * 747796405u) + 2891336453u);
-    uint w_4 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
-    return ((w_4 >> 22u) ^ w_4);
+    uint w_5 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    return ((w_5 >> 22u) ^ w_5);
 }
 
 uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
@@ -628,27 +629,32 @@ uint pixelHash(uvec2 pixel, uint sampleIndex, uint seed) {
 }
 
 uint spread0_(uint x_1) {
-    uint y_8 = ((x_1 | (x_1 << 2u)) & 51u);
-    return ((y_8 | (y_8 << 1u)) & 85u);
+    uint y_8 = ((x_1 | (x_1 * 4u)) & 51u);
+    return ((y_8 | (y_8 * 2u)) & 85u);
 }
 
-uint reverseHalves(uint x_2) {
+uint reversedHigh(uint x_2) {
     uint y = 0u;
-    y = (((x_2 >> 1u) & 1431655765u) | ((x_2 & 1431655765u) << 1u));
-    uint _e11 = y;
-    uint _e16 = y;
-    y = (((_e11 >> 2u) & 858993459u) | ((_e16 & 858993459u) << 2u));
+    y = (x_2 + ((x_2 & 21845u) * 3u));
+    uint _e7 = y;
+    uint _e8 = y;
+    y = (_e7 + ((_e8 & 26214u) * 15u));
+    uint _e14 = y;
+    uint _e15 = y;
+    y = (_e14 + ((_e15 & 30840u) * 255u));
+    uint _e21 = y;
     uint _e22 = y;
-    uint _e27 = y;
-    y = (((_e22 >> 4u) & 252645135u) | ((_e27 & 252645135u) << 4u));
-    uint _e33 = y;
-    uint _e38 = y;
-    return (((_e33 >> 8u) & 16711935u) | ((_e38 & 16711935u) << 8u));
+    return (_e21 + ((_e22 & 32640u) * 65535u));
 }
 
-uint mixBits(uint x_3) {
+uint reversed(uint x_3) {
+    uint _e1 = reversedHigh(x_3);
+    return (_e1 >> 15u);
+}
+
+uint mixBits(uint x_4) {
     uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
+    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
     uint _e7 = y_1;
     uint _e8 = y_1;
     y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
@@ -663,18 +669,19 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_5 = (_e19 | (_e23 << 1u));
-    uint _e32 = reverseHalves(((sampleIndex_1 & 65535u) | (place_5 << 24u)));
-    uint used = pick(independent, 0u, _e32);
-    uint _e37 = mixBits((_e15 ^ 1779033703u));
-    return Sampler(_e15, _e37, (used & 65535u), (used >> 16u));
+    uint place_5 = (_e19 | (_e23 * 2u));
+    uint _e29 = reversed((sampleIndex_1 & 65535u));
+    uint sample_ = pick(independent, 0u, _e29);
+    uint _e34 = mixBits((_e15 ^ 1779033703u));
+    uint _e37 = reversed((place_5 * 256u));
+    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_17 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_17), 15.0);
-    float t_7 = (x_17 - piece);
+    float x_18 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_18), 15.0);
+    float t_7 = (x_18 - piece);
     vec4 c_3 = frame.filterPieces[uint(piece)];
     float offset_3 = (c_3.x + (t_7 * (c_3.y + (t_7 * (c_3.z + (t_7 * c_3.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
@@ -693,9 +700,15 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-uint scramble(uint x_4, uint seed_2) {
+float toUnit(uint scrambled) {
+    uint _e3 = reversedHigh((scrambled & 65535u));
+    float digits_2 = (float(int(_e3)) * 4.656613e-10);
+    return (digits_2 + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+}
+
+uint scramble(uint x_5, uint seed_2) {
     uint y_2 = 0u;
-    y_2 = (x_4 ^ (x_4 * 1025551850u));
+    y_2 = (x_5 ^ (x_5 * 1025551850u));
     uint _e6 = y_2;
     y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
     uint _e13 = y_2;
@@ -706,9 +719,9 @@ uint scramble(uint x_4, uint seed_2) {
     return (_e18 ^ (_e19 * 1403136100u));
 }
 
-uint pascal(uint x_5) {
+uint pascal(uint x_6) {
     uint y_3 = 0u;
-    y_3 = (x_5 ^ ((x_5 >> 1u) & 21845u));
+    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
     uint _e7 = y_3;
     uint _e8 = y_3;
     y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
@@ -720,33 +733,28 @@ uint pascal(uint x_5) {
     return (_e21 ^ ((_e22 >> 8u) & 255u));
 }
 
-uint timesW(uint x_6) {
-    return (((x_6 ^ (x_6 << 1u)) & 43690u) | ((x_6 >> 1u) & 21845u));
-}
-
-float toUnit(uint reversed, uint scrambled) {
-    return (float(int(((reversed << 8u) | (scrambled >> 24u)))) * 5.9604645e-8);
+uint timesW(uint x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
 }
 
 vec2 points2d(Group g) {
     uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    uint _e8 = timesW(g.shift);
-    uint _e10 = pascal((g.index ^ _e8));
-    uint _e12 = scramble(_e10, g.seedB);
-    uint _e18 = reverseHalves(((_e5 & 65535u) | (_e12 << 16u)));
-    float _e21 = toUnit((_e18 & 65535u), _e5);
-    float _e24 = toUnit((_e18 >> 16u), _e12);
-    return vec2(_e21, _e24);
+    float _e6 = toUnit(_e5);
+    uint _e9 = timesW(g.shift);
+    uint _e11 = pascal((g.index ^ _e9));
+    uint _e13 = scramble(_e11, g.seedB);
+    float _e14 = toUnit(_e13);
+    return vec2(_e6, _e14);
 }
 
-uint timesW2_(uint x_7) {
-    return (((x_7 << 1u) & 43690u) | ((x_7 ^ (x_7 >> 1u)) & 21845u));
+uint timesW2_(uint x_8) {
+    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
 }
 
-uint shiftOfPlace(uint x_8) {
+uint shiftOfPlace(uint x_9) {
     uint y_4 = 0u;
-    uint _e5 = timesW(((x_8 >> 2u) & 51u));
-    y_4 = (x_8 ^ _e5);
+    uint _e5 = timesW(((x_9 >> 2u) & 51u));
+    y_4 = (x_9 ^ _e5);
     uint _e8 = y_4;
     uint _e9 = y_4;
     uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
@@ -754,7 +762,7 @@ uint shiftOfPlace(uint x_8) {
     uint _e16 = y_4;
     uint _e17 = timesW(_e16);
     uint _e18 = y_4;
-    return (_e17 | (_e18 << 8u));
+    return (_e17 | (_e18 * 256u));
 }
 
 Group nextGroup(inout Sampler s) {
@@ -764,16 +772,16 @@ Group nextGroup(inout Sampler s) {
     uint _e8 = mixBits(_e7);
     uint _e10 = s.salt;
     uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_6 = (half_ ^ (half_ >> 16u));
+    uint b_8 = (half_ ^ (half_ >> 16u));
     uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_6);
+    uint _e19 = scramble(_e18, b_8);
     uint _e21 = s.sample_;
     uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
     uint _e30 = scramble((_e28 ^ own_2), _e8);
-    uint _e33 = reverseHalves((_e30 & 65535u));
+    uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 << 16u)), ((b_6 >> 16u) | (b_6 << 16u)));
+    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_8 >> 16u) | (b_8 * 65536u)));
 }
 
 vec2 next2d(inout Sampler s_1) {
@@ -794,12 +802,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_18 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_19 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_18 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_19 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -816,7 +824,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_18);
+            float longitude = (3.1415927 * x_19);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -1018,6 +1026,10 @@ PairHit meetPlane(PairHit found_4, RayPair p_5, uint i_6) {
     return _e17;
 }
 
+bool isAmongInstances(uint reference) {
+    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
+}
+
 uvec4 geometryRow(uint i_7) {
     uvec4 _e14 = texelFetch(geometry, ivec2(int((i_7 & 2047u)), int((float(int((i_7 & 2147481600u))) / 2048.0))), 0);
     return _e14;
@@ -1032,10 +1044,83 @@ Instance fetchInstance(uint row_1) {
     return Instance(uintBitsToFloat(_e3.xyzw), uintBitsToFloat(_e6.xyzw), uintBitsToFloat(_e9.xyzw), _e12.x, _e12.y, _e12.z, _e12.w, _e15.x, _e15.y, _e15.z, _e15.w);
 }
 
-Triangle fetchTriangle(uint row_2) {
-    uvec4 _e3 = geometryRow((row_2 + 0u));
-    uvec4 _e6 = geometryRow((row_2 + 1u));
-    uvec4 _e9 = geometryRow((row_2 + 2u));
+SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
+    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
+    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
+}
+
+vec3 turnedTo(uint axis, vec3 v_2) {
+    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
+}
+
+MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
+    vec3 size_1 = abs(direction_7);
+    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
+    vec3 _e16 = turnedTo(axis_3, direction_7);
+    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
+}
+
+vec4 larger0_(vec4 a, vec4 b) {
+    return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b)));
+}
+
+vec4 planes(uint row_2, float inverse_, float offset_2) {
+    uvec4 _e3 = geometryRow(row_2);
+    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
+}
+
+vec4 smaller0_(vec4 a_1, vec4 b_1) {
+    return intBitsToFloat(min(floatBitsToInt(a_1), floatBitsToInt(b_1)));
+}
+
+vec4 enterChildren(uint node, SlabRay r, float t_1) {
+    uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
+    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
+    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
+    vec4 _e25 = larger0_(_e16, _e24);
+    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
+    vec4 _e36 = larger0_(_e33, vec4(0.0));
+    vec4 _e37 = larger0_(_e25, _e36);
+    vec4 _e44 = planes((node + far_5.x), r.inverse_.x, r.offset.x);
+    vec4 _e51 = planes((node + far_5.y), r.inverse_.y, r.offset.y);
+    vec4 _e52 = smaller0_(_e44, _e51);
+    vec4 _e59 = planes((node + far_5.z), r.inverse_.z, r.offset.z);
+    vec4 _e60 = smaller0_(_e52, _e59);
+    vec4 _e66 = smaller0_((_e60 * 1.000001), vec4(t_1));
+    return mix(vec4(1e30), _e37, lessThanEqual(_e37, _e66));
+}
+
+float edge(vec2 a_2, vec2 b_2) {
+    float p_17 = (a_2.x * b_2.y);
+    float q_6 = (a_2.y * b_2.x);
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_17)));
+}
+
+bool isWithin(float u_4, float v_3, float w_1) {
+    return pick(pick(pick((u_4 >= 0.0), (v_3 >= 0.0), false), (w_1 >= 0.0), false), true, pick(pick((u_4 <= 0.0), (v_3 <= 0.0), false), (w_1 <= 0.0), false));
+}
+
+Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
+    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
+    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
+    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
+    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
+    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
+    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
+    float _e35 = edge(pc, pb);
+    float _e36 = edge(pa, pc);
+    float _e37 = edge(pb, pa);
+    float sum_2 = ((_e35 + _e36) + _e37);
+    float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
+    bool _e45 = isWithin(_e35, _e36, _e37);
+    float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
+    return Crossing(pick(_e45, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
+}
+
+Triangle fetchTriangle(uint row_3) {
+    uvec4 _e3 = geometryRow((row_3 + 0u));
+    uvec4 _e6 = geometryRow((row_3 + 1u));
+    uvec4 _e9 = geometryRow((row_3 + 2u));
     return Triangle(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, uintBitsToFloat(_e9.xyz), _e9.w);
 }
 
@@ -1044,18 +1129,18 @@ uvec4 texelRow(uint i_8) {
     return _e14;
 }
 
-MaterialTextures fetchMaterialTextures(uint row_3) {
-    uvec4 _e3 = texelRow((row_3 + 0u));
+MaterialTextures fetchMaterialTextures(uint row_4) {
+    uvec4 _e3 = texelRow((row_4 + 0u));
     return MaterialTextures(_e3.x, _e3.y, uintBitsToFloat(_e3.z), uintBitsToFloat(_e3.w));
 }
 
-Vertex fetchVertex(uint row_4) {
-    uvec4 _e3 = geometryRow((row_4 + 0u));
+Vertex fetchVertex(uint row_5) {
+    uvec4 _e3 = geometryRow((row_5 + 0u));
     return Vertex(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
-VertexMore fetchVertexMore(uint row_5) {
-    uvec4 _e3 = geometryRow((row_5 + 0u));
+VertexMore fetchVertexMore(uint row_6) {
+    uvec4 _e3 = geometryRow((row_6 + 0u));
     return VertexMore(_e3.x, _e3.y, uintBitsToFloat(_e3.zw));
 }
 
@@ -1088,15 +1173,15 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
     return _e76;
 }
 
-TextureUse fetchTextureUse(uint row_6) {
-    uvec4 _e3 = texelRow((row_6 + 0u));
-    uvec4 _e6 = texelRow((row_6 + 1u));
-    uvec4 _e9 = texelRow((row_6 + 2u));
+TextureUse fetchTextureUse(uint row_7) {
+    uvec4 _e3 = texelRow((row_7 + 0u));
+    uvec4 _e6 = texelRow((row_7 + 1u));
+    uvec4 _e9 = texelRow((row_7 + 2u));
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
-Neighbours neighbours(float x_9, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside_1 = pick(clamps, clamp(x_9, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_9))) - 1.0))), fract(x_9)));
+Neighbours neighbours(float x_10, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside_1 = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
     float at_1 = ((inside_1 * float(size)) - pick(nearest, 0.0, 0.5));
     float low_1 = floor(at_1);
     int last = (int(size) - 1);
@@ -1124,16 +1209,16 @@ uint texelAt(uint i_9) {
     return pick(((i_9 & 1u) != 0u), pair_3.y, pair_3.x);
 }
 
-vec4 lookUp(TextureUse t_1, vec2 uv) {
+vec4 lookUp(TextureUse t_2, vec2 uv) {
     vec3 place_6 = vec3(uv, 1.0);
     const bool _e7 = hasOtherLookups;
-    uint flags = pick(_e7, t_1.flags, 0u);
+    uint flags = pick(_e7, t_2.flags, 0u);
     bool nearest_1 = ((flags & isNearest) != 0u);
-    Neighbours _e24 = neighbours(dot(t_1.toU, place_6), t_1.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_1.toV, place_6), t_1.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
-    uint upper = (t_1.first + (_e36.first * t_1.width));
-    uint lower = (t_1.first + (_e36.second * t_1.width));
-    bool colored_1 = ((t_1.flags & isColor) != 0u);
+    Neighbours _e24 = neighbours(dot(t_2.toU, place_6), t_2.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_6), t_2.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
+    uint upper = (t_2.first + (_e36.first * t_2.width));
+    uint lower = (t_2.first + (_e36.second * t_2.width));
+    bool colored_1 = ((t_2.flags & isColor) != 0u);
     uint _e54 = texelAt((upper + _e24.first));
     vec4 _e55 = decoded(_e54, colored_1);
     uint _e58 = texelAt((upper + _e24.second));
@@ -1175,67 +1260,6 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     return pick((_e19.cutoff < 0.0), (_e62 < _e66), (_e63 >= _e19.cutoff));
 }
 
-bool isAmongInstances(uint reference) {
-    return pick(pick((reference >= instances), (reference < leaves), false), (reference != unread), false);
-}
-
-SlabRay slabRay(vec3 origin_7, vec3 direction_6) {
-    vec3 inverse_1 = (vec3(1.0) / mix(direction_6, vec3(1e-18), lessThan(abs(direction_6), vec3(1e-18))));
-    return SlabRay(inverse_1, (-(origin_7) * inverse_1), (uvec3(0u, 1u, 2u) + (leastToGreatest * uvec3(lessThan(direction_6, vec3(0.0))))));
-}
-
-vec3 turnedTo(uint axis, vec3 v_2) {
-    return pick((axis == 0u), v_2.yzx, pick((axis == 1u), v_2.zxy, v_2));
-}
-
-MeshRay meshRay(vec3 origin_8, vec3 direction_7) {
-    vec3 size_1 = abs(direction_7);
-    uint axis_3 = pick((size_1.z >= max(size_1.x, size_1.y)), 2u, pick((size_1.y > size_1.x), 1u, 0u));
-    vec3 _e16 = turnedTo(axis_3, direction_7);
-    return MeshRay(origin_8, axis_3, vec3((-(_e16.xy) / vec2(_e16.z)), (1.0 / _e16.z)));
-}
-
-vec4 planes(uint row_7, float inverse_, float offset_2) {
-    uvec4 _e3 = geometryRow(row_7);
-    return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_2));
-}
-
-vec4 enterChildren(uint node, SlabRay r, float t_2) {
-    uvec3 far_5 = (uvec3(3u, 5u, 7u) - r.near);
-    vec4 _e16 = planes((node + r.near.x), r.inverse_.x, r.offset.x);
-    vec4 _e24 = planes((node + r.near.y), r.inverse_.y, r.offset.y);
-    vec4 _e33 = planes((node + r.near.z), r.inverse_.z, r.offset.z);
-    vec4 near4_ = max(max(_e16, _e24), max(_e33, vec4(0.0)));
-    vec4 _e44 = planes((node + far_5.x), r.inverse_.x, r.offset.x);
-    vec4 _e51 = planes((node + far_5.y), r.inverse_.y, r.offset.y);
-    vec4 _e59 = planes((node + far_5.z), r.inverse_.z, r.offset.z);
-    vec4 far4_ = min(min(_e44, _e51), _e59);
-    return mix(vec4(1e30), near4_, lessThanEqual(near4_, min((far4_ * 1.000001), vec4(t_2))));
-}
-
-float edge(vec2 a, vec2 b) {
-    float p_17 = (a.x * b.y);
-    float q_6 = (a.y * b.x);
-    return ((a.x * b.y + -(q_6)) - (a.y * b.x + -(p_17)));
-}
-
-Crossing crossTriangle(MeshRay ray_1, Triangle triangle) {
-    vec3 _e6 = turnedTo(ray_1.axis, (triangle.a - ray_1.origin));
-    vec3 _e11 = turnedTo(ray_1.axis, (triangle.b - ray_1.origin));
-    vec3 _e16 = turnedTo(ray_1.axis, (triangle.c - ray_1.origin));
-    vec2 pa = (_e6.xy + (_e6.z * ray_1.shear.xy));
-    vec2 pb = (_e11.xy + (_e11.z * ray_1.shear.xy));
-    vec2 pc = (_e16.xy + (_e16.z * ray_1.shear.xy));
-    float _e35 = edge(pc, pb);
-    float _e36 = edge(pa, pc);
-    float _e37 = edge(pb, pa);
-    float sum_2 = ((_e35 + _e36) + _e37);
-    float side_2 = pick((sum_2 < 0.0), -1.0, 1.0);
-    bool within_1 = pick((min(min(_e35, _e36), _e37) >= 0.0), true, (max(max(_e35, _e36), _e37) <= 0.0));
-    float depth = ((ray_1.shear.z * side_2) * (((_e35 * _e6.z) + (_e36 * _e11.z)) + (_e37 * _e16.z)));
-    return Crossing(pick(within_1, (sum_2 != 0.0), false), (sum_2 * side_2), depth, (vec2(_e36, _e37) * side_2), ((sum_2 * ray_1.shear.z) > 0.0));
-}
-
 MeshHit traverse(MeshRays rays, LeftTriangle left) {
     MeshHit found_5 = MeshHit(0.0, 0u, 0u, vec2(0.0), false);
     bool toLight = false;
@@ -1273,210 +1297,215 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
     current = first_1;
     while(true) {
         const bool _e75 = hasCutouts;
-        if (_e75) {
-            uint _e77 = doubted.instance;
-            if ((_e77 != noInstance)) {
-                uint _e81 = doubted.instance;
-                uint _e83 = doubted.triangle;
-                vec2 _e85 = doubted.weights;
-                bool _e87 = toLight;
-                bool _e90 = isThere(_e81, _e83, _e85, (rays.number + uint(_e87)));
+        uint _e77 = waiting;
+        uint _e80 = current;
+        bool _e81 = isAmongInstances(_e80);
+        if (pick(!(_e75), true, pick((_e77 == noLeaf0_), _e81, false))) {
+            uint _e84 = current;
+            bool toWorld_1 = (_e84 >= beginning);
+            uint _e87 = current;
+            instance_1 = pick(toWorld_1, noInstance, (_e87 & placeMask));
+            o = rays.origin;
+            bool _e96 = toLight;
+            d_1 = pick(_e96, rays.lightDirection, rays.direction);
+            nodes = 0u;
+            if (!(toWorld_1)) {
+                uint _e103 = frame.instances;
+                uint _e104 = instance_1;
+                Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
+                vec3 _e109 = o;
+                vec4 p_18 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_18), dot(_e108.toMeshY, p_18), dot(_e108.toMeshZ, p_18));
+                vec3 _e121 = d_1;
+                vec3 _e125 = d_1;
+                vec3 _e129 = d_1;
+                d_1 = vec3(dot(_e108.toMeshX.xyz, _e121), dot(_e108.toMeshY.xyz, _e125), dot(_e108.toMeshZ.xyz, _e129));
+                nodes = _e108.nodes;
+                triangles = _e108.triangles;
+                cover = _e108.cover;
+                uint _e137 = instance_1;
+                own = pick((_e137 == left.instance), left.triangle, placeMask);
+                if (!(alone)) {
+                    uint _e143 = top;
+                    stack[_e143] = leaving;
+                    uint _e147 = top;
+                    top = (_e147 + 1u);
+                }
+            }
+            vec3 _e149 = o;
+            vec3 _e150 = d_1;
+            SlabRay _e151 = slabRay(_e149, _e150);
+            slabs = _e151;
+            vec3 _e152 = o;
+            vec3 _e153 = d_1;
+            MeshRay _e154 = meshRay(_e152, _e153);
+            ray_2 = _e154;
+            uint _e157 = current;
+            current = pick((_e157 == leaving), unread, 0u);
+        }
+        while(true) {
+            uint _e161 = current;
+            if ((_e161 == unread)) {
+                uint _e165 = top;
+                top = (_e165 - 1u);
+                uint _e168 = top;
+                uint _e170 = stack[_e168];
+                current = _e170;
+            }
+            uint _e171 = current;
+            if ((_e171 < instances)) {
+                uint _e174 = nodes;
+                uint _e175 = current;
+                uint node_2 = (_e174 + (_e175 * nodeRows));
+                uvec4 _e181 = geometryRow((node_2 + childrenRow));
+                SlabRay _e182 = slabs;
+                float _e183 = most;
+                vec4 _e184 = enterChildren(node_2, _e182, _e183);
+                ivec4 t_13 = floatBitsToInt(_e184);
+                bool a_5 = (t_13.x < t_13.z);
+                bool b_9 = (t_13.y < t_13.w);
+                uvec2 r0_ = pick(a_5, uvec2(_e181.z, _e181.x), uvec2(_e181.x, _e181.z));
+                uvec2 r1_ = pick(b_9, uvec2(_e181.w, _e181.y), uvec2(_e181.y, _e181.w));
+                int far0_ = max(t_13.x, t_13.z);
+                int far1_ = max(t_13.y, t_13.w);
+                int near0_ = min(t_13.x, t_13.z);
+                int near1_ = min(t_13.y, t_13.w);
+                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
+                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
+                int far2_ = min(far0_, far1_);
+                int near2_ = max(near0_, near1_);
+                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
+                uint _e245 = top;
+                stack[_e245] = ra.x;
+                uint _e248 = top;
+                top = (_e248 + pick((max(far0_, far1_) < notEntered), 1u, 0u));
+                uint _e257 = top;
+                stack[_e257] = rm.x;
+                uint _e260 = top;
+                top = (_e260 + pick((max(far2_, near2_) < notEntered), 1u, 0u));
+                uint _e269 = top;
+                stack[_e269] = rm.y;
+                uint _e272 = top;
+                top = (_e272 + pick((min(far2_, near2_) < notEntered), 1u, 0u));
+                current = pick((min(near0_, near1_) < notEntered), rb.y, unread);
+            }
+            uint _e286 = waiting;
+            uint _e289 = current;
+            bool takes = pick((_e286 == noLeaf0_), (_e289 >= leaves), false);
+            uint _e293 = waiting;
+            uint _e294 = current;
+            waiting = pick(takes, _e294, _e293);
+            uint _e296 = current;
+            current = pick(takes, unread, _e296);
+            uint _e299 = waiting;
+            if ((_e299 != noLeaf0_)) {
+                uint _e302 = waiting;
+                uint place_7 = (_e302 & placeMask);
+                uint _e305 = waiting;
+                waiting = ((_e305 + 1u) - 268435456u);
+                uint _e310 = waiting;
+                uint _e312 = waiting;
+                waiting = pick((_e312 < leaves), noLeaf0_, _e310);
+                MeshRay _e316 = ray_2;
+                uint _e317 = triangles;
+                Triangle _e321 = fetchTriangle((_e317 + (place_7 * triangleRows)));
+                Crossing _e322 = crossTriangle(_e316, _e321);
+                float _e331 = most;
+                uint _e336 = own;
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_7 != _e336), false);
+                const bool _e341 = hasOneSided;
+                if (_e341) {
+                    bool _e342 = nearer;
+                    uint _e344 = cover;
+                    nearer = pick(_e342, pick(_e322.front, true, ((_e344 & isOneSided) == 0u)), false);
+                }
+                float inverse_2 = (1.0 / _e322.sum);
+                float t_14 = (_e322.depth * inverse_2);
+                vec2 weights_3 = (_e322.weights * inverse_2);
+                const bool _e359 = hasCutouts;
+                if (_e359) {
+                    bool _e360 = nearer;
+                    uint _e361 = cover;
+                    if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
+                        uint _e367 = instance_1;
+                        doubted = MeshHit(t_14, _e367, place_7, weights_3, false);
+                        nearer = false;
+                    }
+                }
+                bool _e371 = nearer;
+                bool _e372 = toLight;
+                bool blocks = pick(_e371, _e372, false);
+                bool _e374 = nearer;
+                bool _e375 = toLight;
+                bool counts = pick(_e374, !(_e375), false);
+                float _e378 = most;
+                bool _e379 = nearer;
+                most = pick(_e379, t_14, _e378);
+                float _e383 = found_5.t;
+                found_5.t = pick(counts, t_14, _e383);
+                uint _e387 = found_5.instance;
+                uint _e388 = instance_1;
+                found_5.instance = pick(counts, _e388, _e387);
+                uint _e392 = found_5.triangle;
+                found_5.triangle = pick(counts, place_7, _e392);
+                vec2 _e396 = found_5.weights;
+                found_5.weights = pick(counts, weights_3, _e396);
+                bool _e400 = found_5.blocked;
+                found_5.blocked = pick(_e400, true, blocks);
+                uint _e402 = waiting;
+                waiting = pick(blocks, noLeaf0_, _e402);
+                uint _e405 = current;
+                current = pick(blocks, ending, _e405);
+            }
+            uint _e408 = waiting;
+            uint _e411 = current;
+            bool _e412 = isAmongInstances(_e411);
+            const bool _e415 = hasCutouts;
+            uint _e417 = doubted.instance;
+            if (pick(pick((_e408 == noLeaf0_), _e412, false), true, pick(_e415, (_e417 != noInstance), false))) {
+                break;
+            }
+        }
+        const bool _e423 = hasCutouts;
+        if (_e423) {
+            uint _e425 = doubted.instance;
+            if ((_e425 != noInstance)) {
+                uint _e429 = doubted.instance;
+                uint _e431 = doubted.triangle;
+                vec2 _e433 = doubted.weights;
+                bool _e435 = toLight;
+                bool _e438 = isThere(_e429, _e431, _e433, (rays.number + uint(_e435)));
                 MeshHit instead = doubted;
                 doubted.instance = noInstance;
-                bool _e94 = toLight;
-                if (pick(_e90, _e94, false)) {
+                bool _e442 = toLight;
+                if (pick(_e438, _e442, false)) {
                     found_5.blocked = true;
                     break;
                 }
-                if (_e90) {
+                if (_e438) {
                     most = instead.t;
                     found_5 = instead;
                 }
             }
         }
-        const bool _e100 = hasCutouts;
-        uint _e102 = waiting;
-        uint _e105 = current;
-        bool _e106 = isAmongInstances(_e105);
-        if (pick(!(_e100), true, pick((_e102 == noLeaf0_), _e106, false))) {
-            uint _e109 = current;
-            if ((_e109 == ending)) {
-                bool _e112 = toLight;
-                if (pick(_e112, true, !((rays.lightMost > 0.0)))) {
-                    break;
-                }
-                toLight = true;
-                most = rays.lightMost;
-                top = 1u;
-                current = first_1;
-            }
-            uint _e121 = current;
-            bool toWorld_1 = (_e121 >= beginning);
-            uint _e124 = current;
-            instance_1 = pick(toWorld_1, noInstance, (_e124 & placeMask));
-            o = rays.origin;
-            bool _e133 = toLight;
-            d_1 = pick(_e133, rays.lightDirection, rays.direction);
-            nodes = 0u;
-            if (!(toWorld_1)) {
-                uint _e140 = frame.instances;
-                uint _e141 = instance_1;
-                Instance _e145 = fetchInstance((_e140 + (_e141 * instanceRows)));
-                vec3 _e146 = o;
-                vec4 p_18 = vec4(_e146, 1.0);
-                o = vec3(dot(_e145.toMeshX, p_18), dot(_e145.toMeshY, p_18), dot(_e145.toMeshZ, p_18));
-                vec3 _e158 = d_1;
-                vec3 _e162 = d_1;
-                vec3 _e166 = d_1;
-                d_1 = vec3(dot(_e145.toMeshX.xyz, _e158), dot(_e145.toMeshY.xyz, _e162), dot(_e145.toMeshZ.xyz, _e166));
-                nodes = _e145.nodes;
-                triangles = _e145.triangles;
-                cover = _e145.cover;
-                uint _e174 = instance_1;
-                own = pick((_e174 == left.instance), left.triangle, placeMask);
-                if (!(alone)) {
-                    uint _e180 = top;
-                    stack[_e180] = leaving;
-                    uint _e184 = top;
-                    top = (_e184 + 1u);
-                }
-            }
-            vec3 _e186 = o;
-            vec3 _e187 = d_1;
-            SlabRay _e188 = slabRay(_e186, _e187);
-            slabs = _e188;
-            vec3 _e189 = o;
-            vec3 _e190 = d_1;
-            MeshRay _e191 = meshRay(_e189, _e190);
-            ray_2 = _e191;
-            uint _e194 = current;
-            current = pick((_e194 == leaving), unread, 0u);
+        uint _e447 = current;
+        uint _e450 = waiting;
+        bool ended = pick((_e447 == ending), (_e450 == noLeaf0_), false);
+        bool _e454 = toLight;
+        if (pick(ended, pick(_e454, true, !((rays.lightMost > 0.0))), false)) {
+            break;
         }
-        while(true) {
-            uint _e198 = current;
-            if ((_e198 == unread)) {
-                uint _e202 = top;
-                top = (_e202 - 1u);
-                uint _e205 = top;
-                uint _e207 = stack[_e205];
-                current = _e207;
-            }
-            uint _e208 = current;
-            if ((_e208 < instances)) {
-                uint _e211 = nodes;
-                uint _e212 = current;
-                uint node_2 = (_e211 + (_e212 * nodeRows));
-                uvec4 _e218 = geometryRow((node_2 + childrenRow));
-                SlabRay _e219 = slabs;
-                float _e220 = most;
-                vec4 _e221 = enterChildren(node_2, _e219, _e220);
-                bool a_3 = (_e221.x < _e221.z);
-                bool b_7 = (_e221.y < _e221.w);
-                uvec2 r0_ = pick(a_3, uvec2(_e218.z, _e218.x), uvec2(_e218.x, _e218.z));
-                uvec2 r1_ = pick(b_7, uvec2(_e218.w, _e218.y), uvec2(_e218.y, _e218.w));
-                float far0_ = max(_e221.x, _e221.z);
-                float far1_ = max(_e221.y, _e221.w);
-                float near0_ = min(_e221.x, _e221.z);
-                float near1_ = min(_e221.y, _e221.w);
-                uvec2 ra = pick((far0_ < far1_), uvec2(r1_.x, r0_.x), uvec2(r0_.x, r1_.x));
-                uvec2 rb = pick((near0_ < near1_), uvec2(r1_.y, r0_.y), uvec2(r0_.y, r1_.y));
-                float far2_ = min(far0_, far1_);
-                float near2_ = max(near0_, near1_);
-                uvec2 rm = pick((far2_ < near2_), uvec2(rb.x, ra.y), uvec2(ra.y, rb.x));
-                uint _e281 = top;
-                stack[_e281] = ra.x;
-                uint _e284 = top;
-                top = (_e284 + pick((max(far0_, far1_) < 1e30), 1u, 0u));
-                uint _e293 = top;
-                stack[_e293] = rm.x;
-                uint _e296 = top;
-                top = (_e296 + pick((max(far2_, near2_) < 1e30), 1u, 0u));
-                uint _e305 = top;
-                stack[_e305] = rm.y;
-                uint _e308 = top;
-                top = (_e308 + pick((min(far2_, near2_) < 1e30), 1u, 0u));
-                current = pick((min(near0_, near1_) < 1e30), rb.y, unread);
-            }
-            uint _e322 = waiting;
-            uint _e325 = current;
-            bool takes = pick((_e322 == noLeaf0_), (_e325 >= leaves), false);
-            uint _e329 = waiting;
-            uint _e330 = current;
-            waiting = pick(takes, _e330, _e329);
-            uint _e332 = current;
-            current = pick(takes, unread, _e332);
-            uint _e335 = waiting;
-            if ((_e335 != noLeaf0_)) {
-                uint _e338 = waiting;
-                uint place_7 = (_e338 & placeMask);
-                uint _e341 = waiting;
-                waiting = ((_e341 + 1u) - 268435456u);
-                uint _e346 = waiting;
-                uint _e348 = waiting;
-                waiting = pick((_e348 < leaves), noLeaf0_, _e346);
-                MeshRay _e352 = ray_2;
-                uint _e353 = triangles;
-                Triangle _e357 = fetchTriangle((_e353 + (place_7 * triangleRows)));
-                Crossing _e358 = crossTriangle(_e352, _e357);
-                float _e367 = most;
-                uint _e372 = own;
-                nearer = pick(pick(pick(_e358.within, (_e358.depth > (rays.least * _e358.sum)), false), (_e358.depth < (_e367 * _e358.sum)), false), (place_7 != _e372), false);
-                const bool _e377 = hasOneSided;
-                if (_e377) {
-                    bool _e378 = nearer;
-                    uint _e380 = cover;
-                    nearer = pick(_e378, pick(_e358.front, true, ((_e380 & isOneSided) == 0u)), false);
-                }
-                float inverse_2 = (1.0 / _e358.sum);
-                float t_13 = (_e358.depth * inverse_2);
-                vec2 weights_3 = (_e358.weights * inverse_2);
-                const bool _e395 = hasCutouts;
-                if (_e395) {
-                    bool _e396 = nearer;
-                    uint _e397 = cover;
-                    if (pick(_e396, ((_e397 & coverRow) != 0u), false)) {
-                        uint _e403 = instance_1;
-                        doubted = MeshHit(t_13, _e403, place_7, weights_3, false);
-                        nearer = false;
-                    }
-                }
-                bool _e407 = nearer;
-                bool _e408 = toLight;
-                bool blocks = pick(_e407, _e408, false);
-                bool _e410 = nearer;
-                bool _e411 = toLight;
-                bool counts = pick(_e410, !(_e411), false);
-                float _e414 = most;
-                bool _e415 = nearer;
-                most = pick(_e415, t_13, _e414);
-                float _e419 = found_5.t;
-                found_5.t = pick(counts, t_13, _e419);
-                uint _e423 = found_5.instance;
-                uint _e424 = instance_1;
-                found_5.instance = pick(counts, _e424, _e423);
-                uint _e428 = found_5.triangle;
-                found_5.triangle = pick(counts, place_7, _e428);
-                vec2 _e432 = found_5.weights;
-                found_5.weights = pick(counts, weights_3, _e432);
-                bool _e436 = found_5.blocked;
-                found_5.blocked = pick(_e436, true, blocks);
-                uint _e438 = waiting;
-                waiting = pick(blocks, noLeaf0_, _e438);
-                uint _e441 = current;
-                current = pick(blocks, ending, _e441);
-            }
-            uint _e444 = waiting;
-            uint _e447 = current;
-            bool _e448 = isAmongInstances(_e447);
-            const bool _e451 = hasCutouts;
-            uint _e453 = doubted.instance;
-            if (pick(pick((_e444 == noLeaf0_), _e448, false), true, pick(_e451, (_e453 != noInstance), false))) {
-                break;
-            }
-        }
+        bool _e461 = toLight;
+        toLight = pick(_e461, true, ended);
+        float _e463 = most;
+        most = pick(ended, rays.lightMost, _e463);
+        uint _e466 = top;
+        top = pick(ended, 1u, _e466);
+        uint _e469 = current;
+        current = pick(ended, first_1, _e469);
     }
-    MeshHit _e458 = found_5;
-    return _e458;
+    MeshHit _e471 = found_5;
+    return _e471;
 }
 
 uint rowOfInstance(uint instance_2) {
@@ -1597,15 +1626,15 @@ vec3 boxNormal(vec3 origin_9, vec3 direction_8, vec3 halfSize_2, float tMin_4, b
     Slabs _e5 = boxSlabs(origin_9, direction_8, halfSize_2);
     bool entering = pick((_e5.near > tMin_4), !(startsInside_2), false);
     vec3 crossed = pick(entering, _e5.enter, _e5.leave);
-    float t_14 = pick(entering, _e5.near, _e5.far);
+    float t_15 = pick(entering, _e5.near, _e5.far);
     vec3 side_3 = (pick(entering, -1.0, 1.0) * mix(vec3(-1.0), vec3(1.0), greaterThan(direction_8, vec3(0.0))));
-    bool onX = (crossed.x == t_14);
-    bool onY = pick(!(onX), (crossed.y == t_14), false);
+    bool onX = (crossed.x == t_15);
+    bool onY = pick(!(onX), (crossed.y == t_15), false);
     return (side_3 * mix(vec3(0.0), vec3(1.0), bvec3(onX, onY, !(pick(onX, true, onY)))));
 }
 
-vec3 turnedBack(vec4 q_2, vec3 v_3) {
-    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_3);
+vec3 turnedBack(vec4 q_2, vec3 v_4) {
+    vec3 _e6 = turned(vec4(-(q_2.xyz), q_2.w), v_4);
     return _e6;
 }
 
@@ -1897,14 +1926,14 @@ vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
     float oz = max(dot(o_1, g_1), 0.0);
     float least = min((0.9 * oz), 0.01);
     vec3 across_3 = (n - (dot(n, g_1) * g_1));
-    vec3 x_19 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
-    float ox = dot(o_1, x_19);
-    float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
-    float b_8 = (2.0 * (a_4 + (oz * least)));
+    vec3 x_20 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_20);
+    float a_6 = max(((ox * ox) + (oz * oz)), 1e-20);
+    float b_10 = (2.0 * (a_6 + (oz * least)));
     float c_5 = ((least + oz) * (least + oz));
-    float root = sqrt(max(((b_8 * b_8) - ((4.0 * a_4) * c_5)), 0.0));
-    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_8 + root), (b_8 - root))) / a_4), 0.0, 1.0);
-    vec3 raised = ((sqrt((1.0 - z2_)) * x_19) + (sqrt(z2_) * g_1));
+    float root = sqrt(max(((b_10 * b_10) - ((4.0 * a_6) * c_5)), 0.0));
+    float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_10 + root), (b_10 - root))) / a_6), 0.0, 1.0);
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_20) + (sqrt(z2_) * g_1));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
     return pick((dot(g_1, reflected) >= least), n, raised);
 }
@@ -1946,10 +1975,10 @@ vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     float size_5 = dot(along_1, along_1);
     bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_15 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
-    vec3 across_4 = cross(normal_3, t_15);
+    vec3 t_16 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 across_4 = cross(normal_3, t_16);
     float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
-    return ((grain.x * t_15) + ((grain.y * hand_1) * across_4));
+    return ((grain.x * t_16) + ((grain.y * hand_1) * across_4));
 }
 
 SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
@@ -2035,18 +2064,18 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
 
 Basis basisAbout(vec3 n_1) {
     float side_6 = pick((n_1.z >= 0.0), 1.0, -1.0);
-    float a_5 = (-1.0 / (side_6 + n_1.z));
-    float b_9 = ((n_1.x * n_1.y) * a_5);
-    return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_5)), (side_6 * b_9), (-(side_6) * n_1.x)), vec3(b_9, (side_6 + ((n_1.y * n_1.y) * a_5)), -(n_1.y)), n_1);
+    float a_7 = (-1.0 / (side_6 + n_1.z));
+    float b_11 = ((n_1.x * n_1.y) * a_7);
+    return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_7)), (side_6 * b_11), (-(side_6) * n_1.x)), vec3(b_11, (side_6 + ((n_1.y * n_1.y) * a_7)), -(n_1.y)), n_1);
 }
 
-Basis basisAlong(vec3 n_2, vec3 x_10) {
-    vec3 tangent_3 = normalize((x_10 - (dot(x_10, n_2) * n_2)));
+Basis basisAlong(vec3 n_2, vec3 x_11) {
+    vec3 tangent_3 = normalize((x_11 - (dot(x_11, n_2) * n_2)));
     return Basis(tangent_3, cross(n_2, tangent_3), n_2);
 }
 
-vec3 toLocal(Basis b_1, vec3 v_4) {
-    return vec3(dot(v_4, b_1.tangent), dot(v_4, b_1.bitangent), dot(v_4, b_1.normal));
+vec3 toLocal(Basis b_3, vec3 v_5) {
+    return vec3(dot(v_5, b_3.tangent), dot(v_5, b_3.bitangent), dot(v_5, b_3.normal));
 }
 
 bool isThin(uint code_8) {
@@ -2071,13 +2100,13 @@ vec3 coatNormal(float side) {
     return vec3((side * _e2.xy), _e7);
 }
 
-float coatCosine(float side_1, vec3 w_1) {
+float coatCosine(float side_1, vec3 w_2) {
     float z = 0.0;
-    z = w_1.z;
+    z = w_2.z;
     const bool _e5 = hasCoatNormals;
     if (_e5) {
         vec3 _e6 = coatNormal(side_1);
-        z = dot(_e6, w_1);
+        z = dot(_e6, w_2);
     }
     float _e8 = z;
     return abs(_e8);
@@ -2113,15 +2142,15 @@ Emitter emitterAt(uint i_19, Emitter only) {
     return _e6;
 }
 
-vec2 quadrantAngles(vec2 x_11, vec2 y_5) {
-    vec2 low_2 = min(x_11, y_5);
-    vec2 high_1 = max(x_11, y_5);
+vec2 quadrantAngles(vec2 x_12, vec2 y_5) {
+    vec2 low_2 = min(x_12, y_5);
+    vec2 high_1 = max(x_12, y_5);
     bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
     vec2 r_1 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
     vec2 z_3 = (r_1 * r_1);
     vec2 series = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
     vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_1) + r_1));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_11));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_12));
 }
 
 EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
@@ -2156,8 +2185,8 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     float row_12 = floor(fromPole);
     bool isLower = (direction_11.y < 0.0);
     vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_12), row_12));
-    float within_2 = (fromPole - row_12);
-    vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_2), within_2));
+    float within_1 = (fromPole - row_12);
+    vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
     return _e67;
@@ -2225,21 +2254,21 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
     return pick(q_3.lit, pdf_2, 0.0);
 }
 
-float arctangent(float x_12) {
-    float a_6 = abs(x_12);
-    bool steep = (a_6 > 2.4142137);
-    bool middle_2 = pick((a_6 > 0.41421357), !(steep), false);
-    float r_2 = pick(steep, (-1.0 / max(a_6, 1.0)), pick(middle_2, ((a_6 - 1.0) / (a_6 + 1.0)), a_6));
+float arctangent(float x_13) {
+    float a_8 = abs(x_13);
+    bool steep = (a_8 > 2.4142137);
+    bool middle_2 = pick((a_8 > 0.41421357), !(steep), false);
+    float r_2 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_2, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
     float z_4 = (r_2 * r_2);
     float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
-    return (sign(x_12) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
+    return (sign(x_13) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
 }
 
-float stretch(float x_13, vec2 y_6, float h_1) {
-    vec2 r_3 = sqrt(((vec2((x_13 * x_13)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_13 * y_6.y) / (h_1 * r_3.y)));
-    float _e22 = arctangent(((x_13 * y_6.x) / (h_1 * r_3.x)));
+float stretch(float x_14, vec2 y_6, float h_1) {
+    vec2 r_3 = sqrt(((vec2((x_14 * x_14)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
+    float _e16 = arctangent(((x_14 * y_6.y) / (h_1 * r_3.y)));
+    float _e22 = arctangent(((x_14 * y_6.x) / (h_1 * r_3.x)));
     return (_e16 - _e22);
 }
 
@@ -2358,16 +2387,16 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 }
 
 vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
-    vec4 x_20 = (n_3.x - vec4(point_7.x));
+    vec4 x_21 = (n_3.x - vec4(point_7.x));
     vec4 y_11 = (n_3.y - vec4(point_7.y));
     vec4 z_5 = (n_3.z - vec4(point_7.z));
-    vec4 distance2_ = (((x_20 * x_20) + (y_11 * y_11)) + (z_5 * z_5));
+    vec4 distance2_ = (((x_21 * x_21) + (y_11 * y_11)) + (z_5 * z_5));
     vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
     bvec4 inside_4 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_4);
-    vec4 along_2 = (-((((n_3.axisX * x_20) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
+    vec4 along_2 = (-((((n_3.axisX * x_21) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n_3.cosWidth);
@@ -2375,7 +2404,7 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_4);
-    vec4 cosN = clamp(((((normal_7.x * x_20) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_7.x * x_21) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_4);
@@ -2389,14 +2418,14 @@ float shareOfTree(float total, float far_1) {
     return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
 }
 
-TreeChoice descend(vec3 point_8, vec3 normal_8, float u_4, int leaf, float far_2) {
+TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
     TreeChoice choice = TreeChoice(0u, 1.0, 0.0, true);
     uint _e7 = frame.lightTreeDepth;
     level = _e7;
-    rest = u_4;
+    rest = u_5;
     while(true) {
         uint _e19 = level;
         level = (_e19 - 1u);
@@ -2638,10 +2667,10 @@ vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter onl
     return _e130;
 }
 
-uint pascalW2_(uint x_14) {
+uint pascalW2_(uint x_15) {
     uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_14 >> 2u) & 13107u));
-    y_7 = (x_14 ^ _e5);
+    uint _e5 = timesW2_(((x_15 >> 2u) & 13107u));
+    y_7 = (x_15 ^ _e5);
     uint _e8 = y_7;
     uint _e9 = y_7;
     uint _e14 = timesW(((_e9 >> 4u) & 3855u));
@@ -2658,12 +2687,11 @@ vec3 next3d(inout Sampler s_8) {
     uint _e6 = pascalW2_((_e1.index ^ _e4));
     uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
     vec2 _e13 = points2d(_e1);
-    uint _e16 = reverseHalves((_e12 & 65535u));
-    float _e17 = toUnit(_e16, _e12);
-    return vec3(_e13, _e17);
+    float _e14 = toUnit(_e12);
+    return vec3(_e13, _e14);
 }
 
-EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
+EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_6) {
     bool hasTree = false;
     EmitterChoice choice_1 = EmitterChoice(0u, 0.0, Odds(0.0, 0.0));
     float total_1 = 0.0;
@@ -2686,7 +2714,7 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
     if (_e33) {
         uint _e36 = frame.emitterCount;
         if ((_e36 > 1u)) {
-            rest_1 = u_5;
+            rest_1 = u_6;
             while(true) {
                 uint _e48 = i_22;
                 Emitter _e49 = fetchEmitter(_e48);
@@ -2739,30 +2767,30 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_5) {
     return _e122;
 }
 
-vec3 turnTo(vec3 axis_1, vec3 v_5) {
+vec3 turnTo(vec3 axis_1, vec3 v_6) {
     float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_7 = (-1.0 / (s_26 + axis_1.z));
-    float b_10 = ((axis_1.x * axis_1.y) * a_7);
-    vec3 x_21 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_7)), (s_26 * b_10), (-(s_26) * axis_1.x));
-    vec3 y_12 = vec3(b_10, (s_26 + ((axis_1.y * axis_1.y) * a_7)), -(axis_1.y));
-    return (((v_5.x * x_21) + (v_5.y * y_12)) + (v_5.z * axis_1));
+    float a_9 = (-1.0 / (s_26 + axis_1.z));
+    float b_12 = ((axis_1.x * axis_1.y) * a_9);
+    vec3 x_22 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_9)), (s_26 * b_12), (-(s_26) * axis_1.x));
+    vec3 y_12 = vec3(b_12, (s_26 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
+    return (((v_6.x * x_22) + (v_6.y * y_12)) + (v_6.z * axis_1));
 }
 
-ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_6) {
-    float oneMinusCosine = (u_6.x * width_1);
+ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
+    float oneMinusCosine = (u_7.x * width_1);
     float cosine_20 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
-    float phi = (6.2831855 * u_6.y);
+    float phi = (6.2831855 * u_7.y);
     vec2 turn_2 = vec2(cos(phi), sin(phi));
     vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_20));
     return ConeDirection(_e23, cosine_20, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_7) {
+LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_8) {
     SphereView _e3 = viewSphere(e_16, point_13);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
-    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_7);
+    ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
     float along_3 = (_e3.distance_ * _e19.cosine);
     float halfChord = sqrt(max(((e_16.radius * e_16.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_3) + halfChord);
@@ -2772,60 +2800,60 @@ LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_7) {
     return LightSample(_e19.direction, distance_7, e_16.radiance, _e49, false);
 }
 
-vec2 cosineAndSine(float x_15) {
-    float h_6 = (0.5 * x_15);
+vec2 cosineAndSine(float x_16) {
+    float h_6 = (0.5 * x_16);
     float z_6 = (h_6 * h_6);
     float sine_4 = (((((((-0.00019515296 * z_6) + 0.008332161) * z_6) - 0.16666655) * z_6) * h_6) + h_6);
     return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
 }
 
-vec3 sphericalRectangle(QuadView q_4, vec2 u_8) {
+vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
     float h_7 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
     vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
-    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_8.x * q_4.solidAngle))));
+    vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
     vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
-    float w_5 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_22 = clamp(((h_7 * w_5) * inversesqrt(max((1.0 - (w_5 * w_5)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_22 * x_22) + (h_7 * h_7));
+    float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
+    float x_23 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_23 * x_23) + (h_7 * h_7));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
-    float v_11 = mix(ends_2.x, ends_2.y, u_8.y);
-    float atY = clamp(((v_11 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_11 * v_11)), 1e-12))), y_13.x, y_13.y);
-    return (((x_22 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
+    float v_12 = mix(ends_2.x, ends_2.y, u_9.y);
+    float atY = clamp(((v_12 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_12 * v_12)), 1e-12))), y_13.x, y_13.y);
+    return (((x_23 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_9) {
+LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_10) {
     QuadView _e3 = viewQuad(e_17, point_14);
-    vec3 onArea = ((_e3.corner + (u_9.x * e_17.u)) + (u_9.y * e_17.v));
-    vec3 _e13 = sphericalRectangle(_e3, u_9);
+    vec3 onArea = ((_e3.corner + (u_10.x * e_17.u)) + (u_10.y * e_17.v));
+    vec3 _e13 = sphericalRectangle(_e3, u_10);
     vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_8 = max(length(toLight_4), _e3.height);
     float _e23 = pdfOfView(_e3, e_17.area, distance_8);
     return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_17.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_18, BoxView b_2, vec2 u_10) {
-    float both = (b_2.faces.x + b_2.faces.y);
-    float at_4 = (u_10.x * b_2.area);
-    bool onX_1 = (at_4 < b_2.faces.x);
+vec4 pointOnFaces(Emitter e_18, BoxView b_4, vec2 u_11) {
+    float both = (b_4.faces.x + b_4.faces.y);
+    float at_4 = (u_11.x * b_4.area);
+    bool onX_1 = (at_4 < b_4.faces.x);
     bool onY_1 = pick(!(onX_1), (at_4 < both), false);
-    float face = pick(onX_1, b_2.faces.x, pick(onY_1, b_2.faces.y, b_2.faces.z));
-    float within_3 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_2.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float face = pick(onX_1, b_4.faces.x, pick(onY_1, b_4.faces.y, b_4.faces.z));
+    float within_2 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_20 = vec3(pick((dot(axis_5, b_2.point) >= 0.0), 1.0, -1.0), ((2.0 * within_3) - 1.0), ((2.0 * u_10.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_2.point);
+    vec3 p_20 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_11.y) - 1.0));
+    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_4.point);
     return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
 }
 
-vec3 rotateBack(vec4 q_5, vec3 v_6) {
-    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_6);
+vec3 rotateBack(vec4 q_5, vec3 v_7) {
+    vec3 _e6 = rotate(vec4(-(q_5.xyz), q_5.w), v_7);
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_11) {
+LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_12) {
     BoxView _e3 = viewBox(e_19, point_15);
-    vec4 _e4 = pointOnFaces(e_19, _e3, u_11);
-    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_11);
+    vec4 _e4 = pointOnFaces(e_19, _e3, u_12);
+    ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
     vec3 outwards = _e10.direction;
     Slabs _e16 = boxSlabs(_e3.point, outwards, e_19.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
@@ -2837,35 +2865,35 @@ LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_11) {
     return LightSample(_e37, distance_9, e_19.radiance, pdf_4, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_12) {
+ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_13) {
     uint _e4 = frame.lampTables;
     uint first_2 = (_e4 + uint(e_20.table));
-    uint column_2 = min(uint((u_12.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
+    uint column_2 = min(uint((u_13.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
     LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
-    uint _e26 = mixBits((floatBitsToUint(u_12.x) ^ (floatBitsToUint(u_12.y) * 2654435761u)));
+    uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
-    float x_23 = clamp((((u_12.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
-    bool own_9 = (x_23 < _e18.own);
-    float rest_2 = pick(own_9, (x_23 / max(_e18.own, 1e-37)), ((x_23 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    float x_24 = clamp((((u_13.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    bool own_9 = (x_24 < _e18.own);
+    float rest_2 = pick(own_9, (x_24 / max(_e18.own, 1e-37)), ((x_24 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_8 = pick(own_9, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
     float density = _e67.density;
-    return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_12.y));
+    return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
 }
 
-vec2 weightsOnTriangle(vec2 u_13) {
-    float low_5 = (0.5 * min(u_13.x, u_13.y));
-    float high_3 = (max(u_13.x, u_13.y) - low_5);
-    return pick((u_13.x < u_13.y), vec2(low_5, high_3), vec2(high_3, low_5));
+vec2 weightsOnTriangle(vec2 u_14) {
+    float low_5 = (0.5 * min(u_14.x, u_14.y));
+    float high_3 = (max(u_14.x, u_14.y) - low_5);
+    return pick((u_14.x < u_14.y), vec2(low_5, high_3), vec2(high_3, low_5));
 }
 
 vec3 outOfMesh(Instance i_23, vec3 p_11) {
     vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
-    vec3 x_24 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
+    vec3 x_25 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
     vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
     vec3 z_7 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_24) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_24)));
+    return ((((q_7.x * x_25) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_25)));
 }
 
 vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
@@ -2901,9 +2929,9 @@ vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
     return (_e77 * pick(missing, there, 1.0));
 }
 
-LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_14) {
+LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_15) {
     vec3 radiance = vec3(0.0);
-    ChosenTriangle _e3 = chooseTriangle(e_21, u_14);
+    ChosenTriangle _e3 = chooseTriangle(e_21, u_15);
     uint _e6 = frame.instances;
     Instance _e12 = fetchInstance((_e6 + (uint(e_21.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
@@ -2954,9 +2982,9 @@ LightSample sampleSpot(Emitter e_23, vec3 point_18) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_24, vec2 u_15) {
+LightSample sampleDirectional(Emitter e_24, vec2 u_16) {
     bool delta = (e_24.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_24.u), (e_24.area / 6.2831855), u_15);
+    ConeDirection _e10 = sampleCone(-(e_24.u), (e_24.area / 6.2831855), u_16);
     return LightSample(_e10.direction, 1e30, e_24.radiance, pick(delta, 1.0, (1.0 / max(e_24.area, 1e-31))), delta);
 }
 
@@ -3024,34 +3052,34 @@ Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
     return Choice(min(((2u * pair_4) + pick(isFirst, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
 }
 
-ChosenCell chooseCell(vec2 u_16) {
+ChosenCell chooseCell(vec2 u_17) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_8 = uvec2(_e3);
-    uvec2 digits_2 = uvec2((u_16 * 16777216.0));
-    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uvec2 digits_3 = uvec2((u_17 * 16777216.0));
+    uint _e13 = mixBits((digits_3.x ^ (digits_3.y * 2654435761u)));
     uint columns = ((size_8.x + 1u) / 2u);
     uint tables = (size_8.x * size_8.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_8.y + 1u)), digits_2.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_8.y + 2u) / 2u)) + (_e29.entry * columns)), size_8.x), digits_2.x, (_e13 >> 20u));
+    Choice _e29 = chooseEntry(Table(tables, (size_8.y + 1u)), digits_3.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_8.y + 2u) / 2u)) + (_e29.entry * columns)), size_8.x), digits_3.x, (_e13 >> 20u));
     return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
-float linearSample(float u_17, float a_1, float b_3) {
-    vec2 ends_3 = (vec2(a_1, b_3) / vec2(max((a_1 + b_3), 1e-37)));
-    return min((u_17 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_17))), 1e-9)), 1.0);
+float linearSample(float u_18, float a_3, float b_5) {
+    vec2 ends_3 = (vec2(a_3, b_5) / vec2(max((a_3 + b_5), 1e-37)));
+    return min((u_18 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_18))), 1e-9)), 1.0);
 }
 
-EnvironmentSample sampleEnvironment(vec2 u_18) {
+EnvironmentSample sampleEnvironment(vec2 u_19) {
     vec2 size_9 = frame.environmentSize;
-    ChosenCell _e4 = chooseCell(u_18);
+    ChosenCell _e4 = chooseCell(u_19);
     Corners _e6 = environmentCorners(_e4.cell);
     vec2 cell_2 = vec2(_e4.cell);
     bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_9.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
-    float t_16 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
-    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_16), mix(_e6.b.w, _e6.d.w, t_16));
+    float t_17 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
+    float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_17), mix(_e6.b.w, _e6.d.w, t_17));
     bool isLower_1 = ((2.0 * cell_2.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_16)), (cell_2.y + (t_16 - 0.5)));
+    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_17)), (cell_2.y + (t_17 - 0.5)));
     vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
     float _e85 = frame.environmentTurn;
     float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_9.x) - _e85));
@@ -3061,17 +3089,17 @@ EnvironmentSample sampleEnvironment(vec2 u_18) {
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
     float sine_5 = max(_e76.y, 1e-9);
     vec3 direction_24 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_16), sine_5);
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_5);
     return EnvironmentSample(direction_24, _e119);
 }
 
-LightSample sampleSky(vec2 u_19) {
+LightSample sampleSky(vec2 u_20) {
     EnvironmentSample s_10 = EnvironmentSample(vec3(0.0), EnvironmentLight(vec3(0.0), 0.0));
-    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_19);
+    ConeDirection _e6 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_20);
     s_10 = EnvironmentSample(_e6.direction, white);
     const bool _e12 = hasEnvironment;
     if (_e12) {
-        EnvironmentSample _e13 = sampleEnvironment(u_19);
+        EnvironmentSample _e13 = sampleEnvironment(u_20);
         s_10 = _e13;
     }
     vec3 _e15 = s_10.direction;
@@ -3082,33 +3110,33 @@ LightSample sampleSky(vec2 u_19) {
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
+LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_21) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
         if ((e_25.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_25, point_19, u_20);
+            LightSample _e19 = sampleSphere(e_25, point_19, u_21);
             s_11 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
         if ((e_25.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_25, point_19, u_20);
+            LightSample _e25 = sampleQuad(e_25, point_19, u_21);
             s_11 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
         if ((e_25.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_25, point_19, u_20);
+            LightSample _e31 = sampleBox(e_25, point_19, u_21);
             s_11 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
         if ((e_25.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_25, point_19, u_20);
+            LightSample _e37 = sampleMesh(e_25, point_19, u_21);
             s_11 = _e37;
         }
     }
@@ -3129,14 +3157,14 @@ LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
     const bool _e51 = hasSuns;
     if (_e51) {
         if ((e_25.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_25, u_20);
+            LightSample _e55 = sampleDirectional(e_25, u_21);
             s_11 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
         if ((e_25.kind == 6.0)) {
-            LightSample _e61 = sampleSky(u_20);
+            LightSample _e61 = sampleSky(u_21);
             s_11 = _e61;
         }
     }
@@ -3147,10 +3175,10 @@ LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_20) {
     return _e73;
 }
 
-vec3 heroColor(vec3 throughput, float u_21) {
+vec3 heroColor(vec3 throughput, float u_22) {
     vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
-    bool isRed = (u_21 < share_7.x);
-    bool isBlue = pick(pick(!(isRed), (u_21 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
+    bool isRed = (u_22 < share_7.x);
+    bool isBlue = pick(pick(!(isRed), (u_22 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
     vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
     return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
 }
@@ -3163,7 +3191,7 @@ float nextHash(inout Sampler s_12) {
     uint _e11 = mixBits((_e7 ^ _e9));
     uint _e13 = s_12.sample_;
     uint _e17 = s_12.place;
-    uint _e20 = mixBits((_e11 + ((_e13 << 8u) | _e17)));
+    uint _e20 = mixBits((_e11 + ((_e13 * 256u) | _e17)));
     float _e21 = unitFloat(_e20);
     return _e21;
 }
@@ -3183,17 +3211,17 @@ float dispersedIndex(float ior, float dispersion, vec3 hero) {
     return max((ior + (((side_9 * (ior - 1.0)) * 0.025) * dispersion)), 1.0);
 }
 
-float greatest(vec3 v_7) {
-    return max(max(v_7.x, v_7.y), v_7.z);
+float greatest(vec3 v_8) {
+    return max(max(v_8.x, v_8.y), v_8.z);
 }
 
 float sheenAlbedo(float cosine_3, float roughness) {
-    float u_28 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
-    float v_12 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_28 * (vec3(-0.448339, 0.3406, -0.509736) + (u_28 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_28 * (vec3(0.0587112, 0.187983, 0.191769) + (u_28 * (vec3(-0.182064, 0.425384, 0.971703) + (u_28 * (vec3(0.0763965, -0.331055, 0.616069) + (u_28 * (vec3(0.0893496, -0.409073, -0.445006) + (u_28 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_28 * (vec3(0.492365, -0.201291, -0.00570256) + (u_28 * (vec3(0.833264, 0.765625, -1.06831) + (u_28 * (vec3(-1.29238, 0.71056, 0.237437) + (u_28 * (vec3(-2.81818, -0.673857, 2.17806) + (u_28 * (vec3(0.500911, -0.777981, 0.0143213) + (u_28 * (vec3(1.97956, 0.108218, -1.28939) + (u_28 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
-    float v2_ = (v_12 * v_12);
-    float root_1 = dot((low_6 + ((v2_ * v_12) * high_4)), vec3(1.0, v_12, v2_));
+    float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
+    float v_13 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
+    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    float v2_ = (v_13 * v_13);
+    float root_1 = dot((low_6 + ((v2_ * v_13) * high_4)), vec3(1.0, v_13, v2_));
     float albedo = (root_1 * root_1);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -3204,8 +3232,8 @@ vec3 dielectricF0_(Layers l_1) {
 }
 
 float singleScatteringAlbedo(float cosine_4, float alpha_1) {
-    float x_25 = (cosine_4 / (cosine_4 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_25 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_25 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_25 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_25 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_26 = (cosine_4 / (cosine_4 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_26 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_26 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_26 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_26 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_ = (alpha_1 * alpha_1);
     return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
 }
@@ -3227,8 +3255,8 @@ vec3 sensitivity(float difference, vec3 shift) {
     vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
     vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_26 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_26) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_26) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_26) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+    float x_27 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
 
 vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) {
@@ -3236,19 +3264,19 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) 
     vec3 amplitude = vec3(0.0);
     float order = 1.0;
     float sine2_2 = ((1.0 - (cosine_6 * cosine_6)) / (filmIor * filmIor));
-    float within_4 = sqrt(max((1.0 - sine2_2), 0.0));
+    float within_3 = sqrt(max((1.0 - sine2_2), 0.0));
     float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
     vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_6);
     float r12_ = _e21.x;
     float t121_ = (1.0 - r12_);
     vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
     vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_4);
+    vec3 _e35 = schlick((second_1 * second_1), within_3);
     vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
     vec3 once = sqrt(r123_);
     vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
     vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_1 = (((2.0 * filmIor) * thickness) * within_4);
+    float difference_1 = (((2.0 * filmIor) * thickness) * within_3);
     sum = (vec3(r12_) + rs);
     amplitude = (rs - vec3(t121_));
     while(true) {
@@ -3331,8 +3359,8 @@ vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
     return vec4(mix(_e58, _e59, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e66)));
 }
 
-float mean3_(vec3 v_8) {
-    return dot(v_8, vec3(0.33333334));
+float mean3_(vec3 v_9) {
+    return dot(v_9, vec3(0.33333334));
 }
 
 Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
@@ -3457,8 +3485,8 @@ float reflectionBound(vec3 wo, float alpha_3) {
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w_2, float alpha_4) {
-    return sqrt(((w_2.z * w_2.z) + ((alpha_4 * alpha_4) * dot(w_2.xy, w_2.xy))));
+float stretched(vec3 w_3, float alpha_4) {
+    return sqrt(((w_3.z * w_3.z) + ((alpha_4 * alpha_4) * dot(w_3.xy, w_3.xy))));
 }
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
@@ -3509,25 +3537,25 @@ float mirrorShare(float reflectivity) {
     return pick(_e2, reflectivity, 0.0);
 }
 
-vec3 sampleCosine(vec2 u_22) {
-    float radius_2 = sqrt(u_22.x);
-    float phi_2 = ((6.2831855 * u_22.y) - 3.1415927);
-    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_22.x))));
+vec3 sampleCosine(vec2 u_23) {
+    float radius_2 = sqrt(u_23.x);
+    float phi_2 = ((6.2831855 * u_23.y) - 3.1415927);
+    return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_23) {
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_24) {
     float _e8 = stretched(wo_2, alpha_5);
-    vec3 w_6 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
-    float phi_3 = ((6.2831855 * u_23.x) - 3.1415927);
-    float drop = (u_23.y * (1.0 + (bound * w_6.z)));
+    vec3 w_7 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
+    float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
+    float drop = (u_24.y * (1.0 + (bound * w_7.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_8 = (w_6 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    vec3 h_8 = (w_7 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_5 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_24) {
+vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_25) {
     float side_11 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_6, 0.001), o_5.bound, u_24);
+    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_6, 0.001), o_5.bound, u_25);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
 }
 
@@ -3538,14 +3566,14 @@ vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
     vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
     vec3 smaller = ((eta_4 * k_1) / larger_1);
-    vec3 a_8 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
-    vec3 b_11 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
-    vec3 b2_ = ((b_11 * b_11) + vec3(1e-20));
-    vec3 acrossFar = (a_8 + vec3(cosine_11));
-    vec3 acrossNear = (a_8 - vec3(cosine_11));
+    vec3 a_10 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
+    vec3 b_13 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
+    vec3 b2_ = ((b_13 * b_13) + vec3(1e-20));
+    vec3 acrossFar = (a_10 + vec3(cosine_11));
+    vec3 acrossNear = (a_10 - vec3(cosine_11));
     vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_8 * cosine_11) + vec3(sine2_3));
-    vec3 alongNear = ((a_8 * cosine_11) - vec3(sine2_3));
+    vec3 alongFar = ((a_10 * cosine_11) + vec3(sine2_3));
+    vec3 alongNear = ((a_10 * cosine_11) - vec3(sine2_3));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
@@ -3611,23 +3639,23 @@ float ellipticBound(vec3 wo_4, vec2 alpha_7) {
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_3, vec2 alpha_8) {
-    vec2 scaled = (alpha_8 * w_3.xy);
-    return sqrt(((w_3.z * w_3.z) + dot(scaled, scaled)));
+float ellipticStretched(vec3 w_4, vec2 alpha_8) {
+    vec2 scaled = (alpha_8 * w_4.xy);
+    return sqrt(((w_4.z * w_4.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_25) {
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_26) {
     float _e8 = ellipticStretched(wo_5, alpha_9);
-    vec3 w_7 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
-    float phi_4 = ((6.2831855 * u_25.x) - 3.1415927);
-    float drop_1 = (u_25.y * (1.0 + (bound_1 * w_7.z)));
+    vec3 w_8 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
+    float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
+    float drop_1 = (u_26.y * (1.0 + (bound_1 * w_8.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_9 = (w_7 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    vec3 h_9 = (w_8 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
     return normalize(vec3((alpha_9 * h_9.xy), max(h_9.z, 1e-7)));
 }
 
-vec3 toWorld(Basis b_4, vec3 v_9) {
-    return (((v_9.x * b_4.tangent) + (v_9.y * b_4.bitangent)) + (v_9.z * b_4.normal));
+vec3 toWorld(Basis b_6, vec3 v_10) {
+    return (((v_10.x * b_6.tangent) + (v_10.y * b_6.bitangent)) + (v_10.z * b_6.normal));
 }
 
 Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
@@ -3672,7 +3700,7 @@ float throughCover(Stack o_7, float zi, float coatZi, bool crossing) {
     return _e46;
 }
 
-LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
+LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
     Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
     vec3 ownWo = vec3(0.0);
     vec3 h_3 = vec3(0.0);
@@ -3683,8 +3711,8 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     const bool _e5 = hasTransmission;
     bool isSolid_1 = pick(_e5, (o_8.layers.solid > 0.0), false);
     const bool _e12 = hasCoats;
-    bool isCoat_1 = pick(_e12, (u_26.z < o_8.ofCoat), false);
-    bool isFacet = (u_26.z < (o_8.ofCoat + o_8.ofFacets));
+    bool isCoat_1 = pick(_e12, (u_27.z < o_8.ofCoat), false);
+    bool isFacet = (u_27.z < (o_8.ofCoat + o_8.ofFacets));
     vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
     bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
     vec2 wide_1 = max(alpha_15, vec2(0.001));
@@ -3707,7 +3735,7 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     float _e59 = ellipticBound(_e58, wide_1);
     float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e59);
     vec3 _e64 = ownWo;
-    vec3 _e66 = sampleEllipticNormal(_e64, wide_1, bound_2, u_26.xy);
+    vec3 _e66 = sampleEllipticNormal(_e64, wide_1, bound_2, u_27.xy);
     h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e66);
     const bool _e74 = hasCoatNormals;
     if (_e74) {
@@ -3720,7 +3748,7 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     float oh = max(dot(wo_9, _e78), 0.0);
     vec4 _e82 = baseReflectance(s_18, o_8, oh);
     Parting _e83 = partingOf(s_18, o_8, _e82);
-    float left_3 = ((u_26.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
+    float left_3 = ((u_27.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
     const bool _e92 = hasTransmission;
     bool crossing_1 = pick(pick(_e92, !(isCoat_1), false), (left_3 >= _e83.share), false);
     vec3 _e100 = h_3;
@@ -3755,11 +3783,11 @@ LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_26) {
     bool _e195 = lost;
     drawn.pdf = pick(_e195, 0.0, _e194);
     if (!(isFacet)) {
-        float next_1 = ((u_26.z - o_8.ofCoat) - o_8.ofFacets);
-        float sine_8 = sqrt(max((u_26.x * (2.0 - u_26.x)), 0.0));
-        float phi_5 = ((6.2831855 * u_26.y) - 3.1415927);
-        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_26.x));
-        vec3 _e226 = sampleCosine(u_26.xy);
+        float next_1 = ((u_27.z - o_8.ofCoat) - o_8.ofFacets);
+        float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
+        float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
+        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
+        vec3 _e226 = sampleCosine(u_27.xy);
         const bool _e232 = hasTransmission;
         vec3 below_3 = vec3(_e226.xy, pick(pick(_e232, (next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), false), -(_e226.z), _e226.z));
         const bool _e241 = hasSheen;
@@ -3775,7 +3803,7 @@ vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
+BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_3 = 0.0;
@@ -3783,8 +3811,8 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
     vec3 wo_10 = o_9.wo;
     float _e5 = mirrorShare(s_19.reflectivity);
     float base_2 = (1.0 - _e5);
-    float choice_2 = ((u_27.z - _e5) / base_2);
-    vec3 _e12 = sampleCosine(u_27.xy);
+    float choice_2 = ((u_28.z - _e5) / base_2);
+    vec3 _e12 = sampleCosine(u_28.xy);
     drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
@@ -3793,7 +3821,7 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         uint code_14 = uint(s_19.code);
         bool _e29 = isDielectric(code_14);
         bool _e30 = isSmooth(code_14);
-        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_27.xy);
+        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
         float oh_1 = max(dot(wo_10, _e33), 0.0);
         vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
         bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
@@ -3830,13 +3858,13 @@ BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_27) {
         bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
         if (_e121) {
             Stack _e123 = stackHere;
-            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_27.xy, choice_2));
+            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_28.xy, choice_2));
             drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), _e126.weight, _e126.delta);
         }
     }
     const bool _e134 = hasMirrorLayers;
     if (_e134) {
-        bool reflected_2 = (u_27.z < _e5);
+        bool reflected_2 = (u_28.z < _e5);
         vec3 _e139 = drawn_1.direction;
         vec3 _e140 = mirrored(wo_10);
         drawn_1.direction = pick(reflected_2, _e140, _e139);
@@ -3946,20 +3974,20 @@ float ellipticDensity(vec3 h_5, vec2 alpha_11) {
     return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
 }
 
-float shadowingExponent(float x_16, float alpha_12) {
+float shadowingExponent(float x_17, float alpha_12) {
     float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
-    float a_9 = mix(21.5473, 25.3245, m_2);
-    float b_12 = mix(3.82987, 3.32435, m_2);
+    float a_11 = mix(21.5473, 25.3245, m_2);
+    float b_14 = mix(3.82987, 3.32435, m_2);
     float c_6 = mix(0.19823, 0.16801, m_2);
     float d_4 = mix(-1.9776, -1.27393, m_2);
     float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_9 / (1.0 + (b_12 * pow(x_16, c_6)))) + (d_4 * x_16)) + e_26);
+    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_26);
 }
 
 float sheenShadowing(float cosine_17, float alpha_13) {
-    float x_27 = clamp(cosine_17, 1e-6, 1.0);
-    bool isLow = (x_27 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_27, max((1.0 - x_27), 1e-6)), alpha_13);
+    float x_28 = clamp(cosine_17, 1e-6, 1.0);
+    bool isLow = (x_28 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_13);
     float _e14 = shadowingExponent(0.5, alpha_13);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
@@ -4160,8 +4188,8 @@ Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
     return _e37;
 }
 
-bool crosses(vec3 geometric_2, vec3 a_2, vec3 b_5) {
-    return ((dot(geometric_2, a_2) > 0.0) != (dot(geometric_2, b_5) > 0.0));
+bool crosses(vec3 geometric_2, vec3 a_4, vec3 b_7) {
+    return ((dot(geometric_2, a_4) > 0.0) != (dot(geometric_2, b_7) > 0.0));
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
@@ -4170,8 +4198,8 @@ BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
 }
 
-float max3_(vec3 v_10) {
-    return max(max(v_10.x, v_10.y), v_10.z);
+float max3_(vec3 v_11) {
+    return max(max(v_11.x, v_11.y), v_11.z);
 }
 
 bool isFlat(uint i_25) {
