@@ -12,7 +12,7 @@ import { median } from '../statistics.mjs';
 /** Frames of each kind in a round; the kinds take turns, as machines change their pace. */
 const ROUND = 40;
 /** Rounds that are not counted: engines and drivers take their time to compile. */
-const WARM_UP = 3;
+const WARM_UP = 10;
 /** As in painter.ts. */
 const MOST_IN_FLIGHT = 2;
 

@@ -3,7 +3,7 @@ import type { Compute, DataBuffer, Device, Kernels, Work } from './gpu/device.ts
 import type { Bending } from './packed-scene/bending.ts';
 import bendWgsl from './shading/generated/bend.wgsl?raw';
 
-const ENTRIES = ['bendVertices', 'fitLeaves', 'fitLevel', 'fitLevels', 'weighTree'];
+const ENTRIES = ['bendMesh', 'bendVertices', 'fitLeaves', 'fitLevel', 'fitLevels', 'weighTree'];
 /** Poses from one weighing of the trees to the next: they are slow to become bad ones, and the answer takes some frames. */
 const WEIGHED_EVERY = 64;
 

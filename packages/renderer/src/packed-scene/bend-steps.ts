@@ -1,6 +1,7 @@
 /**
  * Which workgroups bend meshes, and what each does: one entry of bend.wesl after the other, for all meshes together. High levels of a tree
- * have few nodes, and one workgroup goes through them all by itself: a step of its own for each would leave the device idle in between.
+ * have few nodes, and one workgroup goes through them all by itself: a step of its own for each would leave the device idle in between. A small mesh
+ * is the work of one workgroup altogether.
  */
 import { vertexCount } from '../scene/mesh.ts';
 import { MANY_THREADS, SHARE_WORD, SHARE_WORDS, THREADS } from './bent-layout.ts';
@@ -9,7 +10,7 @@ import { NODE_WORDS, WIDTH } from './encode-wide-bvh.ts';
 
 /** Workgroups of one entry, one behind the other. */
 export interface BendStep {
-  readonly entry: 'bendVertices' | 'fitLeaves' | 'fitLevel' | 'fitLevels' | 'weighTree';
+  readonly entry: 'bendMesh' | 'bendVertices' | 'fitLeaves' | 'fitLevel' | 'fitLevels' | 'weighTree';
   /** Word of the plan with the share of the first. */
   readonly first: number;
   readonly groups: number;
@@ -23,6 +24,10 @@ interface Share {
 
 /** Nodes of the largest level that one workgroup does beside others: each thread has a child of four nodes. */
 const MOST_AT_ONCE = MANY_THREADS;
+
+/** Vertices of a mesh that one workgroup bends alone, which saves steps. */
+const MOST_IN_SMALL = 2048;
+const isSmall = (bent: BentMesh): boolean => vertexCount(bent.mesh) <= MOST_IN_SMALL && largeLevels(bent) === 0;
 
 /** A range cut for workgroups of THREADS. */
 function cut(mesh: number, begin: number, end: number): Share[] {
@@ -40,17 +45,22 @@ function largeLevels({ levels: { begins } }: BentMesh): number {
 
 /** `recordOf`: word of the plan that has a mesh's record; shares lie behind all of them. */
 export function bendSteps(meshes: readonly BentMesh[], recordOf: (mesh: number) => number) {
-  const all = <T>(of: (mesh: BentMesh, i: number) => T[]): T[] => meshes.flatMap(of);
+  const large = (of: (mesh: BentMesh, i: number) => Share[]) =>
+    meshes.flatMap((mesh, i) => (isSmall(mesh) ? [] : of(mesh, i)));
+  const small = meshes.flatMap((mesh, i) =>
+    isSmall(mesh) ? [{ mesh: i, first: 0, end: mesh.levels.begins.length }] : [],
+  );
   const deepest = meshes.reduce((most, mesh) => Math.max(most, largeLevels(mesh)), 0);
   const level = (k: number) => (mesh: BentMesh, i: number) => {
     const { begins } = mesh.levels;
     return k < largeLevels(mesh) ? cut(i, WIDTH * begins[k]!, WIDTH * begins[k + 1]!) : [];
   };
   const lists: [BendStep['entry'], Share[]][] = [
-    ['bendVertices', all(({ mesh }, i) => cut(i, 0, vertexCount(mesh)))],
-    ['fitLeaves', all(({ nodes }, i) => cut(i, 0, (nodes.length / NODE_WORDS) * WIDTH))],
-    ...Array.from({ length: deepest }, (_, k): [BendStep['entry'], Share[]] => ['fitLevel', all(level(k))]),
-    ['fitLevels', all((mesh, i) => rest(mesh, i))],
+    ['bendMesh', small],
+    ['bendVertices', large(({ mesh }, i) => cut(i, 0, vertexCount(mesh)))],
+    ['fitLeaves', large(({ nodes }, i) => cut(i, 0, (nodes.length / NODE_WORDS) * WIDTH))],
+    ...Array.from({ length: deepest }, (_, k): [BendStep['entry'], Share[]] => ['fitLevel', large(level(k))]),
+    ['fitLevels', large((mesh, i) => rest(mesh, i))],
     ['weighTree', meshes.map((_, mesh) => ({ mesh, first: 0, end: 1 }))],
   ];
   const shares = new Uint32Array(lists.reduce((sum, [, list]) => sum + list.length, 0) * SHARE_WORDS);

@@ -166,6 +166,7 @@ function recordOf(bent: BentMesh, layout: Layout, where: Where): Readonly<Record
   const first = where.row * GEOMETRY_ROW;
   const { normals, tangents } = vertices.rows > 0 ? mesh : {};
   return {
+    count: vertexCount(mesh),
     positions: layout.place(mesh.positions),
     normals: layout.place(normals),
     tangents: layout.place(tangents),

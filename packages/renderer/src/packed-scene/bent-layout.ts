@@ -8,6 +8,7 @@ import { type FieldName, fieldOffset, GEOMETRY_ROW, geometryRows, type StructNam
 
 /** A record of the plan. Numbers of words are counted from the start of what holds them. */
 export const BENT_MESH = {
+  count: 'of its vertices',
   positions: 'word of the plan: x, y, z of each vertex at rest',
   normals: 'likewise; NONE: the mesh has none',
   tangents: 'x, y, z and handedness; NONE: the mesh has none',

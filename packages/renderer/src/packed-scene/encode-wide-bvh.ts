@@ -69,6 +69,11 @@ export class WideEncoder {
     return this;
   }
 
+  /** Writes the boxes of the tree before anew, whose bounds are others now. */
+  fit(bvh: Bvh, floats: Float32Array): void {
+    writeBoxes(this.sources, this.nodeCount, bvh, floats);
+  }
+
   #empty(): number {
     this.nodeCount = 1;
     this.sources.fill(NONE, 0, WIDTH);

@@ -29,7 +29,7 @@ export class InstanceRows {
   count = 0;
   /** Six floats an instance, eye-relative: least x, y, z, greatest x, y, z. */
   readonly boxes: Float32Array;
-  /** The rows that the last call wrote, as instances: from the first on, up to but not including the other. */
+  /** The rows that are other ones since the last call, as instances: from the first on, up to but not including the other. */
   changedFrom = 0;
   changedTo = 0;
   readonly #moving: Block;
@@ -62,19 +62,19 @@ export class InstanceRows {
     for (let i = 0; i < meshOf.length; i++) {
       const at = i * AFFINE_LENGTH;
       const mesh = meshOf[i]!;
-      const same = this.#meshes[slot] === mesh && !mesh.boxChanged && equalAt(matrices, at, this.#matrices, slot * AFFINE_LENGTH); // biome-ignore format: one thought
+      const stays = this.#meshes[slot] === mesh && equalAt(matrices, at, this.#matrices, slot * AFFINE_LENGTH);
       // What a slot has been made of is solid.
-      if (!same && !isSolid(matrices, at)) continue;
-      if (!same) {
-        moved = true;
+      if (!stays && !isSolid(matrices, at)) continue;
+      if (!stays) {
         this.#meshes[slot] = mesh;
         for (let k = 0; k < AFFINE_LENGTH; k++) this.#matrices[slot * AFFINE_LENGTH + k] = matrices[at + k]!;
       }
-      if (!same || eyeMoved || mesh.rowChanged) {
-        this.#write(slot, matrices, at, mesh);
+      if (!stays || mesh.boxChanged) moved = true;
+      if (!stays || eyeMoved || mesh.rowChanged) {
         if (slot < this.changedFrom) this.changedFrom = slot;
         this.changedTo = slot + 1;
-      }
+        this.#write(slot, matrices, at, mesh);
+      } else if (mesh.boxChanged) this.#write(slot, matrices, at, mesh);
       slot++;
     }
     this.count = slot;

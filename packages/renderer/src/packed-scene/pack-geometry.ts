@@ -4,7 +4,7 @@
  * coordinates relative to the eye; a mesh only when it comes in, or when its form changes. Arrays are kept from frame to frame.
  */
 
-import type { Bvh } from '../bvh/bvh.ts';
+import { type Bvh, sahCost } from '../bvh/bvh.ts';
 import { InstanceTree } from '../bvh/instance-tree.ts';
 import { Bodies, type Body } from '../scene/bodies.ts';
 import { meshBounds } from '../scene/bounds.ts';
@@ -59,6 +59,8 @@ export interface PackedGeometry {
   readonly rows: number;
 }
 
+/** A tree over instances follows them until it costs so many times what it did when it was built: docs/motion.md. */
+const FOLLOWED = 1.1;
 /** Rows of the longest stack in traverse.wesl. */
 const STACK = 64;
 const NODE_ROWS = geometryRows('WideNode');
@@ -169,8 +171,10 @@ class GeometryOfScene implements PackedGeometry {
   readonly #builder = new InstanceTree();
   readonly #encoder = new WideEncoder();
   readonly #lamps = new MeshLamps();
-  /** The good tree, while it is the one in use. */
+  /** The one in use, what it cost when it was built, and whether it is a good one for where the boxes are. */
   #tree: Bvh | null = null;
+  #treeCost = 0;
+  #isGood = false;
 
   constructor(
     readonly scene: Scene,
@@ -250,11 +254,15 @@ class GeometryOfScene implements PackedGeometry {
     if (renewed) this.#placeMeshes();
     this.bending?.update();
     const rows = this.#instanceRows;
+    const before = rows.count;
     const news = rows.update(this.#bodies.matrices, this.#meshOf, eye);
     if (otherRows || news === 'instances') this.#lamps.update(this.#packed, bodyRows.glows, this.#bodies.matrices, bodyRows.first); // biome-ignore format: one thought
     this.#forgetChanges();
-    if (news === 'nothing' && this.#tree && rows.changedTo === 0) return;
-    if (news !== 'nothing' || !this.#tree) this.#growTree(news);
+    const kept = this.revision > 0 && rows.changedTo === 0;
+    if (kept && news === 'nothing' && this.#isGood) return;
+    // Nobody goes down a tree over one instance, which changes its form.
+    if (kept && rows.count === 1 && before === 1) return;
+    if (news !== 'nothing' || !this.#isGood) this.#growTree(news);
     this.changedInstances[0] = this.instances + rows.changedFrom * INSTANCE_ROWS;
     this.changedInstances[1] = this.instances + Math.max(rows.changedTo, rows.changedFrom) * INSTANCE_ROWS;
     this.revision++;
@@ -281,18 +289,40 @@ class GeometryOfScene implements PackedGeometry {
     return replaced;
   }
 
-  /** The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes. */
+  /**
+   * The first tree is a good one, and so is that of things which have come to rest; the eye may then move as it likes. While things move the
+   * tree follows them, and when that has made it a worse one a quick one is built.
+   */
   #growTree(news: string): void {
     const { boxes, count } = this.#instanceRows;
     const moving = news === 'instances' && this.revision > 0;
-    const fits = moving && this.#encode(this.#builder.buildQuickly(boxes, count));
-    this.#tree = fits ? null : this.#goodTree(news);
+    if (moving && this.#follow()) return;
+    const quick = moving ? this.#builder.buildQuickly(boxes, count) : null;
+    if (quick && this.#encode(quick)) this.#keep(quick, false);
+    else this.#keep(this.#goodTree(news), true);
+  }
+
+  #keep(tree: Bvh, isGood: boolean): void {
+    this.#tree = tree;
+    this.#treeCost = sahCost(tree);
+    this.#isGood = isGood;
+  }
+
+  /** Fits the tree in use to other boxes. False when it is not worth it, or over another number of them. */
+  #follow(): boolean {
+    const { boxes, count } = this.#instanceRows;
+    if (this.#tree?.primitiveCount !== count) return false;
+    const tree = this.#builder.refit(this.#tree, boxes);
+    if (!(sahCost(tree) <= FOLLOWED * this.#treeCost)) return false;
+    this.#encoder.fit(tree, this.moving.f32);
+    this.#isGood = false;
+    return true;
   }
 
   #goodTree(news: string): Bvh {
     const { boxes, count } = this.#instanceRows;
-    const tree =
-      this.#tree && news === 'eye' ? this.#builder.refit(this.#tree, boxes) : this.#builder.build(boxes, count);
+    const keepsOrder = this.#isGood && news === 'eye';
+    const tree = keepsOrder ? this.#builder.refit(this.#tree!, boxes) : this.#builder.build(boxes, count);
     if (!this.#encode(tree))
       throw new DeepTreeError(
         `A ray may have to remember ${this.#stackNeed} nodes on its way through the meshes; kernels remember ${STACK}.`,

@@ -2,7 +2,7 @@
  * Meshes that change their form: morph targets are added, then joints move what hangs on them (glTF 2.0, 3.7.2.2 and 3.7.3.3). Plain
  * loops over typed arrays; who has a GPU may do the same there.
  */
-import { AFFINE_LENGTH, cofactors, determinant, multiplyAffine, type Numbers } from './affine.ts';
+import { AFFINE_LENGTH, cofactors, determinant, type Numbers } from './affine.ts';
 import type { Mesh, MorphTarget, SkinWeights } from './mesh.ts';
 import type { NodeTransforms } from './node-transforms.ts';
 import type { Skin } from './nodes.ts';
@@ -37,24 +37,53 @@ export const makeDeformed = ({ positions, normals, tangents }: Mesh): Deformed =
   ...(tangents && { tangents: new Float32Array(tangents.length) }),
 });
 
+/** Of skins: the numbers of their joints among some nodes. */
+const known = new WeakMap<Skin, { readonly transforms: NodeTransforms; readonly nodes: Uint32Array }>();
+
+function nodesOfJoints(skin: Skin, transforms: NodeTransforms): Uint32Array {
+  const before = known.get(skin);
+  if (before?.transforms === transforms) return before.nodes;
+  const nodes = Uint32Array.from(skin.joints, (name) => {
+    const node = transforms.indexOf.get(name);
+    if (node === undefined) throw new Error(`The scene has no node "${name}", which a skin names.`);
+    return node;
+  });
+  known.set(skin, { transforms, nodes });
+  return nodes;
+}
+
 /**
  * What each joint does to a vertex, 12 numbers a joint: from the mesh's space to the world's, into `out` or a new array. `world` has the
  * matrices of all nodes, `transforms.at(time)`.
  */
 export function jointMatrices(
-  { joints, inverseBindMatrices }: Skin,
+  skin: Skin,
   transforms: NodeTransforms,
   world: Float64Array,
-  out = new Float32Array(joints.length * AFFINE_LENGTH),
+  out = new Float32Array(skin.joints.length * AFFINE_LENGTH),
 ): Float32Array {
-  joints.forEach((name, joint) => {
-    const node = transforms.indexOf.get(name);
-    if (node === undefined) throw new Error(`The scene has no node "${name}", which a skin names.`);
-    const [at, from] = [joint * AFFINE_LENGTH, node * AFFINE_LENGTH];
-    if (inverseBindMatrices) multiplyAffine(out, at, world, from, inverseBindMatrices, at);
+  const { inverseBindMatrices } = skin;
+  const nodes = nodesOfJoints(skin, transforms);
+  for (let joint = 0; joint < nodes.length; joint++) {
+    const at = joint * AFFINE_LENGTH;
+    const from = nodes[joint]! * AFFINE_LENGTH;
+    if (inverseBindMatrices) multiplyInto(out, at, world, from, inverseBindMatrices, at);
     else for (let i = 0; i < AFFINE_LENGTH; i++) out[at + i] = world[from + i]!;
-  });
+  }
   return out;
+}
+
+/** `multiplyAffine` of these kinds of arrays alone, for what frames call. */
+function multiplyInto(out: Float32Array, at: number, a: Float64Array, ai: number, b: Float32Array, bi: number): void {
+  for (let column = 0; column < 4; column++) {
+    const x = b[bi + column]!;
+    const y = b[bi + 4 + column]!;
+    const z = b[bi + 8 + column]!;
+    const w = column === 3 ? 1 : 0;
+    out[at + column] = a[ai]! * x + a[ai + 1]! * y + a[ai + 2]! * z + a[ai + 3]! * w;
+    out[at + 4 + column] = a[ai + 4]! * x + a[ai + 5]! * y + a[ai + 6]! * z + a[ai + 7]! * w;
+    out[at + 8 + column] = a[ai + 8]! * x + a[ai + 9]! * y + a[ai + 10]! * z + a[ai + 11]! * w;
+  }
 }
 
 /** Writes the mesh's form in this pose into `out`, which `makeDeformed` has made. Normals and tangents keep length 1. */
@@ -123,16 +152,34 @@ function normalizeEach(vectors: Float32Array, stride: number): void {
 
 /** Whether all joints turn and scale evenly, without mirror images, so that normals go the way of directions. */
 export function keepsAngles(joints: Float32Array): boolean {
-  for (let at = 0; at < joints.length; at += AFFINE_LENGTH) {
-    const c = cofactors(joints, at);
-    // For a turn times s the cofactors are the matrix times s.
-    const s = Math.sqrt(joints[at]! ** 2 + joints[at + 4]! ** 2 + joints[at + 8]! ** 2);
-    for (let i = 0; i < 9; i++) {
-      const m = joints[at + Math.floor(i / 3) * 4 + (i % 3)]!;
-      if (!(Math.abs(c[i]! - s * m) <= 1e-3 * s * s)) return false;
-    }
-  }
+  for (let at = 0; at < joints.length; at += AFFINE_LENGTH) if (!isEven(joints, at)) return false;
   return true;
+}
+
+/** For a turn times s the cofactors are the matrix times s. */
+function isEven(m: Float32Array, at: number): boolean {
+  const a = m[at]!;
+  const b = m[at + 1]!;
+  const c = m[at + 2]!;
+  const d = m[at + 4]!;
+  const e = m[at + 5]!;
+  const f = m[at + 6]!;
+  const g = m[at + 8]!;
+  const h = m[at + 9]!;
+  const i = m[at + 10]!;
+  const s = Math.sqrt(a * a + d * d + g * g);
+  const most = 1e-3 * s * s;
+  return (
+    Math.abs(e * i - f * h - s * a) <= most &&
+    Math.abs(f * g - d * i - s * b) <= most &&
+    Math.abs(d * h - e * g - s * c) <= most &&
+    Math.abs(c * h - b * i - s * d) <= most &&
+    Math.abs(a * i - c * g - s * e) <= most &&
+    Math.abs(b * g - a * h - s * f) <= most &&
+    Math.abs(b * f - c * e - s * g) <= most &&
+    Math.abs(c * d - a * f - s * h) <= most &&
+    Math.abs(a * e - b * d - s * i) <= most
+  );
 }
 
 /** Moves everything with the mix of the joints' matrices. */

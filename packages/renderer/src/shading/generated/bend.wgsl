@@ -133,13 +133,7 @@ fn writeVertex(mesh: BentMesh, vertex: u32, bent: Bent) {
   }
 }
 
-@compute @workgroup_size(64) fn bendVertices(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
-  let share = shareOf(group, groups);
-  let vertex = share.first + thread;
-  if (vertex >= share.end) {
-    return;
-  }
-  let mesh = fetchBentMesh(share.mesh);
+fn bendVertex(mesh: BentMesh, vertex: u32) {
   var bent = morphed(mesh, vertex);
   if (mesh.influences > 0u) {
     let mix = mixOf(mesh, vertex);
@@ -154,6 +148,14 @@ fn writeVertex(mesh: BentMesh, vertex: u32, bent: Bent) {
     bent.tangent = directionBy(mix, bent.tangent);
   }
   writeVertex(mesh, vertex, bent);
+}
+
+@compute @workgroup_size(64) fn bendVertices(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let share = shareOf(group, groups);
+  let vertex = share.first + thread;
+  if (vertex < share.end) {
+    bendVertex(fetchBentMesh(share.mesh), vertex);
+  }
 }
 
 struct Box {
@@ -193,13 +195,7 @@ fn boxOfNode(node: u32) -> Box {
 }
 
 // The corners of a leaf's triangles, and the box about them.
-@compute @workgroup_size(64) fn fitLeaves(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
-  let share = shareOf(group, groups);
-  let slot = share.first + thread;
-  if (slot >= share.end) {
-    return;
-  }
-  let mesh = fetchBentMesh(share.mesh);
+fn fitLeaf(mesh: BentMesh, slot: u32) {
   let at = slotWord(mesh, slot);
   let reference = geometry[at + childrenWord];
   if (reference < leaves) {
@@ -219,6 +215,14 @@ fn boxOfNode(node: u32) -> Box {
   }
   let padding = bitcast<f32>(fetchBentPose(mesh.pose).padding);
   writeBox(at, Box(box.least - padding, box.greatest + padding));
+}
+
+@compute @workgroup_size(64) fn fitLeaves(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let share = shareOf(group, groups);
+  let slot = share.first + thread;
+  if (slot < share.end) {
+    fitLeaf(fetchBentMesh(share.mesh), slot);
+  }
 }
 
 // `i`: of four children a node, the nodes in the order of `BentMesh.order`. What lies in them is padded already.
@@ -241,17 +245,39 @@ fn fitInner(mesh: BentMesh, i: u32) {
   fitInner(fetchBentMesh(share.mesh), i);
 }
 
-// All levels from one on up to the root, which have few nodes each: one workgroup, so that nothing but it has to wait in between.
-@compute @workgroup_size(256) fn fitLevels(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
-  let share = shareOf(group, groups);
-  let mesh = fetchBentMesh(share.mesh);
-  for (var level = share.first; level < share.end; level++) {
-    let end = 4u * plan[mesh.levels + level + 1u];
-    for (var i = 4u * plan[mesh.levels + level] + thread; i < end; i += manyThreads) {
+// Levels up to but not including `end`, by one workgroup, which alone has to wait in between.
+fn fitLevelsOf(mesh: BentMesh, first: u32, end: u32, thread: u32) {
+  for (var level = first; level < end; level++) {
+    let last = 4u * plan[mesh.levels + level + 1u];
+    for (var i = 4u * plan[mesh.levels + level] + thread; i < last; i += manyThreads) {
       fitInner(mesh, i);
     }
     storageBarrier();
   }
+}
+
+// All levels from one on up to the root, which have few nodes each.
+@compute @workgroup_size(256) fn fitLevels(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let share = shareOf(group, groups);
+  fitLevelsOf(fetchBentMesh(share.mesh), share.first, share.end, thread);
+}
+
+// All of a small mesh.
+@compute @workgroup_size(256) fn bendMesh(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+  let share = shareOf(group, groups);
+  let mesh = fetchBentMesh(share.mesh);
+  let vertices = select(0u, mesh.count, share.end > 0u);
+  for (var vertex = share.first + thread; vertex < vertices; vertex += manyThreads) {
+    bendVertex(mesh, vertex);
+  }
+  storageBarrier();
+  let slots = select(0u, mesh.slots, share.end > 0u);
+  for (var slot = thread; slot < slots; slot += manyThreads) {
+    fitLeaf(mesh, slot);
+  }
+  storageBarrier();
+  // One more than there are levels, so that a share is never empty.
+  fitLevelsOf(mesh, 0u, max(share.end, 1u) - 1u, thread);
 }
 
 // What bvh.ts takes for the cost of a node, 1, and of a triangle.
@@ -322,6 +348,8 @@ fn fetchBentPose(at: u32) -> BentPose {
 }
 
 struct BentMesh {
+  // of its vertices
+  count: u32,
   // word of the plan: x, y, z of each vertex at rest
   positions: u32,
   // likewise; NONE: the mesh has none
@@ -385,7 +413,7 @@ const normalWord = 0u;
 const tangentWord = 1u;
 
 fn fetchBentMesh(at: u32) -> BentMesh {
-  return BentMesh(plan[at + 0u], plan[at + 1u], plan[at + 2u], plan[at + 3u], plan[at + 4u], plan[at + 5u], plan[at + 6u], plan[at + 7u], plan[at + 8u], plan[at + 9u], plan[at + 10u], plan[at + 11u], plan[at + 12u], plan[at + 13u], plan[at + 14u], plan[at + 15u], plan[at + 16u], plan[at + 17u]);
+  return BentMesh(plan[at + 0u], plan[at + 1u], plan[at + 2u], plan[at + 3u], plan[at + 4u], plan[at + 5u], plan[at + 6u], plan[at + 7u], plan[at + 8u], plan[at + 9u], plan[at + 10u], plan[at + 11u], plan[at + 12u], plan[at + 13u], plan[at + 14u], plan[at + 15u], plan[at + 16u], plan[at + 17u], plan[at + 18u]);
 }
 
 const nodeWords = 28u;
