@@ -1469,10 +1469,10 @@ bool isMetallicRoughness(uint code_1) {
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-bool isLayered(uint code_2, float eta) {
-    const bool _e3 = hasLayers;
-    bool _e4 = isMetallicRoughness(code_2);
-    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+bool isLayered(uint code_2) {
+    const bool _e2 = hasLayers;
+    bool _e3 = isMetallicRoughness(code_2);
+    return pick(_e2, _e3, false);
 }
 
 Layers0_ fetchLayers(uint i_16) {
@@ -1486,18 +1486,18 @@ Layers0_ fetchLayers(uint i_16) {
     return Layers0_(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xy, _e8.z, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w, _e14.x, _e14.y, _e14.z, _e14.w);
 }
 
-Layers0_ layersOf(uint code_3, float eta_1) {
+Layers0_ layersOf(uint code_3, float eta) {
     Layers0_ l = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    const bool _e4 = hasLayers;
-    if (_e4) {
-        bool _e5 = isLayered(code_3, eta_1);
-        if (_e5) {
-            Layers0_ _e8 = fetchLayers(uint(abs(eta_1)));
-            l = _e8;
-        }
+    l.specularColor = vec3(1.0);
+    l.specularWeight = 1.0;
+    l.ior = 1.5;
+    bool _e10 = isLayered(code_3);
+    if (pick(_e10, (eta != 0.0), false)) {
+        Layers0_ _e16 = fetchLayers(uint(abs(eta)));
+        l = _e16;
     }
-    Layers0_ _e9 = l;
-    return _e9;
+    Layers0_ _e17 = l;
+    return _e17;
 }
 
 vec3 fromOctahedral(uint code_4) {
@@ -1719,11 +1719,11 @@ bool isDielectric(uint code_6) {
     return pick(_e2, (_e3 == dielectric), false);
 }
 
-bool letsThrough(uint code_7, float eta_2) {
+bool letsThrough(uint code_7, float eta_1) {
     bool _e2 = isDielectric(code_7);
     const bool _e4 = hasTransmission;
-    bool _e5 = isLayered(code_7, eta_2);
-    return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_2 < 0.0), false));
+    bool _e5 = isLayered(code_7);
+    return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_1 < 0.0), false));
 }
 
 vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
@@ -1829,13 +1829,13 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
     return SurfacePoint(_e151, _e153, _e155);
 }
 
-vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
+vec3 conductorFresnel(float cosine, vec3 eta_2, vec3 k) {
     float cosine2_ = (cosine * cosine);
     float sine2_ = (1.0 - cosine2_);
-    vec3 difference = (((eta_3 * eta_3) - (k * k)) - vec3(sine2_));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k) * k)));
+    vec3 difference = (((eta_2 * eta_2) - (k * k)) - vec3(sine2_));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_2) * eta_2) * k) * k)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller_1 = ((eta_3 * k) / larger_1);
+    vec3 smaller_1 = ((eta_2 * k) / larger_1);
     vec3 a_5 = mix(smaller_1, larger_1, greaterThan(difference, vec3(0.0)));
     vec3 b_6 = mix(larger_1, smaller_1, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_6 * b_6) + vec3(1e-20));
@@ -1848,9 +1848,9 @@ vec3 conductorFresnel(float cosine, vec3 eta_3, vec3 k) {
     return ((0.5 * across_5) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor, vec3 eta_4, vec3 k_1, float cosine_1) {
-    float constants = dot((eta_4 + k_1), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_1, eta_4, k_1);
+vec3 conductorReflectance(vec3 baseColor, vec3 eta_3, vec3 k_1, float cosine_1) {
+    float constants = dot((eta_3 + k_1), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_1, eta_3, k_1);
     return pick((constants > 0.0), _e8, baseColor);
 }
 

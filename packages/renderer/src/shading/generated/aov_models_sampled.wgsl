@@ -1404,13 +1404,14 @@ struct SurfacePoint {
 
 var<private> layersHere: Layers0;
 
-// All zero where there are none.
+// Those of glTF's own material where there are none.
 fn layersOf(code: u32, eta: f32) -> Layers0 {
   var l: Layers0;
-  if (hasLayers) {
-    if (isLayered(code, eta)) {
-      l = fetchLayers(u32(abs(eta)));
-    }
+  l.specularColor = vec3f(1.0);
+  l.specularWeight = 1.0;
+  l.ior = 1.5;
+  if (isLayered(code) & (eta != 0.0)) {
+    l = fetchLayers(u32(abs(eta)));
   }
   return l;
 }
@@ -1461,9 +1462,9 @@ struct Layers0 {
 }
 
 
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+// In a program with layers every metallicRoughness material has some, if only such as change nothing: its facets stand in the program once.
+fn isLayered(code: u32) -> bool {
+  return hasLayers & isMetallicRoughness(code);
 }
 
 fn fetchLayers(i: u32) -> Layers0 {
@@ -1547,9 +1548,9 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
 // Textures, and colours at the vertices of meshes.
 override hasTextures = false;
 
-// Whether light may go through the surface.
+// Whether light may go through the surface. `eta`: Surface.eta.x, which says of metallicRoughness where its layers are.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code) & (eta < 0.0));
 }
 
 // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
