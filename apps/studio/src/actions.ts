@@ -106,7 +106,7 @@ export function nextComparison(): void {
 }
 
 export function togglePlaying(): void {
-  if (state.isStill.peek()) return;
+  if (state.isStill.peek() || !state.moves.peek()) return;
   state.playing.value = !state.playing.peek();
 }
 

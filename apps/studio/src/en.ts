@@ -118,6 +118,7 @@ export const en = {
   step: 'Step 1/60 s',
   speed: 'Speed',
   time: 'Time',
+  nothingMoves: 'Nothing moves in this scene.',
   stillDoesNotPlay: 'A CPU still does not play. Choose a time instead.',
   seconds: (n: string) => `${n} s`,
 

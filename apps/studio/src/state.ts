@@ -26,6 +26,8 @@ export interface Shown {
   /** As it was opened, before anything of it was chosen otherwise. */
   readonly original: Scene;
   readonly fileName?: string;
+  /** Of a file: its key among `openedModels`. */
+  readonly opened?: number;
   /** Of a file: what was not taken as it stands, and how much there is. */
   readonly report?: ImportReport;
   /** Of a file: what its meshes, trees and pictures take. */
@@ -37,6 +39,11 @@ export const shown = signal<Shown | null>(null);
 export const hasTriangles = computed(() =>
   Object.values(shown.value?.scene.shapes ?? {}).some(({ type }) => type === 'mesh'),
 );
+/** Whether time changes anything in it. */
+export const moves = computed(() => {
+  const scene = shown.value?.scene;
+  return scene === undefined || scene.animation.length > 0 || scene.clip !== undefined;
+});
 /** Whether the view is the person's own and no longer the scene's. */
 export const viewMoved = signal(false);
 /** The backend being started to take over, if any. */

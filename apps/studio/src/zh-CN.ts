@@ -113,6 +113,7 @@ export const zhCN: Dictionary = {
   step: '前进 1/60 秒',
   speed: '速度',
   time: '时间',
+  nothingMoves: '这个场景里没有会动的东西。',
   stillDoesNotPlay: 'CPU 静帧不能播放，可以拖动时间选择画面。',
   seconds: (n) => `${n} 秒`,
 

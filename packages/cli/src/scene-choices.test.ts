@@ -80,7 +80,7 @@ describe('choices', () => {
     expect(await refused({ clip: 'fly' })).toBe('2 The scene has no clip "fly", but walk, run (none: none plays).');
     expect(await refused({ camera: 'side' })).toContain('but near, far (frame: one that shows everything)');
     expect(await refused({ variant: 'dusk' })).toContain('but night.');
-    expect(await refused({ env: inFolder('none.exr') })).toMatch(/^2 The picture .* cannot be read/);
+    expect(await refused({ env: inFolder('none.exr') })).toMatch(/^2 --env: there is no file .*none\.exr\.$/);
     expect(await refused({ env: inFolder('model.glb') })).toMatch(/^2 The picture .* cannot be used/);
     const room = builtInScenes[0]!.scene;
     await expect(chosen(room, { envStrength: 2 }, terminal())).rejects.toThrow('give one by --env');

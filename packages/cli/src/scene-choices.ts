@@ -63,8 +63,8 @@ async function skyOf(sky: Sky, options: ChoiceOptions, terminal: Terminal): Prom
 }
 
 async function readSky(file: string, terminal: Terminal): Promise<Sky> {
-  const bytes = await readFile(file).catch((error: Error) => {
-    throw usage(`The picture ${file} cannot be read: ${error.message}`);
+  const bytes = await readFile(file).catch(({ code, message }: NodeJS.ErrnoException) => {
+    throw usage(code === 'ENOENT' ? `--env: there is no file ${file}.` : `--env: ${file} cannot be read: ${message}.`);
   });
   try {
     const { map, notes } = environmentFromPicture(formatOf(file).read(bytes));

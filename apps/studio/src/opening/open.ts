@@ -8,6 +8,7 @@ import { integrator } from '../state.ts';
 import { TooManyFiles, UnreadableFolder } from './given-files.ts';
 import type { Opened, OpenedEnvironment, PathFile, Phase } from './job.ts';
 import { openInWorker, openSkyInWorker } from './open-in-worker.ts';
+import { modelOf, rememberModel } from './opened-models.ts';
 import { beginOpening, endOpening, opening } from './under-way.ts';
 
 /** Opens what comes, once it is known; when it is broken, says all that is wrong and leaves the scene as it is. */
@@ -54,7 +55,9 @@ async function openModel(files: readonly PathFile[], words: Promise<void>, signa
   const scene = await adoptScene(opened.prepared);
   signal.throwIfAborted();
   try {
-    await show({ id: 'file', scene, original: scene, fileName: file, report, bytes });
+    const model = modelOf(scene.name || file, files);
+    await show({ id: 'file', scene, original: scene, fileName: file, opened: model.key, report, bytes });
+    rememberModel(model);
   } catch (error) {
     // The scene is good; what draws it cannot.
     const message = reasonOf(error);

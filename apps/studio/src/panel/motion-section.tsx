@@ -3,7 +3,7 @@ import { Button } from '../controls/button.tsx';
 import { Choice } from '../controls/choice.tsx';
 import { Slider } from '../controls/slider.tsx';
 import { dictionary } from '../i18n.ts';
-import { isStill, panelOpen, playing, shown, speed, time } from '../state.ts';
+import { isStill, moves, panelOpen, playing, shown, speed, time } from '../state.ts';
 import { Section } from './section.tsx';
 
 const speeds = [0.25, 0.5, 1, 2, 4].map((value) => ({ value, label: `${value}×` }));
@@ -17,14 +17,27 @@ export function PlayButton() {
       kind="primary"
       name={playing.value ? t.pause : t.play}
       onClick={togglePlaying}
-      idle={isStill.value ? t.stillDoesNotPlay : null}
+      idle={whyIdle()}
     />
   );
+}
+
+/** Why nothing plays. */
+function whyIdle(): string | null {
+  const t = dictionary.value;
+  if (!moves.value) return t.nothingMoves;
+  return isStill.value ? t.stillDoesNotPlay : null;
 }
 
 export function MotionSection() {
   const t = dictionary.value;
   const duration = shown.value ? sceneDuration(shown.value.scene) : 10;
+  if (!moves.value)
+    return (
+      <Section id="motion" title={t.motion}>
+        <p class="idle">{t.nothingMoves}</p>
+      </Section>
+    );
   return (
     <Section id="motion" title={t.motion}>
       <div class="transport">

@@ -6,6 +6,8 @@ import { Choice } from '../controls/choice.tsx';
 import { dictionary, sceneName } from '../i18n.ts';
 import { chosenFiles } from '../opening/given-files.ts';
 import { openFiles } from '../opening/open.ts';
+import { openedModels } from '../opening/opened-models.ts';
+import { opening } from '../opening/under-way.ts';
 import { shown } from '../state.ts';
 import { Section } from './section.tsx';
 
@@ -15,16 +17,24 @@ const isDesk = matchMedia('(pointer: fine)').matches;
 export function SceneSection() {
   const t = dictionary.value;
   const options = sceneIds.map((id) => ({ value: id, label: sceneName(id, builtInScene(id).scene.name) }));
+  const models = openedModels.value;
+  options.push(...models.map(({ key, name }) => ({ value: `file ${key}`, label: name })));
   const now = shown.value;
-  if (now?.id === 'file') options.push({ value: 'file', label: now.scene.name || now.fileName || 'scene.json' });
+  // Drawn anew when a model has been read or not, so that the scene on show is the one that is marked.
+  void opening.value?.name;
+  const choose = (value: string): void => {
+    const model = models.find(({ key }) => value === `file ${key}`);
+    if (model) void openFiles(model.files);
+    else chooseScene(value);
+  };
   return (
     <Section id="scene" title={t.scene}>
       <Choice
         id="scene"
         label={t.scene}
         options={options}
-        value={now?.id ?? null}
-        onChange={(id) => id !== 'file' && chooseScene(id)}
+        value={now?.id === 'file' ? `file ${now.opened}` : (now?.id ?? null)}
+        onChange={choose}
         stacked
       />
       <div class="buttons">

@@ -4,6 +4,7 @@ import { EXTMeshoptCompression, KHRDracoMeshCompression, KHRMeshQuantization } f
 import type { ProblemList } from '../scene-file/problem.ts';
 import { readDracoHead } from './check/draco-head.ts';
 import { meshoptOf } from './check/spans.ts';
+import { checkSparsePlaces } from './check/sparse-places.ts';
 import { loadDraco, loadMeshopt } from './decoders.ts';
 import { extensionOf, type Gltf, WIDTHS } from './json.ts';
 import { GLTF_LIMITS } from './limits.ts';
@@ -38,6 +39,7 @@ export async function readAccessors(
 ): Promise<Column[] | null> {
   const meshes = dracoMeshes(json);
   checkDraco(json, buffers, problems);
+  checkSparsePlaces(json, buffers, problems);
   if (!problems.isEmpty) return null;
   const io = new WebIO().setLogger(new Logger(Verbosity.SILENT));
   const compressed = (json.bufferViews ?? []).some(meshoptOf);

@@ -17,9 +17,22 @@ const BINARY_CHUNK = 0x004e4942;
 /** Whether these bytes begin as a GLB does. */
 export const isGlb = (bytes: Uint8Array): boolean => bytes.length >= 4 && viewOf(bytes).getUint32(0, true) === MAGIC;
 
+/** What people give for a model by mistake: what a server or a version control system had in its place. */
+function strangerOf(bytes: Uint8Array): string | null {
+  if (bytes.length === 0) return 'an empty file';
+  const start = new TextDecoder().decode(bytes.subarray(0, 64)).trimStart().toLowerCase();
+  if (start.startsWith('version https://git-lfs')) return 'a pointer of Git LFS, not the file that it stands for';
+  return start.startsWith('<!doctype html') || start.startsWith('<html') ? 'a web page' : null;
+}
+
 const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 export function readContainer(bytes: Uint8Array, problems: ProblemList): Container | null {
+  const stranger = strangerOf(bytes);
+  if (stranger !== null) {
+    addProblem(problems, [], stranger, 'a GLB, which begins with "glTF", or JSON');
+    return null;
+  }
   if (!isGlb(bytes)) {
     const json = readJson(bytes, problems);
     return json === undefined ? null : { json, binary: null };

@@ -182,6 +182,23 @@ const BROKEN: readonly (readonly [string, (file: GltfFile) => void, string, stri
     '/accessors/0/sparse/count',
     'at most the 3',
   ],
+  [
+    'a sparse place beyond the elements',
+    (f) => {
+      const [places, values] = [f.view(Uint8Array.of(1, 7, 0, 0)), f.view(new Uint8Array(24))];
+      Object.assign(f.json.accessors[0], {
+        sparse: { count: 2, indices: { bufferView: places, componentType: 5121 }, values: { bufferView: values } },
+      });
+    },
+    '/accessors/0/sparse/indices',
+    'the place 7; expected 0 to 2',
+  ],
+  [
+    'a matrix with perspective',
+    (f) => Object.assign(f.json.nodes[0], { matrix: [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] }),
+    '/nodes/0/matrix',
+    'last row is 0.5 0 0 1',
+  ],
   ['joints beyond the skin', (f) => {
     Object.assign(primitive(f).attributes, { JOINTS_0: f.accessor(Uint8Array.of(0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0), 'VEC4'), WEIGHTS_0: f.floats('VEC4', 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0) });
     Object.assign(f.json.nodes[0], { skin: f.add('skins', { joints: [0] }) });
@@ -561,4 +578,31 @@ test('whoever asks for it stops it', async () => {
   const stop = new AbortController();
   stop.abort(new Error('enough'));
   await expect(importGltf(triangleFile().glb(), { signal: stop.signal })).rejects.toThrow('enough');
+});
+
+const letters = (text: string): Uint8Array => new TextEncoder().encode(text);
+test.each([
+  [new Uint8Array(), 'an empty file'],
+  [letters('version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 7\n'), 'a pointer of Git LFS'],
+  [letters('\n<!DOCTYPE html>\n<title>404</title>'), 'a web page'],
+])('what is no model at all is named (%#)', async (bytes, words) => {
+  const [problem] = await problemsOf(bytes);
+  expect(problem!.message).toContain(words);
+});
+
+test.each([
+  [letters('BM......'), 'a BMP image'],
+  [letters('GIF89a..'), 'a GIF image'],
+  [letters(`${'.'.repeat(30)}TRUEVISION-XFILE.\0`), 'a TGA image'],
+  [Uint8Array.of(0xff, 0xd8, 0xff, 0xe0, 0, 16), 'a JPEG image that is damaged or cut off'],
+  [letters('.........'), 'bytes that are no image'],
+])('an image that is not read is called by its name (%#)', async (bytes, words) => {
+  const file = triangleFile((f) => {
+    f.add('images', { bufferView: f.view(bytes), mimeType: 'image/png' });
+    f.add('textures', { source: 0 });
+    Object.assign(primitive(f), { material: f.add('materials', { emissiveTexture: { index: 0 } }) });
+    primitive(f).attributes.TEXCOORD_0 = f.floats('VEC2', 0, 0, 1, 0, 0, 1);
+  });
+  const [problem] = await problemsOf(file.glb());
+  expect(problem!.message).toContain(words);
 });

@@ -3,7 +3,7 @@ import type { ImagePixels, ImageSource, NormalTextureUse, Texture, TextureUse, W
 import { quote } from '../scene-file/problem.ts';
 import { readUri, type Sources } from './buffers.ts';
 import type { ImageDecoder } from './images/decoder.ts';
-import { type ImageHead, readImageHead } from './images/image-head.ts';
+import { type ImageHead, readImageHead, strangeImage } from './images/image-head.ts';
 import { extensionOf } from './json.ts';
 import { GLTF_LIMITS } from './limits.ts';
 import { addProblem, type Path } from './problems.ts';
@@ -126,7 +126,7 @@ export class TextureReader {
     if (bytes === null) return null;
     const head = readImageHead(bytes);
     if (head === null)
-      addProblem(problems, path, 'bytes that are no image', 'PNG or JPEG, or with an extension WebP, AVIF or KTX2');
+      addProblem(problems, path, strangeImage(bytes), 'PNG or JPEG, or with an extension WebP, AVIF or KTX2');
     return head && { bytes, head };
   }
 

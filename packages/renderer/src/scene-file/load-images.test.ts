@@ -64,6 +64,7 @@ test('16 bits are told of', async () => {
 
 test.each([
   ['no image', new Uint8Array(40), 'it is no image'],
+  ['an image of another kind', new TextEncoder().encode('BM and more'), 'it is a BMP image; PNG, JPEG'],
   ['an empty file', new Uint8Array(0), 'it is no image'],
   ['a billion pixels', claiming(50_000, 50_000), '50000 × 50000 pixels'],
   ['no pixel', claiming(0, 1), '0 × 1 pixels'],

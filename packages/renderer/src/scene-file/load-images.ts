@@ -1,6 +1,6 @@
 /** The images of a scene: from the bytes of files to pixels. */
 import { defaultDecoder, type ImageDecoder } from '../gltf/images/decoder.ts';
-import { type ImageHead, readImageHead } from '../gltf/images/image-head.ts';
+import { type ImageHead, NO_IMAGE, readImageHead, strangeImage } from '../gltf/images/image-head.ts';
 import { SCENE_LIMITS } from '../scene/limits.ts';
 import { type ImageSource, lacksPixels } from '../scene/textures.ts';
 import { pictureRule } from './picture-rule.ts';
@@ -60,10 +60,15 @@ export async function loadImages(
 /** What is known before decoding; throws an Error for what will not be decoded. */
 export function headOf(bytes: Uint8Array, decoder: ImageDecoder): ImageHead {
   const head = readImageHead(bytes);
-  if (head === null) throw new Error('it is no image');
+  if (head === null) throw new Error(whyNone(bytes));
   if (!decoder.canDecode(head.type)) throw new Error(`files of the kind ${head.type} cannot be decoded here`);
   const most = SCENE_LIMITS.imageSide;
   if (!(Math.min(head.width, head.height) >= 1 && Math.max(head.width, head.height) <= most))
     throw new Error(`it has ${head.width} × ${head.height} pixels, where 1 to ${most} a side are allowed`);
   return head;
+}
+
+function whyNone(bytes: Uint8Array): string {
+  const strange = strangeImage(bytes);
+  return strange === NO_IMAGE ? 'it is no image' : `it is ${strange}; PNG, JPEG, WebP, AVIF and KTX2 can be read`;
 }

@@ -12,7 +12,7 @@ import { type Block, createBlock, writeStruct } from '../../../../packages/rende
 import { isSmooth } from '../../../../packages/renderer/src/reference/bsdf/bsdf.ts';
 import { type BsdfSurface, grey, mapColor } from '../../../../packages/renderer/src/reference/bsdf/surface.ts';
 import type { Vec3 } from '../../../../packages/renderer/src/scene/scene.ts';
-import { ALL_SWITCHES } from '../../../../packages/renderer/src/shading/features.ts';
+import { ALL_SWITCHES, SHAPE_FEATURES, switchesFor } from '../../../../packages/renderer/src/shading/features.ts';
 import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/bsdf_probe.wgsl?raw';
@@ -85,8 +85,9 @@ function surfaceTable(surfaces: readonly BsdfSurface[]) {
   return block;
 }
 
+/** By a program without layers: one with layers samples metallicRoughness as the stack that it then is. */
 export const ask = (device: Device, surfaces: readonly BsdfSurface[], questions: readonly Question[]) =>
-  askTable(device, { rows: surfaceTable(surfaces) }, questions);
+  askTable(device, { rows: surfaceTable(surfaces) }, questions, switchesFor(SHAPE_FEATURES));
 
 /** Rows of the scene table, each with a Surface; a question's `surface` is the number of its row. */
 export interface SurfaceTable {

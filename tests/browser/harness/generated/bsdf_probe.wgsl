@@ -21,11 +21,11 @@ const sampledDirection = 1u;
   let o = outgoing(surface, a.xyz, hero);
   let drawn = sampleLobe(surface, o, b.xyz);
   // The other direction is to a light in path.wesl.
-  let values = evaluatePair(surface, o, b.xyz, drawn.direction);
+  let values = evaluatePair(surface, o, b.xyz, drawn);
   if (asked == evaluation) {
     return values.toLight;
   }
-  let taken = completed(drawn, values.toSample);
+  let taken = values.drawn;
   if (asked == sampledDirection) {
     return vec4f(taken.direction, taken.pdf);
   }
@@ -44,13 +44,14 @@ fn fetchSurface(i: u32) -> Surface {
 
 var<private> layersHere: Layers;
 
-// All zero where there are none.
+// Those of glTF's own material where there are none.
 fn layersOf(code: u32, eta: f32) -> Layers {
   var l: Layers;
-  if (hasLayers) {
-    if (isLayered(code, eta)) {
-      l = fetchLayers(u32(abs(eta)));
-    }
+  l.specularColor = vec3f(1.0);
+  l.specularWeight = 1.0;
+  l.ior = 1.5;
+  if (isLayered(code) & (eta != 0.0)) {
+    l = fetchLayers(u32(abs(eta)));
   }
   return l;
 }
@@ -64,17 +65,19 @@ fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   let code = u32(s.code);
   var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
   if (hasLayers) {
-    if (isLayered(u32(s.code), s.eta.x)) {
-      stackHere = stackOf(s, layersHere, wo, hero);
+    if (isLayered(code)) {
+      meetLayers(s, wo, hero);
     }
   }
   if (hasMetallicRoughness) {
-    o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    if (!hasLayers) {
+      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    }
   }
   if (hasGlass) {
     o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
   }
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
     o.stretched = stretched(wo, s.alpha);
   }
@@ -82,7 +85,7 @@ fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
 }
 
 // A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
-// are still to be had from evaluatePair: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
 fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   let wo = o.wo;
   let mirror = mirrorShare(s.reflectivity);
@@ -90,7 +93,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   // What is left of u.z is uniform again, and once more below.
   let choice = (u.z - mirror) / base;
   var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     let code = u32(s.code);
     let isGlass = isDielectric(code);
     let delta = isSmooth(code);
@@ -116,9 +119,9 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
     drawn.delta = specular & delta;
   }
   if (hasLayers) {
-    if (isLayered(u32(s.code), s.eta.x)) {
-      let layered = sampleLayered(s, stackHere, vec3f(u.xy, choice));
-      drawn = BsdfSample(layered.direction, base * layered.pdf, layered.weight, layered.delta);
+    if (isLayered(u32(s.code))) {
+      let layered = sampleLayered(s, vec3f(u.xy, choice));
+      drawn = BsdfSample(layered.direction, base * layered.pdf, vec3f(0.0), layered.delta);
     }
   }
   if (hasMirrorLayers) {
@@ -131,35 +134,21 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
-// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
-fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+// What there is to know of the direction to the light and of the one that sampleLobe gave.
+fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
+  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
   if (hasLayers) {
-    if (isLayered(u32(s.code), s.eta.x)) {
-      var isLight = frame.emitterCount > 0u;
-      loop {
-        let value = (1.0 - mirrorShare(s.reflectivity)) * evaluateLayered(s, stackHere, select(toSample, toLight, isLight));
-        if (isLight) {
-          pair.toLight = value;
-        } else {
-          pair.toSample = value;
-        }
-        if (!isLight) {
-          break;
-        }
-        isLight = false;
-      }
+    if (isLayered(u32(s.code))) {
+      // Not by the mirror over everything, whose weight is known.
+      let byMirror = drawn.delta & !any(drawn.weight > vec3f(0.0));
+      let base = 1.0 - mirrorShare(s.reflectivity);
+      let layered = evaluateLayers(s, toLight, drawn.direction, byMirror);
+      pair.toLight = base * layered.toLight;
+      let ofSample = completed(BsdfSample(drawn.direction, drawn.pdf, drawn.weight, drawn.delta & !byMirror), base * layered.toSample);
+      pair.drawn = BsdfSample(ofSample.direction, ofSample.pdf, ofSample.weight, drawn.delta);
     }
   }
   return pair;
-}
-
-// `value` is what evaluatePair says of the sample's direction.
-fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
-  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
-  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
-  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
@@ -329,13 +318,9 @@ struct Layers {
 }
 
 
-// What glTF's extensions add to metallicRoughness: any of them, and those that take a program something of their own. Light that goes
-// through is one, be it by facets or diffusely.
-override hasLayers = false;
-
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+// In a program with layers every metallicRoughness material has some, if only such as change nothing: its facets stand in the program once.
+fn isLayered(code: u32) -> bool {
+  return hasLayers & isMetallicRoughness(code);
 }
 
 fn fetchLayers(i: u32) -> Layers {
@@ -348,6 +333,10 @@ fn fetchLayers(i: u32) -> Layers {
   let t6 = tableTexel(6u, i);
   return Layers(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xy, t3.z, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w, t6.x, t6.y, t6.z, t6.w);
 }
+
+// What glTF's extensions add to metallicRoughness: any of them, and those that take a program something of their own. Light that goes
+// through is one, be it by facets or diffusely.
+override hasLayers = false;
 
 fn isMetallicRoughness(code: u32) -> bool {
   return hasMetallicRoughness & (kindOf(code) == metallicRoughness);
@@ -387,92 +376,68 @@ override hasGlass = false;
 
 override hasConductors = false;
 
-var<private> stackHere: Stack;
-
-fn stackOf(s: Surface, l: Layers, given: vec3f, hero: vec3f) -> Stack {
+// Works out stackHere.
+fn meetLayers(s: Surface, given: vec3f, hero: vec3f) {
   let side = select(1.0, -1.0, given.z < 0.0);
   let wo = vec3f(given.xy, given.z * side);
-  var inside = false;
-  var ratio = 1.0;
-  var alpha = ellipticAlpha(s.alpha, l.anisotropy);
+  let metallic = s.metallic;
+  stackHere.wo = wo;
+  stackHere.side = side;
+  stackHere.hero = hero;
+  stackHere.inside = false;
+  stackHere.ratio = 1.0;
+  stackHere.alpha = ellipticAlpha(s.alpha, layersHere.anisotropy);
   if (hasTransmission) {
-    let isSolid = l.solid > 0.0;
-    inside = isSolid & (side < 0.0);
-    let index = dispersedIndex(l.ior, l.dispersion, hero);
-    ratio = select(1.0, select(index, 1.0 / index, inside), isSolid);
-    let flat = isSolid & (l.transmission > 0.0) & (index - 1.0 < leastContrast);
-    alpha = select(alpha, vec2f(0.0), flat);
+    let isSolid = layersHere.solid > 0.0;
+    let inside = isSolid & (side < 0.0);
+    let index = dispersedIndex(layersHere.ior, layersHere.dispersion, hero);
+    let flat = isSolid & (layersHere.transmission > 0.0) & (index - 1.0 < leastContrast);
+    stackHere.inside = inside;
+    stackHere.ratio = select(1.0, select(index, 1.0 / index, inside), isSolid);
+    stackHere.alpha = select(stackHere.alpha, vec2f(0.0), flat);
   }
-  var coat = 0.0;
+  stackHere.coat = 0.0;
   if (hasCoats) {
-    coat = select(coatReflectance(l.coat, coatCosine(side, wo)), 0.0, inside);
+    stackHere.coat = select(coatReflectance(layersHere.coat, coatCosine(side, wo)), 0.0, stackHere.inside);
+    stackHere.coatAlpha = layersHere.coatRoughness * layersHere.coatRoughness;
   }
-  let coatAlpha = l.coatRoughness * l.coatRoughness;
-  var sheenColor = 0.0;
-  var sheen = 0.0;
+  stackHere.sheenColor = 0.0;
+  stackHere.sheen = 0.0;
   if (hasSheen) {
-    sheenColor = greatest(l.sheenColor);
-    if (sheenColor > 0.0) {
-      sheen = select(sheenAlbedo(wo.z, l.sheenRoughness), 0.0, inside);
+    stackHere.sheenColor = greatest(layersHere.sheenColor);
+    if (stackHere.sheenColor > 0.0) {
+      stackHere.sheen = select(sheenAlbedo(wo.z, layersHere.sheenRoughness), 0.0, stackHere.inside);
     }
   }
-  let f0 = l.specularWeight * dielectricF0(l);
-  var more = vec3f(1.0);
+  let f0 = layersHere.specularWeight * dielectricF0();
+  stackHere.more = vec3f(1.0);
   if (hasCompensation) {
-    let albedo = singleScatteringAlbedo(wo.z, sqrt(alpha.x * alpha.y));
-    let asked = ((u32(s.code) & 8u) != 0u) & (l.transmission <= 0.0);
-    more = select(more, 1.0 + mix(f0, s.baseColor, s.metallic) * ((1.0 - albedo) / albedo), asked);
+    let albedo = singleScatteringAlbedo(wo.z, sqrt(stackHere.alpha.x * stackHere.alpha.y));
+    let asked = ((u32(s.code) & 8u) != 0u) & (layersHere.transmission <= 0.0);
+    stackHere.more = select(vec3f(1.0), 1.0 + mix(f0, s.baseColor, metallic) * ((1.0 - albedo) / albedo), asked);
   }
-  var o = Stack(l, wo, side, hero, ratio, inside, more, alpha, coatAlpha, coat, sheen, sheenColor, 0.0, 0.0, 0.0, 0.0);
 
   // Lobes are chosen by about the light that they send to wo. The diffuse ones keep nearly all of theirs even when wo is grazing:
   // metallic_roughness.wesl. A film's colours vanish at some angles only.
-  let met = baseReflectance(s, o, wo.z);
-  let below = (1.0 - coat) * (1.0 - sheenColor * min(sheen, 1.0));
-  let film = select(0.0, 0.25 * l.film, l.film > 0.0);
-  let facets = below * (mean3(met.rgb) + film + met.a * l.transmission * mean3(s.baseColor));
-  let fibres = (1.0 - coat) * sheen * mean3(l.sheenColor);
-  let body = below * (1.0 - s.metallic) * (1.0 - greatest(f0)) * (1.0 - l.transmission);
-  let diffuse = body * (1.0 - l.beyond) * mean3(s.baseColor);
-  let beyond = body * l.beyond * mean3(l.beyondColor);
+  let bare = bareReflectance(s, wo.z);
+  let met = mix(bare.dielectric, bare.metal, metallic);
+  let enters = (1.0 - metallic) * (1.0 - greatest(bare.dielectric));
+  let color = mean3(s.baseColor);
+  let coat = stackHere.coat;
+  let below = (1.0 - coat) * (1.0 - stackHere.sheenColor * min(stackHere.sheen, 1.0));
+  let facets = below * (mean3(met) + 0.25 * layersHere.film + enters * layersHere.transmission * color);
+  let fibres = (1.0 - coat) * stackHere.sheen * mean3(layersHere.sheenColor);
+  let body = below * (1.0 - metallic) * (1.0 - greatest(f0)) * (1.0 - layersHere.transmission);
+  let diffuse = body * (1.0 - layersHere.beyond) * color;
+  let beyond = body * layersHere.beyond * mean3(layersHere.beyondColor);
   let all = max(coat + facets + fibres + diffuse + beyond, 1e-20);
-  o.ofCoat = coat / all;
-  o.ofFacets = facets / all;
-  o.ofSheen = fibres / all;
-  o.ofDiffuse = diffuse / all;
-  return o;
+  stackHere.ofCoat = coat / all;
+  stackHere.ofFacets = facets / all;
+  stackHere.ofSheen = fibres / all;
+  stackHere.ofDiffuse = diffuse / all;
 }
 
-// What follows from the direction that light leaves in, whichever it comes from.
-struct Stack {
-  layers: Layers,
-  // Above the surface.
-  wo: vec3f,
-  // -1: wo was below.
-  side: f32,
-  // Colour that refracted light goes on with, times its weight: transmission.wesl.
-  hero: vec3f,
-  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
-  ratio: f32,
-  // wo is inside a solid.
-  inside: bool,
-  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
-  more: vec3f,
-  // Facets of the base; below leastAlpha they are a mirror.
-  alpha: vec2f,
-  coatAlpha: f32,
-  // Share of the light towards wo that is the coat's.
-  coat: f32,
-  // Share of white light that fibres send to wo, and of the strongest colour of these.
-  sheen: f32,
-  sheenColor: f32,
-  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
-  ofCoat: f32,
-  ofFacets: f32,
-  ofSheen: f32,
-  ofDiffuse: f32,
-}
-
+var<private> stackHere: Stack;
 
 // KHR_materials_anisotropy: strength makes facets rougher along x. Across, a highlight is no narrower than 32-bit floats can hold.
 fn ellipticAlpha(alpha: f32, strength: f32) -> vec2f {
@@ -486,45 +451,21 @@ override hasCoats = false;
 override hasSheen = false;
 
 // KHR_materials_ior and KHR_materials_specular: what facets of the dielectric would reflect at normal incidence at full weight.
-fn dielectricF0(l: Layers) -> vec3f {
-  let contrast = (l.ior - 1.0) / (l.ior + 1.0);
-  return min(contrast * contrast * l.specularColor, vec3f(1.0));
+fn dielectricF0() -> vec3f {
+  let contrast = (layersHere.ior - 1.0) / (layersHere.ior + 1.0);
+  return min(contrast * contrast * layersHere.specularColor, vec3f(1.0));
 }
 
 override hasCompensation = false;
 
-// rgb: what facets of the base reflect that are met at this cosine; a: what of the rest reaches the dielectric's body.
-fn baseReflectance(s: Surface, o: Stack, cosine: f32) -> vec4f {
-  let l = o.layers;
-  var outer = cosine;
+// Without a film.
+fn bareReflectance(s: Surface, cosine: f32) -> Reflectance {
+  let outer = outerCosine(cosine);
+  var dielectric = layersHere.specularWeight * schlick(dielectricF0(), outer);
   if (hasTransmission) {
-    outer = cosineInAir(cosine, o.ratio);
+    dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, stackHere.ratio));
   }
-  let f0 = dielectricF0(l);
-  var dielectric = l.specularWeight * schlick(f0, outer);
-  var metal = schlick(s.baseColor, outer);
-  if (hasIridescence) {
-    if (l.film > 0.0) {
-      // Mostly one of the two.
-      var isMetal = s.metallic >= 1.0;
-      loop {
-        let film = filmReflectance(select(l.specularWeight * f0, s.baseColor, isMetal), l.filmIor, l.filmThickness, outer);
-        if (isMetal) {
-          metal = mix(metal, film, l.film);
-        } else {
-          dielectric = mix(dielectric, film, l.film);
-        }
-        if (isMetal | (s.metallic <= 0.0)) {
-          break;
-        }
-        isMetal = true;
-      }
-    }
-  }
-  if (hasTransmission) {
-    dielectric = select(dielectric, vec3f(1.0), reflectsAll(cosine, o.ratio));
-  }
-  return vec4f(mix(dielectric, metal, s.metallic), (1.0 - s.metallic) * (1.0 - greatest(dielectric)));
+  return Reflectance(dielectric, schlick(s.baseColor, outer));
 }
 
 fn mean3(v: vec3f) -> f32 {
@@ -607,77 +548,69 @@ fn singleScatteringAlbedo(cosine: f32, alpha: f32) -> f32 {
   return min(dot(byAlpha, vec4f(1.0, alpha, a2, a2 * alpha)), 1.0);
 }
 
+// What follows from the direction that light leaves in, whichever it comes from.
+struct Stack {
+  // Above the surface.
+  wo: vec3f,
+  // -1: wo was below.
+  side: f32,
+  // Colour that refracted light goes on with, times its weight: transmission.wesl.
+  hero: vec3f,
+  // Of a solid: the index beyond the boundary over that on wo's side; else 1.
+  ratio: f32,
+  // wo is inside a solid.
+  inside: bool,
+  // Factor on what facets of the base reflect: bsdf.wesl, compensation.
+  more: vec3f,
+  // Facets of the base; below leastAlpha they are a mirror.
+  alpha: vec2f,
+  coatAlpha: f32,
+  // Share of the light towards wo that is the coat's.
+  coat: f32,
+  // Share of white light that fibres send to wo, and of the strongest colour of these.
+  sheen: f32,
+  sheenColor: f32,
+  // Probabilities of the lobes: the coat's, the base's facets', the sheen's, the diffuse one's. What is left is the diffuse one's beyond.
+  ofCoat: f32,
+  ofFacets: f32,
+  ofSheen: f32,
+  ofDiffuse: f32,
+  // Whether the facets that a sample was drawn by are the coat's.
+  drawnByCoat: bool,
+}
+
+
 // The GGX microfacet distribution with Smith's masking, isotropic, seen from +z: Walter et al., "Microfacet Models for
 // Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
 // Written so that nothing is divided by a cosine: grazing directions need no special case.
 // Narrower highlights are a mirror's: packed-scene/surface-values.ts.
 const leastAlpha = 1e-3;
 
-override hasIridescence = false;
+fn outerCosine(cosine: f32) -> f32 {
+  var outer = cosine;
+  if (hasTransmission) {
+    outer = cosineInAir(cosine, stackHere.ratio);
+  }
+  return outer;
+}
+
+// What facets of the base reflect that are met at this cosine, where there is dielectric and where there is metal.
+struct Reflectance {
+  dielectric: vec3f,
+  metal: vec3f,
+}
+
+
+// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
+fn reflectsAll(cosine: f32, ratio: f32) -> bool {
+  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
+}
 
 // The cosine on the side of air at a facet that is met at `cosine`; 0 at total reflection. `ratio`: the index beyond over
 // the one on this side. Schlick's formula wants this cosine (KHR_materials_volume, Refraction).
 fn cosineInAir(cosine: f32, ratio: f32) -> f32 {
   let sine2 = (1.0 - cosine * cosine) / (ratio * ratio);
   return select(cosine, sqrt(max(1.0 - sine2, 0.0)), ratio < 1.0);
-}
-
-// The film's reflectance over a body that would reflect f0 without it. Kept within 0 … 1: the integral over three colours overshoots.
-fn filmReflectance(f0: vec3f, filmIor: f32, thickness: f32, cosine: f32) -> vec3f {
-  // The cosine within the film; above 0, as its index is at least 1.
-  let sine2 = (1.0 - cosine * cosine) / (filmIor * filmIor);
-  let within = sqrt(max(1.0 - sine2, 0.0));
-  let first = (filmIor - 1.0) / (filmIor + 1.0);
-  let r12 = schlick(vec3f(first * first), cosine).x;
-  let t121 = 1.0 - r12;
-  let body = indexOf(f0 + 1e-4);
-  let second = (body - filmIor) / (body + filmIor);
-  let r23 = schlick(second * second, within);
-  let r123 = clamp(r12 * r23, vec3f(1e-5), vec3f(0.9999));
-  let once = sqrt(r123);
-  let rs = t121 * t121 * r23 / (1.0 - r123);
-  // Half a turn at the lower side of the film's upper boundary, and another where the body's index is less than the film's.
-  let shift = 0.5 + select(vec3f(0.0), vec3f(0.5), body < vec3f(filmIor));
-  let difference = 2.0 * filmIor * thickness * within;
-  var sum = r12 + rs;
-  var amplitude = rs - t121;
-  var order = 1.0;
-  loop {
-    amplitude *= once;
-    sum += 2.0 * amplitude * sensitivity(order * difference, order * shift);
-    order += 1.0;
-    if (order > 2.5) {
-      break;
-    }
-  }
-  return clamp(sum, vec3f(0.0), vec3f(1.0));
-}
-
-// Index of a body that reflects f0 against air.
-fn indexOf(f0: vec3f) -> vec3f {
-  let root = sqrt(min(f0, vec3f(0.9999)));
-  return (1.0 + root) / (1.0 - root);
-}
-
-// What is left of the interference of a path difference (nanometres) in linear red, green, blue: section 4, Gaussians in the frequency
-// domain for x, y, z and the second lobe of x. `shift`: what the boundaries add to the phase, in turns.
-fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
-  let phase = 6.28318530718e-9 * difference;
-  let mean = vec4f(1.6810e6, 1.7953e6, 2.2084e6, 2.2399e6);
-  let variance = vec4f(4.3278e9, 9.3046e9, 6.6121e9, 4.5282e9);
-  // val sqrt(2 pi var) / 1.0685e-7 of the sample.
-  let height = vec4f(0.846590, 1.000222, 1.001122, 0.153868);
-  // Whole turns are left out: the cosine of a large angle has no digits.
-  let turns = mean * (phase * 0.15915494309) + vec4f(shift, shift.x);
-  let lobes = height * cos(6.28318530718 * (turns - round(turns))) * exp(-variance * (phase * phase));
-  let x = lobes.x + lobes.w;
-  // XYZ to linear sRGB
-  return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
-}
-
-// Total reflection, in a denser body only: along the surface of one that is not, rounding must not make a mirror of it.
-fn reflectsAll(cosine: f32, ratio: f32) -> bool {
-  return (ratio < 1.0) & (1.0 - cosine * cosine >= ratio * ratio);
 }
 
 // How often to sample the GGX lobe: about its share of the light that comes back from wo. The diffuse part keeps nearly all of
@@ -769,7 +702,9 @@ fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
   let code = u32(s.code);
   var reflectance = vec3f(0.0);
   if (hasMetallicRoughness) {
-    reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    if (!hasLayers) {
+      reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    }
   }
   if (hasConductors) {
     reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
@@ -847,62 +782,65 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
   return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
 }
 
-// A direction by one of the lobes. u in [0, 1)^3: two for the direction, the third chooses the lobe.
-fn sampleLayered(s: Surface, o: Stack, u: vec3f) -> LayeredSample {
-  let wo = o.wo;
-  let isSolid = hasTransmission & (o.layers.solid > 0.0);
-  let isCoat = hasCoats & (u.z < o.ofCoat);
-  let isFacet = u.z < o.ofCoat + o.ofFacets;
-  let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
+// A direction by one of the lobes; stackHere says by which facets. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+fn sampleLayered(s: Surface, u: vec3f) -> LayeredSample {
+  let wo = stackHere.wo;
+  let isSolid = isSolidHere();
+  let isCoat = hasCoats & (u.z < stackHere.ofCoat);
+  let isFacet = u.z < stackHere.ofCoat + stackHere.ofFacets;
+  stackHere.drawnByCoat = isCoat;
+  let alpha = select(stackHere.alpha, vec2f(stackHere.coatAlpha), isCoat);
   let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
   let wide = max(alpha, vec2f(leastAlpha));
-  var frame = Basis(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
+  var own = Basis(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
   if (hasCoatNormals) {
     if (isCoat) {
-      frame = basisAbout(coatNormal(o.side));
+      own = basisAbout(coatNormal(stackHere.side));
     }
   }
   var ownWo = wo;
   if (hasCoatNormals) {
-    ownWo = toLocal(frame, wo);
+    ownWo = toLocal(own, wo);
   }
   let bound = select(ellipticBound(ownWo, wide), 1.0, isSolid & !isCoat);
   let rough = sampleEllipticNormal(ownWo, wide, bound, u.xy);
   var h = select(rough, vec3f(0.0, 0.0, 1.0), isSmooth);
   if (hasCoatNormals) {
-    h = toWorld(frame, h);
+    h = toWorld(own, h);
   }
   let oh = max(dot(wo, h), 0.0);
-  let p = partingOf(s, o, baseReflectance(s, o, oh));
-  // What is left of u.z is uniform again.
-  let left = (u.z - o.ofCoat) / max(o.ofFacets, 1e-20);
-  let crossing = hasTransmission & !isCoat & (left >= p.share);
   let reflected = 2.0 * oh * h - wo;
   var met = reflected;
+  var crossing = false;
   if (hasTransmission) {
-    let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, o.ratio), isSolid);
+    // What is left of u.z is uniform again.
+    let left = (u.z - stackHere.ofCoat) / max(stackHere.ofFacets, 1e-20);
+    crossing = !isCoat & (left >= shareToward(s, bareReflectance(s, oh)));
+    let beyond = select(vec3f(reflected.xy, -reflected.z), refracted(wo, h, stackHere.ratio), isSolid);
     met = select(reflected, beyond, crossing);
   }
   var lost = !isSmooth & (crossing != (met.z < 0.0));
   if (hasCoatNormals) {
     if (isCoat) {
-      lost = (dot(frame.normal, met) <= 0.0) | ((met.z < 0.0) & (s.eta.x < 0.0));
+      lost = (dot(own.normal, met) <= 0.0) | ((met.z < 0.0) & (s.eta.x < 0.0));
     }
   }
-  let weight = throughCover(o, abs(met.z), coatCosine(o.side, met), crossing) * select(p.toward / max(p.share, 1e-20), p.beyond / max((1.0 - p.share) * o.ratio * o.ratio, 1e-20), crossing);
-  var drawn = LayeredSample(met, select(o.ofFacets * select(p.share, 1.0 - p.share, crossing), o.ofCoat, isCoat), select(weight / max(o.ofFacets, 1e-20), vec3f(o.coat / max(o.ofCoat, 1e-20)), isCoat), isSmooth);
-  drawn.pdf = select(drawn.pdf, 0.0, lost);
+  var drawn = LayeredSample(met, select(1.0, 0.0, lost), isSmooth);
   if (!isFacet) {
-    let next = u.z - o.ofCoat - o.ofFacets;
+    let next = u.z - stackHere.ofCoat - stackHere.ofFacets;
     let sine = sqrt(max(u.x * (2.0 - u.x), 0.0));
     let phi = 6.28318530718 * u.y - 3.14159265359;
     let even = vec3f(sine * cos(phi), sine * sin(phi), 1.0 - u.x);
     let matte = sampleCosine(u.xy);
-    let below = vec3f(matte.xy, select(matte.z, -matte.z, hasTransmission & (next >= o.ofSheen + o.ofDiffuse)));
-    drawn = LayeredSample(select(below, even, hasSheen & (next < o.ofSheen)), 1.0, vec3f(1.0), false);
+    let below = vec3f(matte.xy, select(matte.z, -matte.z, hasTransmission & (next >= stackHere.ofSheen + stackHere.ofDiffuse)));
+    drawn = LayeredSample(select(below, even, hasSheen & (next < stackHere.ofSheen)), 1.0, false);
   }
-  drawn.direction.z *= o.side;
+  drawn.direction.z *= stackHere.side;
   return drawn;
+}
+
+fn isSolidHere() -> bool {
+  return hasTransmission & (layersHere.solid > 0.0);
 }
 
 // An orthonormal basis about a unit normal: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
@@ -932,43 +870,11 @@ fn sampleEllipticNormal(wo: vec3f, alpha: vec2f, bound: f32, u: vec2f) -> vec3f 
   return normalize(vec3f(alpha * h.xy, max(h.z, 1e-7)));
 }
 
-fn partingOf(s: Surface, o: Stack, reflectance: vec4f) -> Parting {
-  var parting = Parting(reflectance.rgb, vec3f(0.0), 1.0);
-  if (hasTransmission) {
-    let toward = reflectance.rgb * select(vec3f(1.0), o.hero, o.inside);
-    let beyond = reflectance.a * o.layers.transmission * s.baseColor * o.hero;
-    let a = mean3(toward);
-    let b = mean3(beyond);
-    parting = Parting(toward, beyond, select(1.0, a / max(a + b, 1e-20), b > 0.0));
-  }
-  return parting;
-}
-
-// What of the light between wo and another direction is left by coat and sheen; zi and coatZi: cosines of that one to the normals of base and
-// coat. Light that crosses a solid's boundary meets them once, outside.
-fn throughCover(o: Stack, zi: f32, coatZi: f32, crossing: bool) -> f32 {
-  let l = o.layers;
-  var left = 1.0;
-  if (hasCoats) {
-    let entersHere = o.inside & crossing;
-    left = 1.0 - select(o.coat, coatReflectance(l.coat, coatZi), entersHere);
-  }
-  if (hasSheen) {
-    var sheen = o.sheen;
-    if (o.sheenColor > 0.0) {
-      let isOutside = !(l.solid > 0.0) | (o.inside == crossing);
-      sheen = max(sheen, select(0.0, sheenAlbedo(zi, l.sheenRoughness), isOutside));
-    }
-    left *= 1.0 - o.sheenColor * min(sheen, 1.0);
-  }
-  return left;
-}
-
 struct LayeredSample {
   direction: vec3f,
-  // Of a delta lobe: the probability with which it is chosen, and f |cos| over that. 0: the light is lost.
+  // 0: the light is lost.
   pdf: f32,
-  weight: vec3f,
+  // By smooth facets.
   delta: bool,
 }
 
@@ -988,18 +894,36 @@ fn toWorld(b: Basis, v: vec3f) -> vec3f {
   return v.x * b.tangent + v.y * b.bitangent + v.z * b.normal;
 }
 
+// How often a sample takes the first, by what the facet would be without a film; a film's colours vanish at some angles, so that neither is
+// left out because of it.
+fn shareToward(s: Surface, bare: Reflectance) -> f32 {
+  let p = partingOf(s, bare);
+  let a = mean3(p.toward);
+  let b = mean3(p.beyond);
+  return select(1.0, mix(a / max(a + b, 1e-20), 0.5, 0.5 * layersHere.film), b > 0.0);
+}
+
+fn partingOf(s: Surface, r: Reflectance) -> Parting {
+  let toward = mix(r.dielectric, r.metal, s.metallic);
+  var parting = Parting(toward, vec3f(0.0));
+  if (hasTransmission) {
+    let enters = (1.0 - s.metallic) * (1.0 - greatest(r.dielectric));
+    parting = Parting(toward * select(vec3f(1.0), stackHere.hero, stackHere.inside), enters * layersHere.transmission * s.baseColor * stackHere.hero);
+  }
+  return parting;
+}
+
+// What a facet of the base makes of light: towards wo's side, and beyond.
+struct Parting {
+  toward: vec3f,
+  beyond: vec3f,
+}
+
+
 fn ellipticStretched(w: vec3f, alpha: vec2f) -> f32 {
   let scaled = alpha * w.xy;
   return sqrt(w.z * w.z + dot(scaled, scaled));
 }
-
-// What a facet of the base makes of light: towards wo's side, and beyond; and how often a sample takes the first.
-struct Parting {
-  toward: vec3f,
-  beyond: vec3f,
-  share: f32,
-}
-
 
 // The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
 fn mirrored(wo: vec3f) -> vec3f {
@@ -1007,22 +931,26 @@ fn mirrored(wo: vec3f) -> vec3f {
 }
 
 struct Pair {
+  // As of evaluateBsdf.
   toLight: vec4f,
-  toSample: vec4f,
+  // With the density and weight of all lobes together.
+  drawn: BsdfSample,
 }
 
 
-// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Without layers: evaluatePair.
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Of what has no layers: evaluatePair.
 fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   let lambert = invPi * max(wi.z, 0.0);
   var value = vec4f(s.baseColor, 1.0) * lambert;
   var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     let code = u32(s.code);
     let facets = evaluateFacets(s, o, wi);
     var base = vec3f(0.0);
     if (hasMetallicRoughness) {
-      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      if (!hasLayers) {
+        base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      }
     }
     let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
     value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
@@ -1031,107 +959,231 @@ fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
 }
 
-// rgb: f |cos wi|; a: the density with which sampleLayered gives wi. Delta lobes give 0.
-fn evaluateLayered(s: Surface, o: Stack, given: vec3f) -> vec4f {
-  let l = o.layers;
-  let wo = o.wo;
-  let wi = vec3f(given.xy, given.z * o.side);
-  // Below the horizon there is light of what lets some through, and of coats with normals of their own.
-  let crossing = (hasTransmission | hasCoatNormals) & (wi.z < 0.0);
-  let dark = !(hasTransmission | hasCoatNormals) & (wi.z < 0.0);
-  // Through a thin wall light goes as if it were reflected and then mirrored.
-  let facing = vec3f(wi.xy, abs(wi.z));
-  let zi = facing.z;
-  let under = throughCover(o, zi, coatCosine(o.side, wi), crossing);
-  var sum = vec4f(0.0);
-  var intoBody = 0.0;
-  // The coat's facets, which show what reaches the body too, then the base's. Metal without a coat has no need of the first; and a loop
-  // whose length is known is written out by Windows' compiler.
-  // Without coats in the scene, and without anything that light goes through, the base's facets are met alike and show it themselves.
-  var isCoat = (hasCoats | hasTransmission) & ((o.coat > 0.0) | (s.metallic < 1.0));
-  // A coat may be bent towards what lies below the base's horizon; where light goes through that is the other side.
-  let coatEnds = crossing & !(hasCoatNormals & (s.eta.x >= 0.0));
-  loop {
-    let bends = hasTransmission & crossing & !isCoat & (l.solid > 0.0);
-    let alpha = select(o.alpha, vec2f(o.coatAlpha), isCoat);
-    let isSmooth = max(alpha.x, alpha.y) < leastAlpha;
-    let wide = max(alpha, vec2f(leastAlpha));
-    let met = select(facing, wi, bends | (isCoat & !coatEnds));
-    let m = wo + met * select(1.0, o.ratio, bends);
-    let m2 = max(dot(m, m), 1e-20);
-    let h = m * inverseSqrt(m2);
-    let oh = dot(wo, h);
-    let ih = dot(met, h);
-    // The same three in the frame of the layer whose facets are meant.
-    var ownWo = wo;
-    var ownWi = met;
-    var ownH = h;
-    if (hasCoatNormals) {
-      if (isCoat) {
-        let frame = basisAbout(coatNormal(o.side));
-        ownWo = toLocal(frame, wo);
-        ownWi = toLocal(frame, met);
-        ownH = toLocal(frame, h);
-      }
-    }
-    let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
-    let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & !isSmooth);
-    let ownStretched = ellipticStretched(ownWo, wide);
-    let ownZi = abs(ownWi.z);
-    let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
-    let bound = select(ellipticBound(ownWo, wide), 1.0, hasTransmission & (l.solid > 0.0) & !isCoat);
-    let density = spread / (bound * ownWo.z + ownStretched);
-    // What reaches the body by way of a coated surface, met halfway; from inside, by the angle of the surface itself.
-    let reflectance = baseReflectance(s, o, select(min(abs(oh), 1.0), wo.z, hasTransmission & isCoat & o.inside));
-    let p = partingOf(s, o, reflectance);
-    var lobe = under * select(p.toward * o.more, p.beyond, crossing);
-    var chosen = o.ofFacets * select(p.share, 1.0 - p.share, crossing) * select(1.0, o.ratio * o.ratio, bends);
-    if (!hasCoats) {
-      if (!hasTransmission) {
-        intoBody = reflectance.a;
-      }
-    }
-    if (isCoat) {
-      intoBody = reflectance.a;
-      lobe = vec3f(select(o.coat, 0.0, coatEnds));
-      chosen = select(o.ofCoat, 0.0, coatEnds);
-    }
-    sum += vec4f(lobe * (spread * masked), chosen * density);
-    if (!hasCoats) {
-      if (!hasTransmission) {
-        break;
-      }
-    }
-    if (!isCoat) {
-      break;
-    }
-    isCoat = false;
-  }
-  if (hasSheen) {
-    if ((o.sheenColor > 0.0) & !crossing & !o.inside) {
-      let most = max(max(o.sheen, sheenAlbedo(zi, l.sheenRoughness)), 1.0);
-      let fibres = (1.0 - o.coat) * whiteSheen(wo, wi, sheenAlpha(l.sheenRoughness)) / most;
-      sum += vec4f(fibres * l.sheenColor, o.ofSheen * invTwoPi);
-    }
-  }
-  let body = select((1.0 - l.beyond) * s.baseColor, l.beyond * l.beyondColor, crossing);
-  let matte = under * intoBody * (1.0 - l.transmission) * body;
-  let all = sum + vec4f(matte, select(o.ofDiffuse, ofBeyond(o), crossing)) * (invPi * zi);
-  return select(all, vec4f(0.0), dark);
+// `value` is what evaluateBsdf says of the sample's direction.
+fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
+  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
+  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
+  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
 }
 
-fn ofBeyond(o: Stack) -> f32 {
-  return max(1.0 - o.ofCoat - o.ofFacets - o.ofSheen - o.ofDiffuse, 0.0);
+// Of each direction rgb: f |cos wi|; a: the density with which sampleLayered gives it. Of smooth facets that is 0; but where `byMirror` says that
+// the sample was drawn by them, these alone count, and both are what is left when the density of their facets is taken out of them.
+//
+// One loop over both directions and, of each, the coat's facets and the base's: so that all stands in the program once, and in no loop within
+// another. Its begin is known at run time only, or Windows' compiler would write its turns out.
+fn evaluateLayers(s: Surface, toLight: vec3f, toSample: vec3f, byMirror: bool) -> LayeredPair {
+  var pair = LayeredPair(vec4f(0.0), vec4f(0.0));
+  var isLight = frame.emitterCount > 0u;
+  var isFirst = true;
+  var sum = vec4f(0.0);
+  var intoBody = 0.0;
+  loop {
+    let given = select(toSample, toLight, isLight);
+    let wi = vec3f(given.xy, given.z * stackHere.side);
+    // Through a thin wall light goes as if it were reflected and then mirrored.
+    let facing = vec3f(wi.xy, abs(wi.z));
+    // Below the horizon there is light of what lets some through, and of coats with normals of their own.
+    let crossing = (hasTransmission | hasCoatNormals) & (wi.z < 0.0);
+    // The coat's facets come first where there is a coat, and where what reaches the body of a solid is not what the base's facets see that
+    // light comes through. Else the base's show that too.
+    let apart = (stackHere.coat > 0.0) | (isSolidHere() & (crossing | stackHere.inside) & (s.metallic < 1.0));
+    let isCoat = (hasCoats | hasTransmission) & isFirst & apart;
+    // A coat may be bent towards what lies below the base's horizon; where light goes through that is the other side.
+    let coatEnds = crossing & !(hasCoatNormals & (s.eta.x >= 0.0));
+    let bends = isSolidHere() & crossing & !isCoat;
+    let facets = facetsTowards(select(facing, wi, bends | (isCoat & !coatEnds)), isCoat, bends);
+    let ofMirror = byMirror & !isLight;
+    let isMirror = ofMirror & (isCoat == stackHere.drawnByCoat);
+    let value = select(select(facets.value, 0.0, ofMirror), 1.0, isMirror);
+    let density = select(select(facets.density, 0.0, ofMirror), 1.0, isMirror);
+    // What reaches the body by way of a coated surface, met halfway; from inside, and by a mirror, by the angle of the surface itself.
+    let cosine = select(facets.cosine, stackHere.wo.z, (isCoat & stackHere.inside) | isMirror);
+    let bare = bareReflectance(s, cosine);
+    var r = bare;
+    if (hasIridescence) {
+      r = filmedReflectance(s, bare, cosine);
+    }
+    intoBody = select(intoBody, (1.0 - s.metallic) * (1.0 - greatest(r.dielectric)), isCoat | !apart);
+    if (isCoat) {
+      sum = select(vec4f(vec3f(stackHere.coat * value), stackHere.ofCoat * density), vec4f(0.0), coatEnds);
+      isFirst = false;
+    } else {
+      let cover = coverTowards(wi, crossing);
+      let p = partingOf(s, r);
+      let lobe = cover.left * select(p.toward * select(stackHere.more, vec3f(1.0), isMirror), p.beyond, crossing);
+      var chosen = stackHere.ofFacets;
+      if (hasTransmission) {
+        let share = shareToward(s, bare);
+        chosen *= select(share, 1.0 - share, crossing) * select(1.0, stackHere.ratio * stackHere.ratio, bends);
+      }
+      sum += vec4f(lobe * value, chosen * density);
+      let body = select((1.0 - layersHere.beyond) * s.baseColor, layersHere.beyond * layersHere.beyondColor, crossing);
+      let matte = cover.left * intoBody * (1.0 - layersHere.transmission) * body;
+      let even = cover.fibres + vec4f(matte, select(stackHere.ofDiffuse, ofBeyond(), crossing)) * (invPi * facing.z);
+      sum += select(even, vec4f(0.0), ofMirror);
+      sum = select(sum, vec4f(0.0), !crossing & (wi.z < 0.0));
+      pair = LayeredPair(select(pair.toLight, sum, isLight), sum);
+      if (!isLight) {
+        break;
+      }
+      isLight = false;
+      isFirst = true;
+      sum = vec4f(0.0);
+    }
+  }
+  return pair;
+}
+
+struct LayeredPair {
+  toLight: vec4f,
+  toSample: vec4f,
+}
+
+
+fn facetsTowards(wi: vec3f, isCoat: bool, bends: bool) -> Facets {
+  let wo = stackHere.wo;
+  let alpha = select(stackHere.alpha, vec2f(stackHere.coatAlpha), isCoat);
+  let isRough = max(alpha.x, alpha.y) >= leastAlpha;
+  let wide = max(alpha, vec2f(leastAlpha));
+  let m = wo + wi * select(1.0, stackHere.ratio, bends);
+  let m2 = max(dot(m, m), 1e-20);
+  let h = m * inverseSqrt(m2);
+  let oh = dot(wo, h);
+  let ih = dot(wi, h);
+  // The same three in the frame of the layer whose facets are meant.
+  var ownWo = wo;
+  var ownWi = wi;
+  var ownH = h;
+  if (hasCoatNormals) {
+    if (isCoat) {
+      let own = basisAbout(coatNormal(stackHere.side));
+      ownWo = toLocal(own, wo);
+      ownWi = toLocal(own, wi);
+      ownH = toLocal(own, h);
+    }
+  }
+  let faces = (oh * ownH.z >= 0.0) & (ih * ownH.z * ownWi.z >= 0.0) & (bends | (ownWi.z >= 0.0));
+  let spread = select(0.25, abs(oh * ih) / m2, bends) * select(0.0, 2.0 * ellipticDensity(ownH, wide), faces & isRough);
+  let ownStretched = ellipticStretched(ownWo, wide);
+  let ownZi = abs(ownWi.z);
+  let masked = ownZi / max(ownZi * ownStretched + ownWo.z * ellipticStretched(ownWi, wide), 1e-20);
+  let bound = select(ellipticBound(ownWo, wide), 1.0, isSolidHere() & !isCoat);
+  return Facets(spread * masked, spread / (bound * ownWo.z + ownStretched), min(abs(oh), 1.0));
+}
+
+override hasIridescence = false;
+
+fn filmedReflectance(s: Surface, bare: Reflectance, cosine: f32) -> Reflectance {
+  var r = bare;
+  if (layersHere.film > 0.0) {
+    let outer = outerCosine(cosine);
+    // Mostly one of the two.
+    var isMetal = s.metallic >= 1.0;
+    loop {
+      let f0 = select(layersHere.specularWeight * dielectricF0(), s.baseColor, isMetal);
+      let film = filmReflectance(f0, layersHere.filmIor, layersHere.filmThickness, outer);
+      if (isMetal) {
+        r.metal = mix(r.metal, film, layersHere.film);
+      } else {
+        r.dielectric = mix(r.dielectric, film, layersHere.film);
+      }
+      if (isMetal | (s.metallic <= 0.0)) {
+        break;
+      }
+      isMetal = true;
+    }
+    if (hasTransmission) {
+      r.dielectric = select(r.dielectric, vec3f(1.0), reflectsAll(cosine, stackHere.ratio));
+    }
+  }
+  return r;
+}
+
+// The film's reflectance over a body that would reflect f0 without it. Kept within 0 … 1: the integral over three colours overshoots.
+fn filmReflectance(f0: vec3f, filmIor: f32, thickness: f32, cosine: f32) -> vec3f {
+  // The cosine within the film; above 0, as its index is at least 1.
+  let sine2 = (1.0 - cosine * cosine) / (filmIor * filmIor);
+  let within = sqrt(max(1.0 - sine2, 0.0));
+  let first = (filmIor - 1.0) / (filmIor + 1.0);
+  let r12 = schlick(vec3f(first * first), cosine).x;
+  let t121 = 1.0 - r12;
+  let body = indexOf(f0 + 1e-4);
+  let second = (body - filmIor) / (body + filmIor);
+  let r23 = schlick(second * second, within);
+  let r123 = clamp(r12 * r23, vec3f(1e-5), vec3f(0.9999));
+  let once = sqrt(r123);
+  let rs = t121 * t121 * r23 / (1.0 - r123);
+  // Half a turn at the lower side of the film's upper boundary, and another where the body's index is less than the film's.
+  let shift = 0.5 + select(vec3f(0.0), vec3f(0.5), body < vec3f(filmIor));
+  let difference = 2.0 * filmIor * thickness * within;
+  var sum = r12 + rs;
+  var amplitude = rs - t121;
+  var order = 1.0;
+  loop {
+    amplitude *= once;
+    sum += 2.0 * amplitude * sensitivity(order * difference, order * shift);
+    order += 1.0;
+    if (order > 2.5) {
+      break;
+    }
+  }
+  return clamp(sum, vec3f(0.0), vec3f(1.0));
+}
+
+// Index of a body that reflects f0 against air.
+fn indexOf(f0: vec3f) -> vec3f {
+  let root = sqrt(min(f0, vec3f(0.9999)));
+  return (1.0 + root) / (1.0 - root);
+}
+
+// What is left of the interference of a path difference (nanometres) in linear red, green, blue: section 4, Gaussians in the frequency
+// domain for x, y, z and the second lobe of x. `shift`: what the boundaries add to the phase, in turns.
+fn sensitivity(difference: f32, shift: vec3f) -> vec3f {
+  let phase = 6.28318530718e-9 * difference;
+  let mean = vec4f(1.6810e6, 1.7953e6, 2.2084e6, 2.2399e6);
+  let variance = vec4f(4.3278e9, 9.3046e9, 6.6121e9, 4.5282e9);
+  // val sqrt(2 pi var) / 1.0685e-7 of the sample.
+  let height = vec4f(0.846590, 1.000222, 1.001122, 0.153868);
+  // Whole turns are left out: the cosine of a large angle has no digits.
+  let turns = mean * (phase * 0.15915494309) + vec4f(shift, shift.x);
+  let lobes = height * cos(6.28318530718 * (turns - round(turns))) * exp(-variance * (phase * phase));
+  let x = lobes.x + lobes.w;
+  // XYZ to linear sRGB
+  return vec3f(3.2404542 * x - 1.5371385 * lobes.y - 0.4985314 * lobes.z, -0.9692660 * x + 1.8760108 * lobes.y + 0.0415560 * lobes.z, 0.0556434 * x - 0.2040259 * lobes.y + 1.0572252 * lobes.z);
+}
+
+fn coverTowards(wi: vec3f, crossing: bool) -> Cover {
+  var cover = Cover(1.0, vec4f(0.0));
+  if (hasCoats) {
+    let ofWi = coatReflectance(layersHere.coat, coatCosine(stackHere.side, wi));
+    cover.left = 1.0 - select(stackHere.coat, ofWi, stackHere.inside & crossing);
+  }
+  if (hasSheen) {
+    if (stackHere.sheenColor > 0.0) {
+      let isOutside = !(layersHere.solid > 0.0) | (stackHere.inside == crossing);
+      let most = max(stackHere.sheen, sheenAlbedo(abs(wi.z), layersHere.sheenRoughness));
+      let white = (1.0 - stackHere.coat) * whiteSheen(stackHere.wo, wi, sheenAlpha(layersHere.sheenRoughness)) / max(most, 1.0);
+      cover.fibres = select(vec4f(white * layersHere.sheenColor, stackHere.ofSheen * invTwoPi), vec4f(0.0), crossing | stackHere.inside);
+      cover.left *= 1.0 - stackHere.sheenColor * min(select(stackHere.sheen, most, isOutside), 1.0);
+    }
+  }
+  return cover;
+}
+
+fn ofBeyond() -> f32 {
+  return max(1.0 - stackHere.ofCoat - stackHere.ofFacets - stackHere.ofSheen - stackHere.ofDiffuse, 0.0);
 }
 
 // Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
 const invPi = 0.31830988618;
 
-fn ellipticDensity(h: vec3f, alpha: vec2f) -> f32 {
-  let scaled = h.xy / alpha;
-  let slope = max(dot(scaled, scaled) + h.z * h.z, 1.0);
-  return 0.31830988618 / (alpha.x * alpha.y * slope * slope);
+// What of the light from wi is left by coat and sheen, and what the sheen adds, as evaluateLayers gives it. Light that crosses a solid's
+// boundary meets both once, outside.
+struct Cover {
+  left: f32,
+  fibres: vec4f,
 }
+
 
 // What the fibres send back, times the cosine of wi, for white ones. Both cosines are above 0.
 fn whiteSheen(wo: vec3f, wi: vec3f, alpha: f32) -> f32 {
@@ -1170,6 +1222,21 @@ fn shadowingExponent(x: f32, alpha: f32) -> f32 {
   let e = mix(-4.32054, -4.85967, m);
   return a / (1.0 + b * pow(x, c)) + d * x + e;
 }
+
+fn ellipticDensity(h: vec3f, alpha: vec2f) -> f32 {
+  let scaled = h.xy / alpha;
+  let slope = max(dot(scaled, scaled) + h.z * h.z, 1.0);
+  return 0.31830988618 / (alpha.x * alpha.y * slope * slope);
+}
+
+// Facets of coat or base between wo and a direction: f |cos| but for what they reflect, the density of samples by them, and the cosine that
+// they are met at. Smooth ones have neither.
+struct Facets {
+  value: f32,
+  density: f32,
+  cosine: f32,
+}
+
 
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;

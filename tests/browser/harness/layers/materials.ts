@@ -18,13 +18,13 @@ import type { SurfaceTable } from '../bsdf/questions.ts';
 
 export const albedoOfSheen = sheenFit(sheenWesl);
 
-/** The surface of material i lies in row i, its layers below all surfaces. */
+/** The surface of material i lies in row i, its layers, if it has any, below all surfaces. */
 export function layerTable(materials: readonly LayeredMaterial[], energyCompensation = false): SurfaceTable {
   const table = createBlock(2 * materials.length * TABLE_WIDTH * 16);
   materials.forEach((given, row) => {
     const material = { ...materialOf(given), energyCompensation };
-    if (!isLayered(material)) throw new Error(`No layers: ${JSON.stringify(given)}`);
-    writeRow(table, 'Surface', row, surfaceValues(material, null, 0, materials.length + row));
+    const layers = isLayered(material) ? materials.length + row : 0;
+    writeRow(table, 'Surface', row, surfaceValues(material, null, 0, layers));
     writeRow(table, 'Layers', materials.length + row, layerValues(material));
   });
   return { rows: table, coats: materials.map(({ coatNormal }) => coatNormal) };

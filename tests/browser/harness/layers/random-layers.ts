@@ -40,13 +40,10 @@ function randomLayers(random: Random): LayeredMaterial {
     iridescenceThickness: pick(random, [0, 1e6, between(random, 50, 1500)]),
     dispersion: pick(random, [0, 0, 100, 5 * random()]),
   });
-  // Metal lets nothing through and is no solid; and a material has some layer.
+  // Metal lets nothing through and is no solid.
   const clear = some.metallic < 1 && some.transmission + some.diffuseTransmission > 0;
-  return { ...some, solid: some.solid && clear, clearcoat: isPlain(some) ? 1 : some.clearcoat };
+  return { ...some, solid: some.solid && clear };
 }
-
-const isPlain = (m: LayeredMaterial): boolean =>
-  m.ior === 1.5 && m.specular === 1 && m.transmission + m.diffuseTransmission + m.anisotropy + m.iridescence === 0;
 
 /** All numbers as the table holds them. */
 function inFloats(m: LayeredMaterial): LayeredMaterial {

@@ -77,6 +77,18 @@ export const numbers = (length: number, most = Number.MAX_VALUE): Form => {
   };
 };
 
+/** A matrix of 4 × 4, column by column, whose last row is 0 0 0 1 but for rounding: nodes carry no perspective. */
+export const affine = (most: number): Form => {
+  const all = numbers(16, most);
+  return (value, path, check) => {
+    all(value, path, check);
+    if (!Array.isArray(value)) return;
+    const row = [3, 7, 11, 15].map((i) => value[i] as unknown);
+    const isNear = (x: unknown, i: number): boolean => typeof x !== 'number' || Math.abs(x - (i === 3 ? 1 : 0)) < 1e-3;
+    if (!row.every(isNear)) addProblem(check.problems, path, `a matrix whose last row is ${row.join(' ')}`, '0 0 0 1 there'); // biome-ignore format: one line
+  };
+};
+
 export const list = (item: Form, least = 0): Form => {
   const allowed = least === 0 ? 'a list' : `a list of at least ${least}`;
   return (value, path, check) => {

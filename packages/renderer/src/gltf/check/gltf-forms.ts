@@ -1,7 +1,21 @@
 /** The JSON of glTF 2.0: chapter 5 of its specification, less what nobody here reads. */
 import { GLTF_LIMITS } from '../limits.ts';
 import { bufferViewExtensions, materialExtensions, meshExtensions, nodeExtensions, primitiveExtensions, rootExtensions, textureExtensions } from './extension-forms.ts'; // biome-ignore format: one list
-import { both, choice, type Form, flag, index, integer, list, map, number, numbers, object, text } from './form.ts';
+import {
+  affine,
+  both,
+  choice,
+  type Form,
+  flag,
+  index,
+  integer,
+  list,
+  map,
+  number,
+  numbers,
+  object,
+  text,
+} from './form.ts';
 import { normalTexture, occlusionTexture, textureInfo } from './texture-forms.ts';
 
 /** Everything may have a name and data of the application. */
@@ -104,7 +118,7 @@ const node = object(
     camera: index('cameras'),
     children: list(index('nodes')),
     skin: index('skins'),
-    matrix: numbers(16, GLTF_LIMITS.farthest),
+    matrix: affine(GLTF_LIMITS.farthest),
     mesh: index('meshes'),
     rotation: numbers(4),
     scale: numbers(3, GLTF_LIMITS.farthest),

@@ -28,6 +28,17 @@ export function readImageHead(bytes: Uint8Array): ImageHead | null {
   }
 }
 
+export const NO_IMAGE = 'bytes that are no image';
+
+/** What bytes without a head are, as far as one can tell: such as "a BMP image". */
+export function strangeImage(bytes: Uint8Array): string {
+  const is = (...words: readonly string[]): boolean => words.some((word) => starts(bytes, 0, ascii(word)));
+  const known = is('BM') ? 'BMP' : is('GIF8') ? 'GIF' : is('DDS ') ? 'DDS' : is('8BPS') ? 'PSD' : is('II*\0', 'MM\0*') ? 'TIFF' : is('#?RADIANCE', '#?RGBE') ? 'HDR' : is('v/1\x01') ? 'EXR' : starts(bytes, bytes.length - 18, ascii('TRUEVISION-XFILE')) ? 'TGA' : null; // biome-ignore format: a list
+  if (known !== null) return `a ${known} image`;
+  const broken = starts(bytes, 0, [0xff, 0xd8, 0xff]) ? 'JPEG' : starts(bytes, 1, ascii('PNG')) ? 'PNG' : is('RIFF') ? 'WebP' : starts(bytes, 1, ascii('KTX')) ? 'KTX2' : null; // biome-ignore format: a list
+  return broken === null ? NO_IMAGE : `a ${broken} image that is damaged or cut off in its head`;
+}
+
 const ascii = (text: string): number[] => [...text].map((letter) => letter.charCodeAt(0));
 const starts = (bytes: Uint8Array, at: number, wanted: readonly number[]): boolean =>
   wanted.every((byte, i) => bytes[at + i] === byte);

@@ -1128,9 +1128,10 @@ const materialTexturesRows = 1u;
 // Linear red, green, blue and alpha of an image at these coordinates of the mesh.
 fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
   let place = vec3f(uv, 1.0);
-  let nearest = (t.flags & isNearest) != 0u;
-  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
-  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let flags = select(0u, t.flags, hasOtherLookups);
+  let nearest = (flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (flags & clampsU) != 0u, (flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (flags & clampsV) != 0u, (flags & mirrorsV) != 0u, nearest);
   let upper = t.first + y.first * t.width;
   let lower = t.first + y.second * t.width;
   let colored = (t.flags & isColor) != 0u;
@@ -1167,6 +1168,8 @@ struct TextureUse {
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
+
+override hasOtherLookups = false;
 
 const isNearest = 4u;
 
@@ -1298,8 +1301,10 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
         let bumps = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
-        if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
-          normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+        if (hasNormalMaps) {
+          if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
+            normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+          }
         }
         if (hasCoatNormals) {
           coatNormalHere = m.shading;
@@ -1394,13 +1399,14 @@ struct SurfacePoint {
 
 var<private> layersHere: Layers0;
 
-// All zero where there are none.
+// Those of glTF's own material where there are none.
 fn layersOf(code: u32, eta: f32) -> Layers0 {
   var l: Layers0;
-  if (hasLayers) {
-    if (isLayered(code, eta)) {
-      l = fetchLayers(u32(abs(eta)));
-    }
+  l.specularColor = vec3f(1.0);
+  l.specularWeight = 1.0;
+  l.ior = 1.5;
+  if (isLayered(code) & (eta != 0.0)) {
+    l = fetchLayers(u32(abs(eta)));
   }
   return l;
 }
@@ -1451,9 +1457,9 @@ struct Layers0 {
 }
 
 
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+// In a program with layers every metallicRoughness material has some, if only such as change nothing: its facets stand in the program once.
+fn isLayered(code: u32) -> bool {
+  return hasLayers & isMetallicRoughness(code);
 }
 
 fn fetchLayers(i: u32) -> Layers0 {
@@ -1508,22 +1514,26 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
     p.shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful);
     if (hasTextures) {
       p.uv = vec4f(share.x * a.uv + share.y * b.uv + share.z * c.uv, 0.0, 0.0);
-      if (i.vertexRows > vertexRows) {
-        let moreA = fetchVertexMore(rows.x + vertexRows);
-        let moreB = fetchVertexMore(rows.y + vertexRows);
-        let moreC = fetchVertexMore(rows.z + vertexRows);
-        p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
-        let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
-        let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
-        p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+      if (hasVertexMore) {
+        if (i.vertexRows > vertexRows) {
+          let moreA = fetchVertexMore(rows.x + vertexRows);
+          let moreB = fetchVertexMore(rows.y + vertexRows);
+          let moreC = fetchVertexMore(rows.z + vertexRows);
+          p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
+          let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
+          let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
+          p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+        }
       }
-      if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
-        let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
-        // The vertices of a triangle have one hand: else they would not be shared.
-        let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
-        p.normal = smoothed * side;
-        p.tangent = turn * tangent * side;
-        p.bitangent = turn * cross(normal, tangent) * (hand * side);
+      if (hasNormalMaps) {
+        if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
+          let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
+          // The vertices of a triangle have one hand: else they would not be shared.
+          let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
+          p.normal = smoothed * side;
+          p.tangent = turn * tangent * side;
+          p.bitangent = turn * cross(normal, tangent) * (hand * side);
+        }
       }
     }
   }
@@ -1533,9 +1543,9 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
 // Textures, and colours at the vertices of meshes.
 override hasTextures = false;
 
-// Whether light may go through the surface.
+// Whether light may go through the surface. `eta`: Surface.eta.x, which says of metallicRoughness where its layers are.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code) & (eta < 0.0));
 }
 
 // Where the two normals of a body that light goes through do not agree on which side a ray comes from, the geometric one is right.
@@ -1557,7 +1567,11 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   if (material.count > 0u) {
     loop {
       let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
-      let texel = lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u));
+      var place = uv.xy;
+      if (hasVertexMore) {
+        place = select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u);
+      }
+      let texel = lookUp(t, place);
       (*s).baseColor *= select(vec3f(1.0), texel.rgb, t.slot == baseColorSlot);
       (*s).emission *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
       let share = select(vec2f(1.0), texel.gb, t.slot == metallicRoughnessSlot);
@@ -1580,6 +1594,10 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   }
   return bumps;
 }
+
+// Of textures: normal maps, or grain, which need frames of tangents; colours at vertices or a second set of coordinates, which lie side by
+// side; and such that are not repeated and looked up linearly.
+override hasNormalMaps = false;
 
 // A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
 // gives none.
@@ -1649,6 +1667,8 @@ struct Surface {
 
 
 const textureUseRows = 3u;
+
+override hasVertexMore = false;
 
 const baseColorSlot = 0u;
 

@@ -261,7 +261,7 @@ struct BsdfSample {
 };
 struct Pair {
     vec4 toLight;
-    vec4 toSample;
+    BsdfSample drawn;
 };
 struct FacetLobe {
     vec3 value;
@@ -936,15 +936,15 @@ bool isMetallicRoughness(uint code_2) {
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-bool isLayered(uint code_3, float eta) {
-    bool _e3 = isMetallicRoughness(code_3);
-    return pick(pick(hasLayers, _e3, false), (eta != 0.0), false);
+bool isLayered(uint code_3) {
+    bool _e2 = isMetallicRoughness(code_3);
+    return pick(hasLayers, _e2, false);
 }
 
-bool letsThrough(uint code_4, float eta_1) {
+bool letsThrough(uint code_4, float eta) {
     bool _e2 = isDielectric(code_4);
-    bool _e4 = isLayered(code_4, eta_1);
-    return pick(_e2, true, pick(pick(hasTransmission, _e4, false), (eta_1 < 0.0), false));
+    bool _e4 = isLayered(code_4);
+    return pick(_e2, true, pick(pick(hasTransmission, _e4, false), (eta < 0.0), false));
 }
 
 Basis basisAbout(vec3 n) {
@@ -1754,8 +1754,8 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_2) {
     return (specular / max((specular + diffuse), 1e-20));
 }
 
-float indexRatio(float eta_2, float z, bool thin) {
-    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
+float indexRatio(float eta_1, float z, bool thin) {
+    return pick(pick((z < 0.0), !(thin), false), (1.0 / eta_1), eta_1);
 }
 
 float reflectionBound(vec3 wo, float alpha) {
@@ -1777,30 +1777,32 @@ Outgoing outgoing(Surface s_11, vec3 wo_1, vec3 hero) {
     o = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasMetallicRoughness;
     if (_e17) {
-        float _e20 = o.share;
-        float _e24 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
-        bool _e25 = isMetallicRoughness(code_10);
-        o.share = pick(_e25, _e24, _e20);
+        if (true) {
+            float _e21 = o.share;
+            float _e25 = specularShare(s_11.baseColor, s_11.metallic, wo_1.z);
+            bool _e26 = isMetallicRoughness(code_10);
+            o.share = pick(_e26, _e25, _e21);
+        }
     }
-    const bool _e28 = hasGlass;
-    if (_e28) {
-        bool _e33 = isThin(code_10);
-        float _e34 = indexRatio(s_11.eta.x, wo_1.z, _e33);
-        bool _e35 = isDielectric(code_10);
-        o.ratio = pick(_e35, _e34, 1.0);
+    const bool _e29 = hasGlass;
+    if (_e29) {
+        bool _e34 = isThin(code_10);
+        float _e35 = indexRatio(s_11.eta.x, wo_1.z, _e34);
+        bool _e36 = isDielectric(code_10);
+        o.ratio = pick(_e36, _e35, 1.0);
     }
-    const bool _e39 = hasConductors;
-    const bool _e41 = hasMetallicRoughness;
-    const bool _e44 = hasGlass;
-    if (pick(pick(_e39, true, _e41), true, _e44)) {
-        float _e48 = reflectionBound(wo_1, s_11.alpha);
-        bool _e49 = isDielectric(code_10);
-        o.bound = pick(_e49, 1.0, _e48);
-        float _e54 = stretched(wo_1, s_11.alpha);
-        o.stretched = _e54;
+    const bool _e40 = hasConductors;
+    const bool _e42 = hasMetallicRoughness;
+    const bool _e47 = hasGlass;
+    if (pick(pick(_e40, true, pick(_e42, true, false)), true, _e47)) {
+        float _e51 = reflectionBound(wo_1, s_11.alpha);
+        bool _e52 = isDielectric(code_10);
+        o.bound = pick(_e52, 1.0, _e51);
+        float _e57 = stretched(wo_1, s_11.alpha);
+        o.stretched = _e57;
     }
-    Outgoing _e55 = o;
-    return _e55;
+    Outgoing _e58 = o;
+    return _e58;
 }
 
 float mirrorShare(float reflectivity) {
@@ -1834,13 +1836,13 @@ vec3 sampleFacet(float alpha_3, bool isMirror, Outgoing o_1, vec2 u_19) {
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_3);
 }
 
-vec3 conductorFresnel(float cosine_3, vec3 eta_3, vec3 k_1) {
+vec3 conductorFresnel(float cosine_3, vec3 eta_2, vec3 k_1) {
     float cosine2_ = (cosine_3 * cosine_3);
     float sine2_1 = (1.0 - cosine2_);
-    vec3 difference = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_1));
-    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
+    vec3 difference = (((eta_2 * eta_2) - (k_1 * k_1)) - vec3(sine2_1));
+    vec3 a2PlusB2_ = sqrt(((difference * difference) + ((((4.0 * eta_2) * eta_2) * k_1) * k_1)));
     vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference))) + vec3(1e-20)));
-    vec3 smaller = ((eta_3 * k_1) / larger_1);
+    vec3 smaller = ((eta_2 * k_1) / larger_1);
     vec3 a_5 = mix(smaller, larger_1, greaterThan(difference, vec3(0.0)));
     vec3 b_8 = mix(larger_1, smaller, greaterThan(difference, vec3(0.0)));
     vec3 b2_ = ((b_8 * b_8) + vec3(1e-20));
@@ -1853,9 +1855,9 @@ vec3 conductorFresnel(float cosine_3, vec3 eta_3, vec3 k_1) {
     return ((0.5 * across_4) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_4) {
-    float constants = dot((eta_4 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_4, eta_4, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_3, vec3 k_2, float cosine_4) {
+    float constants = dot((eta_3 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_4, eta_3, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
@@ -1877,27 +1879,29 @@ vec3 facetReflectance(Surface s_12, float cosine_7, float ratio_2) {
     uint code_11 = uint(s_12.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
-        vec3 _e13 = schlick(_e12, cosine_7);
-        reflectance = _e13;
+        if (true) {
+            vec3 _e13 = metallicRoughnessF0_(s_12.baseColor, s_12.metallic);
+            vec3 _e14 = schlick(_e13, cosine_7);
+            reflectance = _e14;
+        }
     }
-    const bool _e15 = hasConductors;
-    if (_e15) {
-        vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
-        bool _e21 = isConductor(code_11);
-        reflectance = pick(_e21, _e20, _e16);
+    const bool _e16 = hasConductors;
+    if (_e16) {
+        vec3 _e17 = reflectance;
+        vec3 _e21 = conductorReflectance(s_12.baseColor, s_12.eta, s_12.k, cosine_7);
+        bool _e22 = isConductor(code_11);
+        reflectance = pick(_e22, _e21, _e17);
     }
-    const bool _e24 = hasGlass;
-    if (_e24) {
-        vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_11);
-        float _e27 = glassReflectance(cosine_7, ratio_2, _e26);
-        bool _e29 = isDielectric(code_11);
-        reflectance = pick(_e29, vec3(_e27), _e25);
+    const bool _e25 = hasGlass;
+    if (_e25) {
+        vec3 _e26 = reflectance;
+        bool _e27 = isThin(code_11);
+        float _e28 = glassReflectance(cosine_7, ratio_2, _e27);
+        bool _e30 = isDielectric(code_11);
+        reflectance = pick(_e30, vec3(_e28), _e26);
     }
-    vec3 _e31 = reflectance;
-    return _e31;
+    vec3 _e32 = reflectance;
+    return _e32;
 }
 
 vec3 refracted(vec3 wo_3, vec3 h_1, float ratio_3) {
@@ -1923,58 +1927,58 @@ BsdfSample sampleLobe(Surface s_13, Outgoing o_2, vec3 u_20) {
     drawn = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
-    const bool _e25 = hasGlass;
-    if (pick(pick(_e20, true, _e22), true, _e25)) {
+    const bool _e27 = hasGlass;
+    if (pick(pick(_e20, true, pick(_e22, true, false)), true, _e27)) {
         uint code_12 = uint(s_13.code);
-        bool _e29 = isDielectric(code_12);
-        bool _e30 = isSmooth(code_12);
-        vec3 _e33 = sampleFacet(s_13.alpha, _e30, o_2, u_20.xy);
-        float oh = max(dot(wo_5, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_13, oh, o_2.ratio);
-        bool crossing = pick(_e29, (choice_1 >= _e38.x), false);
-        wi = (((2.0 * oh) * _e33) - wo_5);
+        bool _e31 = isDielectric(code_12);
+        bool _e32 = isSmooth(code_12);
+        vec3 _e35 = sampleFacet(s_13.alpha, _e32, o_2, u_20.xy);
+        float oh = max(dot(wo_5, _e35), 0.0);
+        vec3 _e40 = facetReflectance(s_13, oh, o_2.ratio);
+        bool crossing = pick(_e31, (choice_1 >= _e40.x), false);
+        wi = (((2.0 * oh) * _e35) - wo_5);
         probability_2 = (base_2 * o_2.share);
-        weight = (_e38 / vec3(o_2.share));
-        const bool _e55 = hasGlass;
-        if (_e55) {
-            bool _e56 = isThin(code_12);
-            vec3 _e57 = wi;
-            vec3 _e59 = refracted(wo_5, _e33, o_2.ratio);
-            wi = pick(crossing, pick(_e56, -(wo_5), _e59), _e57);
-            float _e63 = probability_2;
-            probability_2 = pick(_e29, (base_2 * pick(crossing, (1.0 - _e38.x), _e38.x)), _e63);
-            vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing, !(_e56), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e71);
+        weight = (_e40 / vec3(o_2.share));
+        const bool _e57 = hasGlass;
+        if (_e57) {
+            bool _e58 = isThin(code_12);
+            vec3 _e59 = wi;
+            vec3 _e61 = refracted(wo_5, _e35, o_2.ratio);
+            wi = pick(crossing, pick(_e58, -(wo_5), _e61), _e59);
+            float _e65 = probability_2;
+            probability_2 = pick(_e31, (base_2 * pick(crossing, (1.0 - _e40.x), _e40.x)), _e65);
+            vec3 _e73 = weight;
+            weight = pick(_e31, vec3(pick(pick(crossing, !(_e58), false), (1.0 / (o_2.ratio * o_2.ratio)), 1.0)), _e73);
         }
-        float _e88 = wi.z;
-        bool lost = pick(!(_e30), (crossing != ((wo_5.z < 0.0) != (_e88 < 0.0))), false);
+        float _e90 = wi.z;
+        bool lost = pick(!(_e32), (crossing != ((wo_5.z < 0.0) != (_e90 < 0.0))), false);
         bool specular_1 = (choice_1 < o_2.share);
-        vec3 _e98 = drawn.direction;
-        vec3 _e99 = wi;
-        drawn.direction = pick(specular_1, _e99, _e98);
-        float _e103 = drawn.pdf;
-        float _e104 = probability_2;
-        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e104), _e103);
-        vec3 _e110 = drawn.weight;
-        vec3 _e111 = weight;
-        drawn.weight = pick(specular_1, _e111, _e110);
-        drawn.delta = pick(specular_1, _e30, false);
+        vec3 _e100 = drawn.direction;
+        vec3 _e101 = wi;
+        drawn.direction = pick(specular_1, _e101, _e100);
+        float _e105 = drawn.pdf;
+        float _e106 = probability_2;
+        drawn.pdf = pick(specular_1, pick(lost, 0.0, _e106), _e105);
+        vec3 _e112 = drawn.weight;
+        vec3 _e113 = weight;
+        drawn.weight = pick(specular_1, _e113, _e112);
+        drawn.delta = pick(specular_1, _e32, false);
     }
-    const bool _e116 = hasMirrorLayers;
-    if (_e116) {
+    const bool _e118 = hasMirrorLayers;
+    if (_e118) {
         bool reflected = (u_20.z < _e5);
-        vec3 _e121 = drawn.direction;
-        vec3 _e122 = mirrored(wo_5);
-        drawn.direction = pick(reflected, _e122, _e121);
-        float _e126 = drawn.pdf;
-        drawn.pdf = pick(reflected, _e5, _e126);
-        vec3 _e130 = drawn.weight;
-        drawn.weight = pick(reflected, vec3(1.0), _e130);
-        bool _e136 = drawn.delta;
-        drawn.delta = pick(_e136, true, reflected);
+        vec3 _e123 = drawn.direction;
+        vec3 _e124 = mirrored(wo_5);
+        drawn.direction = pick(reflected, _e124, _e123);
+        float _e128 = drawn.pdf;
+        drawn.pdf = pick(reflected, _e5, _e128);
+        vec3 _e132 = drawn.weight;
+        drawn.weight = pick(reflected, vec3(1.0), _e132);
+        bool _e138 = drawn.delta;
+        drawn.delta = pick(_e138, true, reflected);
     }
-    BsdfSample _e138 = drawn;
-    return _e138;
+    BsdfSample _e140 = drawn;
+    return _e140;
 }
 
 float facetDensity(vec3 h_2, float alpha_4) {
@@ -2045,51 +2049,54 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
     dark = pick((o_4.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
-    const bool _e28 = hasGlass;
-    if (pick(pick(_e23, true, _e25), true, _e28)) {
+    const bool _e30 = hasGlass;
+    if (pick(pick(_e23, true, pick(_e25, true, false)), true, _e30)) {
         uint code_14 = uint(s_16.code);
-        FacetLobe _e32 = evaluateFacets(s_16, o_4, wi_2);
-        const bool _e37 = hasMetallicRoughness;
-        if (_e37) {
-            vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_14);
-            base = pick(_e43, _e42, _e38);
+        FacetLobe _e34 = evaluateFacets(s_16, o_4, wi_2);
+        const bool _e39 = hasMetallicRoughness;
+        if (_e39) {
+            if (true) {
+                vec3 _e41 = base;
+                vec3 _e45 = metallicRoughnessDiffuse(s_16.baseColor, s_16.metallic, _e34.cosine);
+                bool _e46 = isMetallicRoughness(code_14);
+                base = pick(_e46, _e45, _e41);
+            }
         }
-        bool _e52 = isSmooth(code_14);
-        vec4 rough = pick(_e52, vec4(0.0), vec4(_e32.value, (o_4.share * _e32.pdf)));
-        vec3 _e54 = base;
-        vec4 _e61 = value;
-        uint _e62 = kindOf(code_14);
-        value = pick((_e62 == diffuse0_), _e61, (rough + (vec4(_e54, (1.0 - o_4.share)) * lambert)));
-        bool _e66 = dark;
-        bool _e67 = isSmooth(code_14);
-        bool _e68 = isDielectric(code_14);
-        dark = pick(_e68, _e67, _e66);
+        bool _e55 = isSmooth(code_14);
+        vec4 rough = pick(_e55, vec4(0.0), vec4(_e34.value, (o_4.share * _e34.pdf)));
+        vec3 _e57 = base;
+        vec4 _e64 = value;
+        uint _e65 = kindOf(code_14);
+        value = pick((_e65 == diffuse0_), _e64, (rough + (vec4(_e57, (1.0 - o_4.share)) * lambert)));
+        bool _e69 = dark;
+        bool _e70 = isSmooth(code_14);
+        bool _e71 = isDielectric(code_14);
+        dark = pick(_e71, _e70, _e69);
     }
-    float _e71 = mirrorShare(s_16.reflectivity);
-    vec4 _e74 = value;
-    bool _e78 = dark;
-    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
-}
-
-Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, vec3 toSample) {
-    Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
-    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
-    vec4 _e5 = evaluateBsdf(s_17, o_5, toSample);
-    pair_2 = Pair(_e4, _e5);
-    Pair _e8 = pair_2;
-    return _e8;
-}
-
-bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
-    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
+    float _e74 = mirrorShare(s_16.reflectivity);
+    vec4 _e77 = value;
+    bool _e81 = dark;
+    return pick(_e81, vec4(0.0), ((1.0 - _e74) * _e77));
 }
 
 BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
     float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
     vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
     return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_2), drawn_1.delta);
+}
+
+Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, BsdfSample drawn_2) {
+    Pair pair_2 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
+    vec4 _e4 = evaluateBsdf(s_17, o_5, toLight_1);
+    vec4 _e6 = evaluateBsdf(s_17, o_5, drawn_2.direction);
+    BsdfSample _e7 = completed(drawn_2, _e6);
+    pair_2 = Pair(_e4, _e7);
+    Pair _e10 = pair_2;
+    return _e10;
+}
+
+bool crosses(vec3 geometric, vec3 a_1, vec3 b_3) {
+    return ((dot(geometric, a_1) > 0.0) != (dot(geometric, b_3) > 0.0));
 }
 
 vec3 toWorld(Basis b_4, vec3 v_6) {
@@ -2172,47 +2179,47 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     Surface _e103 = surface_1;
     Basis _e104 = basis;
     vec3 _e106 = toLocal(_e104, _e91.direction);
-    Pair _e108 = evaluatePair(_e103, _e100, _e106, _e102.direction);
+    Pair _e107 = evaluatePair(_e103, _e100, _e106, _e102);
     bool opaque = pick(hasMeshes, !(_e19), false);
-    bool _e116 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
-    bool lightLeaks = pick(opaque, _e116, false);
-    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e108.toLight);
+    bool _e115 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
+    bool lightLeaks = pick(opaque, _e115, false);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e107.toLight);
     bool alone = pick(_e91.delta, true, pick((_e89.shape < 0.0), (_e91.distance_ < 1e30), false));
-    float _e132 = misWeight(lightPdf, toLight_6.w);
-    float lightWeight = (pick(alone, 1.0, _e132) / lightPdf);
-    BsdfSample _e137 = completed(_e102, _e108.toSample);
-    Basis _e138 = basis;
-    vec3 _e140 = toWorld(_e138, _e137.direction);
-    bool _e144 = crosses(_e10.geometric, _e140, -(rays_1.direction));
-    bool leaks = pick(opaque, _e144, false);
-    uint _e148 = p_9.depth;
-    uint _e151 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e148 != _e151), false);
-    vec3 _e155 = p_9.throughput;
-    vec3 contribution = (((_e155 * toLight_6.xyz) * _e91.radiance) * lightWeight);
+    float _e131 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone, 1.0, _e131) / lightPdf);
+    BsdfSample bsdf = _e107.drawn;
+    Basis _e136 = basis;
+    vec3 _e138 = toWorld(_e136, bsdf.direction);
+    bool _e142 = crosses(_e10.geometric, _e138, -(rays_1.direction));
+    bool leaks = pick(opaque, _e142, false);
+    uint _e146 = p_9.depth;
+    uint _e149 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e146 != _e149), false);
+    vec3 _e153 = p_9.throughput;
+    vec3 contribution = (((_e153 * toLight_6.xyz) * _e91.radiance) * lightWeight);
     bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
     p_9.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e177 = p_9.throughput;
-    vec3 throughput = (_e177 * _e137.weight);
-    float _e180 = max3_(throughput);
-    uint _e186 = p_9.depth;
-    float survival = pick((_e186 < rouletteDepth), 1.0, min((_e180 / 0.33333334), 0.95));
-    float _e198 = max3_(throughput);
-    float _e203 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(pick(goesOn, (_e137.pdf > 0.0), false), !(leaks), false), (_e198 > 0.0), false), (_e203 < survival), false);
+    vec3 _e175 = p_9.throughput;
+    vec3 throughput = (_e175 * bsdf.weight);
+    float _e178 = max3_(throughput);
+    uint _e184 = p_9.depth;
+    float survival = pick((_e184 < rouletteDepth), 1.0, min((_e178 / 0.33333334), 0.95));
+    float _e196 = max3_(throughput);
+    float _e201 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e196 > 0.0), false), (_e201 < survival), false);
     p_9.throughput = (throughput / vec3(survival));
-    uint _e211 = p_9.depth;
-    p_9.depth = (_e211 + 1u);
-    p_9.pdf = pick(_e137.delta, 0.0, _e137.pdf);
+    uint _e209 = p_9.depth;
+    p_9.depth = (_e209 + 1u);
+    p_9.pdf = pick(bsdf.delta, 0.0, bsdf.pdf);
     p_9.litSide = litSide;
     p_9.odds = _e87.odds;
-    bool _e221 = isFlat(shape_1);
-    bool solid = !(_e221);
+    bool _e219 = isFlat(shape_1);
+    bool solid = !(_e219);
     uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
-    bool _e238 = p_9.alive;
-    Sampler _e253 = p_9.sampler_;
-    uint _e254 = numberOfNext(_e253);
-    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e238, _e140, pick(solid, (dot(_e140, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e254);
+    bool _e236 = p_9.alive;
+    Sampler _e251 = p_9.sampler_;
+    uint _e252 = numberOfNext(_e251);
+    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e236, _e138, pick(solid, (dot(_e138, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e252);
     return;
 }
 

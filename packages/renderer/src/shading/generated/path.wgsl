@@ -58,20 +58,22 @@ var<workgroup> squares: array<vec3f, 128>;
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
-  if (index < end) {
-    var p = startPath(pixel, index);
-    loop {
-      extendPath(&p);
-      if (isOver(p)) {
-        let i = index / group - firstGroup;
-        ownSums[i] += p.radiance;
-        ownSquares[i] += p.radiance * p.radiance;
-        index += shares;
-        if (index >= end) {
-          break;
-        }
-        p = startPath(pixel, index);
+  // Over before it has begun: a path starts at one place only, or it would stand in the program twice.
+  var p: Path;
+  p.rays.lightDistance = -1.0;
+  loop {
+    if (isOver(p)) {
+      if (index >= end) {
+        break;
       }
+      p = startPath(pixel, index);
+    }
+    extendPath(&p);
+    if (isOver(p)) {
+      let i = index / group - firstGroup;
+      ownSums[i] += p.radiance;
+      ownSquares[i] += p.radiance * p.radiance;
+      index += shares;
     }
   }
   let adds = (thread % shares == 0u) & inside;
@@ -291,7 +293,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   
   let o = outgoing(surface, wo, hero);
   let drawn = sampleLobe(surface, o, uBsdf);
-  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn.direction);
+  let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
   let opaque = hasMeshes & !isClear;
   let lightLeaks = opaque & crosses(met.geometric, light.direction, -rays.direction);
@@ -299,7 +301,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   // A light that rays cannot meet is found by light sampling only.
   let alone = light.delta | ((emitter.shape < 0.0) & (light.distance < miss));
   let lightWeight = select(misWeight(lightPdf, toLight.a), 1.0, alone) / lightPdf;
-  let bsdf = completed(drawn, values.toSample);
+  let bsdf = values.drawn;
   let direction = toWorld(basis, bsdf.direction);
   let leaks = opaque & crosses(met.geometric, direction, -rays.direction);
   let goesOn = !escaped & ((*p).depth != frame.maxDepth);
@@ -338,9 +340,9 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
   return SurfacePoint(surface, normals.geometric, normals.shading);
 }
 
-// Whether light may go through the surface.
+// Whether light may go through the surface. `eta`: Surface.eta.x, which says of metallicRoughness where its layers are.
 fn letsThrough(code: u32, eta: f32) -> bool {
-  return isDielectric(code) | (hasTransmission & isLayered(code, eta) & (eta < 0.0));
+  return isDielectric(code) | (hasTransmission & isLayered(code) & (eta < 0.0));
 }
 
 fn basisAbout(n: vec3f) -> Basis {
@@ -515,12 +517,14 @@ fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
   var o = Outgoing(wo, select(0.0, 1.0, isConductor(code) | isDielectric(code)), 1.0, 1.0, 1.0);
   
   if (hasMetallicRoughness) {
-    o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    if (!hasLayers) {
+      o.share = select(o.share, specularShare(s.baseColor, s.metallic, wo.z), isMetallicRoughness(code));
+    }
   }
   if (hasGlass) {
     o.ratio = select(1.0, indexRatio(s.eta.x, wo.z, isThin(code)), isDielectric(code));
   }
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     o.bound = select(reflectionBound(wo, s.alpha), 1.0, isDielectric(code));
     o.stretched = stretched(wo, s.alpha);
   }
@@ -528,7 +532,7 @@ fn outgoing(s: Surface, wo: vec3f, hero: vec3f) -> Outgoing {
 }
 
 // A direction by one of the lobes. A sample of a delta lobe is complete; of any other the density and weight of all lobes together
-// are still to be had from evaluatePair: `completed`. u in [0, 1)^3: two for the direction, the third chooses the lobe.
+// are still to be had from evaluatePair. u in [0, 1)^3: two for the direction, the third chooses the lobe.
 fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   let wo = o.wo;
   let mirror = mirrorShare(s.reflectivity);
@@ -536,7 +540,7 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   // What is left of u.z is uniform again, and once more below.
   let choice = (u.z - mirror) / base;
   var drawn = BsdfSample(sampleCosine(u.xy), 1.0, vec3f(1.0), false);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     let code = u32(s.code);
     let isGlass = isDielectric(code);
     let delta = isSmooth(code);
@@ -572,10 +576,9 @@ fn sampleLobe(s: Surface, o: Outgoing, u: vec3f) -> BsdfSample {
   return drawn;
 }
 
-// evaluateBsdf for the direction to the light and for the one that sampleLobe gave. Layers are worked out in a loop, so that they stand in
-// the program once; its begin is known at run time only, or Windows' compiler would write it out twice.
-fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, toSample: vec3f) -> Pair {
-  var pair = Pair(evaluateBsdf(s, o, toLight), evaluateBsdf(s, o, toSample));
+// What there is to know of the direction to the light and of the one that sampleLobe gave.
+fn evaluatePair(s: Surface, o: Outgoing, toLight: vec3f, drawn: BsdfSample) -> Pair {
+  var pair = Pair(evaluateBsdf(s, o, toLight), completed(drawn, evaluateBsdf(s, o, drawn.direction)));
   
   return pair;
 }
@@ -591,13 +594,6 @@ const miss = 1e30;
 fn misWeight(own: f32, other: f32) -> f32 {
   let ratio = other / own;
   return 1.0 / (1.0 + ratio * ratio);
-}
-
-// `value` is what evaluatePair says of the sample's direction.
-fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
-  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
-  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
-  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
 }
 
 fn toWorld(b: Basis, v: vec3f) -> vec3f {
@@ -722,9 +718,9 @@ struct SurfacePoint {
   shading: vec3f,
 }
 
-// These take Surface.eta.x too, which says of metallicRoughness where its layers are.
-fn isLayered(code: u32, eta: f32) -> bool {
-  return hasLayers & isMetallicRoughness(code) & (eta != 0.0);
+// In a program with layers every metallicRoughness material has some, if only such as change nothing: its facets stand in the program once.
+fn isLayered(code: u32) -> bool {
+  return hasLayers & isMetallicRoughness(code);
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
@@ -1777,7 +1773,9 @@ fn facetReflectance(s: Surface, cosine: f32, ratio: f32) -> vec3f {
   let code = u32(s.code);
   var reflectance = vec3f(0.0);
   if (hasMetallicRoughness) {
-    reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    if (!hasLayers) {
+      reflectance = schlick(metallicRoughnessF0(s.baseColor, s.metallic), cosine);
+    }
   }
   if (hasConductors) {
     reflectance = select(reflectance, conductorReflectance(s.baseColor, s.eta, s.k, cosine), isConductor(code));
@@ -1855,29 +1853,32 @@ fn dielectricFresnel(cosine: f32, ratio: f32) -> f32 {
   return select(1.0, 0.5 * (across * across + along * along), inside2 > 0.0);
 }
 
-
 // The perfect mirror: a layer of constant share over any base, and the smooth limit of every microfacet surface.
 fn mirrored(wo: vec3f) -> vec3f {
   return vec3f(-wo.xy, wo.z);
 }
 
 struct Pair {
+  // As of evaluateBsdf.
   toLight: vec4f,
-  toSample: vec4f,
+  // With the density and weight of all lobes together.
+  drawn: BsdfSample,
 }
 
 
-// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Without layers: evaluatePair.
+// rgb: f |cos wi|; a: the density with which sampleLobe gives wi. Delta lobes give 0. Of what has no layers: evaluatePair.
 fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   let lambert = invPi * max(wi.z, 0.0);
   var value = vec4f(s.baseColor, 1.0) * lambert;
   var dark = (o.wo.z < 0.0) | (wi.z <= 0.0);
-  if (hasConductors | hasMetallicRoughness | hasGlass) {
+  if (hasConductors | (hasMetallicRoughness & !hasLayers) | hasGlass) {
     let code = u32(s.code);
     let facets = evaluateFacets(s, o, wi);
     var base = vec3f(0.0);
     if (hasMetallicRoughness) {
-      base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      if (!hasLayers) {
+        base = select(base, metallicRoughnessDiffuse(s.baseColor, s.metallic, facets.cosine), isMetallicRoughness(code));
+      }
     }
     let rough = select(vec4f(facets.value, o.share * facets.pdf), vec4f(0.0), isSmooth(code));
     value = select(rough + vec4f(base, 1.0 - o.share) * lambert, value, kindOf(code) == diffuse0);
@@ -1886,8 +1887,16 @@ fn evaluateBsdf(s: Surface, o: Outgoing, wi: vec3f) -> vec4f {
   return select((1.0 - mirrorShare(s.reflectivity)) * value, vec4f(0.0), dark);
 }
 
+// `value` is what evaluateBsdf says of the sample's direction.
+fn completed(drawn: BsdfSample, value: vec4f) -> BsdfSample {
+  let pdf = select(value.a, 0.0, drawn.pdf <= 0.0);
+  let weight = select(vec3f(0.0), value.rgb / max(pdf, 1e-30), pdf > 0.0);
+  return BsdfSample(drawn.direction, select(pdf, drawn.pdf, drawn.delta), select(weight, drawn.weight, drawn.delta), drawn.delta);
+}
+
 // Matte surfaces: radiance leaves alike to all sides (Lambert, Photometria, 1760).
 const invPi = 0.31830988618;
+
 
 fn evaluateFacets(s: Surface, o: Outgoing, wi: vec3f) -> FacetLobe {
   let wo = o.wo;

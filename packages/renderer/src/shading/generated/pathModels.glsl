@@ -410,7 +410,6 @@ struct Outgoing {
     float stretched;
 };
 struct Stack {
-    Layers layers;
     vec3 wo;
     float side;
     vec3 hero;
@@ -426,6 +425,11 @@ struct Stack {
     float ofFacets;
     float ofSheen;
     float ofDiffuse;
+    bool drawnByCoat;
+};
+struct Reflectance {
+    vec3 dielectric;
+    vec3 metal;
 };
 struct BsdfSample {
     vec3 direction;
@@ -436,22 +440,33 @@ struct BsdfSample {
 struct LayeredSample {
     vec3 direction;
     float pdf;
-    vec3 weight;
     bool delta;
 };
 struct Parting {
     vec3 toward;
     vec3 beyond;
-    float share;
 };
 struct Pair {
     vec4 toLight;
-    vec4 toSample;
+    BsdfSample drawn;
 };
 struct FacetLobe {
     vec3 value;
     float pdf;
     float cosine;
+};
+struct LayeredPair {
+    vec4 toLight;
+    vec4 toSample;
+};
+struct Facets {
+    float value;
+    float density;
+    float cosine;
+};
+struct Cover0_ {
+    float left;
+    vec4 fibres;
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
@@ -543,6 +558,8 @@ const bool hasOneSided = false;
 
 uniform highp usampler2D texels;
 
+const bool hasOtherLookups = false;
+
 const bool hasLayers = false;
 
 Layers layersHere = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
@@ -554,6 +571,10 @@ const bool hasCoatNormals = false;
 vec3 coatNormalHere = vec3(0.0);
 
 const bool hasTextures = false;
+
+const bool hasVertexMore = false;
+
+const bool hasNormalMaps = false;
 
 const bool hasTransmission = false;
 
@@ -595,7 +616,7 @@ const bool hasVariedLamps = false;
 
 const bool hasConductors = false;
 
-Stack stackHere = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+Stack stackHere = Stack(vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
 
 const bool hasCompensation = false;
 
@@ -609,8 +630,8 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_25 = ((x * 747796405u) + 2891336453u);
-    uint w_5 = (((s_25 >> ((s_25 >> 28u) + 4u)) ^ s_25) * 277803737u);
+    uint s_27 = ((x * 747796405u) + 2891336453u);
+    uint w_5 = (((s_27 >> ((s_27 >> 28u) + 4u)) ^ s_27) * 277803737u);
     return ((w_5 >> 22u) ^ w_5);
 }
 
@@ -663,11 +684,11 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
-    uint place_4 = (_e19 | (_e23 * 2u));
+    uint place_5 = (_e19 | (_e23 * 2u));
     uint _e29 = reversed((sampleIndex_1 & 65535u));
     uint sample_ = pick(independent, 0u, _e29);
     uint _e34 = mixBits((_e15 ^ 1779033703u));
-    uint _e37 = reversed((place_4 * 256u));
+    uint _e37 = reversed((place_5 * 256u));
     return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
@@ -770,9 +791,9 @@ Group nextGroup(inout Sampler s) {
     uint _e18 = s.place;
     uint _e19 = scramble(_e18, b_8);
     uint _e21 = s.sample_;
-    uint own_2 = (_e21 * ((_e19 >> 7u) & 4294967294u));
+    uint own_3 = (_e21 * ((_e19 >> 7u) & 4294967294u));
     uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own_2), _e8);
+    uint _e30 = scramble((_e28 ^ own_3), _e8);
     uint _e33 = reversed((_e30 & 65535u));
     uint _e36 = shiftOfPlace((_e19 & 255u));
     return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_8 >> 16u) | (b_8 * 65536u)));
@@ -788,8 +809,8 @@ vec2 concentricDisc(vec2 u_2) {
     vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
     bool wide = (abs(p_15.x) > abs(p_15.y));
     float radius_1 = pick(wide, p_15.x, p_15.y);
-    float ratio_7 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
-    float angle = pick(wide, (0.7853982 * ratio_7), (1.5707964 - (0.7853982 * ratio_7)));
+    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
 
@@ -912,18 +933,18 @@ float intersectSphere(vec3 origin_1, vec3 direction_1, vec3 center, float radius
 }
 
 PairHit meet(PairHit found, RayPair p_1, uint i_1, vec2 t) {
-    bool own_3 = (i_1 == p_1.shape);
-    float pathT = pick(pick(own_3, !(p_1.inwards), false), 1e30, t.x);
-    float lightT = pick(pick(pick(own_3, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
+    bool own_4 = (i_1 == p_1.shape);
+    float pathT = pick(pick(own_4, !(p_1.inwards), false), 1e30, t.x);
+    float lightT = pick(pick(pick(own_4, !(p_1.lightInwards), false), true, (i_1 == p_1.lightShape)), 1e30, t.y);
     bool nearer_1 = (pathT < found.t);
     return PairHit(pick(nearer_1, pathT, found.t), pick(nearer_1, i_1, found.shape), pick(found.blocked, true, (lightT < p_1.lightDistance)), noTriangle, vec2(0.0));
 }
 
 PairHit meetSphere(PairHit found_1, RayPair p_2, uint i_2) {
     Bounds _e3 = fetchBounds(i_2);
-    bool own_4 = (i_2 == p_2.shape);
-    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.inwards, false));
-    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_4, p_2.lightInwards, false));
+    bool own_5 = (i_2 == p_2.shape);
+    float _e13 = intersectSphere(p_2.point, p_2.direction, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.inwards, false));
+    float _e21 = intersectSphere(p_2.point, p_2.lightDirection, _e3.center, _e3.radius, p_2.tMin, pick(own_5, p_2.lightInwards, false));
     PairHit _e23 = meet(found_1, p_2, i_2, vec2(_e13, _e21));
     return _e23;
 }
@@ -974,12 +995,12 @@ float intersectBox(vec3 origin_4, vec3 direction_3, vec3 halfSize_1, float tMin_
 PairHit meetBox(PairHit found_2, RayPair p_3, uint i_4) {
     Bounds _e3 = fetchBounds(i_4);
     Extent _e4 = fetchExtent(i_4);
-    bool own_5 = (i_4 == p_3.shape);
+    bool own_6 = (i_4 == p_3.shape);
     vec3 _e11 = turned(_e4.a, (p_3.point - _e3.center));
     vec3 _e14 = turned(_e4.a, p_3.direction);
-    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.inwards, false));
+    float _e20 = intersectBox(_e11, _e14, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.inwards, false));
     vec3 _e23 = turned(_e4.a, p_3.lightDirection);
-    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_5, p_3.lightInwards, false));
+    float _e29 = intersectBox(_e11, _e23, _e4.b.xyz, p_3.tMin, pick(own_6, p_3.lightInwards, false));
     PairHit _e31 = meet(found_2, p_3, i_4, vec2(_e20, _e29));
     return _e31;
 }
@@ -1152,10 +1173,10 @@ Cover coverAt(uvec3 rows, uint each, vec2 weights) {
         c.uv = vec4((((share_1.x * _e19.uv) + (share_1.y * _e24.uv)) + (share_1.z * _e30.uv)), 0.0, 0.0);
     }
     if ((each > vertexRows)) {
-        uvec3 more_1 = (rows + uvec3(1u));
-        VertexMore _e43 = fetchVertexMore(more_1.x);
-        VertexMore _e45 = fetchVertexMore(more_1.y);
-        VertexMore _e47 = fetchVertexMore(more_1.z);
+        uvec3 more = (rows + uvec3(1u));
+        VertexMore _e43 = fetchVertexMore(more.x);
+        VertexMore _e45 = fetchVertexMore(more.y);
+        VertexMore _e47 = fetchVertexMore(more.z);
         vec4 _e50 = c.uv;
         c.uv = vec4(_e50.xy, (((share_1.x * _e43.uv) + (share_1.y * _e45.uv)) + (share_1.z * _e47.uv)));
         vec2 _e66 = pairOf(_e43.blueAlpha);
@@ -1175,8 +1196,8 @@ TextureUse fetchTextureUse(uint row_7) {
 }
 
 Neighbours neighbours(float x_10, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside_1 = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
-    float at_1 = ((inside_1 * float(size)) - pick(nearest, 0.0, 0.5));
+    float inside = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
+    float at_1 = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
     float low_1 = floor(at_1);
     int last = (int(size) - 1);
     int first = int(low_1);
@@ -1199,28 +1220,30 @@ vec4 decoded(uint texel, bool colored) {
 
 uint texelAt(uint i_9) {
     uvec4 _e3 = texelRow((i_9 >> 2u));
-    uvec2 pair_3 = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
-    return pick(((i_9 & 1u) != 0u), pair_3.y, pair_3.x);
+    uvec2 pair_4 = pick(((i_9 & 2u) != 0u), _e3.zw, _e3.xy);
+    return pick(((i_9 & 1u) != 0u), pair_4.y, pair_4.x);
 }
 
 vec4 lookUp(TextureUse t_2, vec2 uv) {
-    vec3 place_5 = vec3(uv, 1.0);
-    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_2.toU, place_5), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_2.toV, place_5), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
+    vec3 place_6 = vec3(uv, 1.0);
+    const bool _e7 = hasOtherLookups;
+    uint flags = pick(_e7, t_2.flags, 0u);
+    bool nearest_1 = ((flags & isNearest) != 0u);
+    Neighbours _e24 = neighbours(dot(t_2.toU, place_6), t_2.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_6), t_2.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
     uint upper = (t_2.first + (_e36.first * t_2.width));
     uint lower = (t_2.first + (_e36.second * t_2.width));
     bool colored_1 = ((t_2.flags & isColor) != 0u);
-    uint _e54 = texelAt((upper + _e22.first));
+    uint _e54 = texelAt((upper + _e24.first));
     vec4 _e55 = decoded(_e54, colored_1);
-    uint _e58 = texelAt((upper + _e22.second));
+    uint _e58 = texelAt((upper + _e24.second));
     vec4 _e59 = decoded(_e58, colored_1);
-    vec4 above = mix(_e55, _e59, _e22.share);
-    uint _e64 = texelAt((lower + _e22.first));
+    vec4 above = mix(_e55, _e59, _e24.share);
+    uint _e64 = texelAt((lower + _e24.first));
     vec4 _e65 = decoded(_e64, colored_1);
-    uint _e68 = texelAt((lower + _e22.second));
+    uint _e68 = texelAt((lower + _e24.second));
     vec4 _e69 = decoded(_e68, colored_1);
-    vec4 below = mix(_e65, _e69, _e22.share);
+    vec4 below = mix(_e65, _e69, _e24.share);
     return mix(above, below, _e36.share);
 }
 
@@ -1392,7 +1415,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
             uint _e299 = waiting;
             if ((_e299 != noLeaf0_)) {
                 uint _e302 = waiting;
-                uint place_6 = (_e302 & placeMask);
+                uint place_7 = (_e302 & placeMask);
                 uint _e305 = waiting;
                 waiting = ((_e305 + 1u) - 268435456u);
                 uint _e310 = waiting;
@@ -1400,11 +1423,11 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 waiting = pick((_e312 < leaves), noLeaf0_, _e310);
                 MeshRay _e316 = ray_2;
                 uint _e317 = triangles;
-                Triangle _e321 = fetchTriangle((_e317 + (place_6 * triangleRows)));
+                Triangle _e321 = fetchTriangle((_e317 + (place_7 * triangleRows)));
                 Crossing _e322 = crossTriangle(_e316, _e321);
                 float _e331 = most;
                 uint _e336 = own;
-                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_6 != _e336), false);
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_7 != _e336), false);
                 const bool _e341 = hasOneSided;
                 if (_e341) {
                     bool _e342 = nearer;
@@ -1420,7 +1443,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e361 = cover;
                     if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
                         uint _e367 = instance_1;
-                        doubted = MeshHit(t_14, _e367, place_6, weights_3, false);
+                        doubted = MeshHit(t_14, _e367, place_7, weights_3, false);
                         nearer = false;
                     }
                 }
@@ -1439,7 +1462,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e388 = instance_1;
                 found_5.instance = pick(counts, _e388, _e387);
                 uint _e392 = found_5.triangle;
-                found_5.triangle = pick(counts, place_6, _e392);
+                found_5.triangle = pick(counts, place_7, _e392);
                 vec2 _e396 = found_5.weights;
                 found_5.weights = pick(counts, weights_3, _e396);
                 bool _e400 = found_5.blocked;
@@ -1656,10 +1679,10 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
     const bool _e21 = hasBoxes;
     if (_e21) {
         Extent _e22 = fetchExtent(i_14);
-        bool inside_2 = pick((i_14 == p_8.shape), p_8.inwards, false);
+        bool inside_1 = pick((i_14 == p_8.shape), p_8.inwards, false);
         vec3 _e28 = turned(_e22.a, origin_10);
         vec3 _e31 = turned(_e22.a, p_8.direction);
-        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside_2);
+        vec3 _e35 = boxNormal(_e28, _e31, _e22.b.xyz, p_8.tMin, inside_1);
         vec3 _e36 = normal_1;
         vec3 _e38 = turnedBack(_e22.a, _e35);
         bool _e39 = isBox(i_14);
@@ -1694,10 +1717,10 @@ bool isMetallicRoughness(uint code_1) {
     return pick(_e2, (_e3 == metallicRoughness), false);
 }
 
-bool isLayered(uint code_2, float eta) {
-    const bool _e3 = hasLayers;
-    bool _e4 = isMetallicRoughness(code_2);
-    return pick(pick(_e3, _e4, false), (eta != 0.0), false);
+bool isLayered(uint code_2) {
+    const bool _e2 = hasLayers;
+    bool _e3 = isMetallicRoughness(code_2);
+    return pick(_e2, _e3, false);
 }
 
 Layers fetchLayers(uint i_16) {
@@ -1711,18 +1734,18 @@ Layers fetchLayers(uint i_16) {
     return Layers(_e2.xyz, _e2.w, _e4.xyz, _e4.w, _e6.xyz, _e6.w, _e8.xy, _e8.z, _e8.w, _e10.x, _e10.y, _e10.z, _e10.w, _e12.x, _e12.y, _e12.z, _e12.w, _e14.x, _e14.y, _e14.z, _e14.w);
 }
 
-Layers layersOf(uint code_3, float eta_1) {
+Layers layersOf(uint code_3, float eta) {
     Layers l = Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    const bool _e4 = hasLayers;
-    if (_e4) {
-        bool _e5 = isLayered(code_3, eta_1);
-        if (_e5) {
-            Layers _e8 = fetchLayers(uint(abs(eta_1)));
-            l = _e8;
-        }
+    l.specularColor = vec3(1.0);
+    l.specularWeight = 1.0;
+    l.ior = 1.5;
+    bool _e10 = isLayered(code_3);
+    if (pick(_e10, (eta != 0.0), false)) {
+        Layers _e16 = fetchLayers(uint(abs(eta)));
+        l = _e16;
     }
-    Layers _e9 = l;
-    return _e9;
+    Layers _e17 = l;
+    return _e17;
 }
 
 vec3 fromOctahedral(uint code_4) {
@@ -1758,36 +1781,42 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
         const bool _e103 = hasTextures;
         if (_e103) {
             p_9.uv = vec4((((share_2.x * _e54.uv) + (share_2.y * _e56.uv)) + (share_2.z * _e58.uv)), 0.0, 0.0);
-            if ((_e9.vertexRows > vertexRows)) {
-                VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
-                VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
-                VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
-                vec4 _e136 = p_9.uv;
-                p_9.uv = vec4(_e136.xy, (((share_2.x * _e125.uv) + (share_2.y * _e129.uv)) + (share_2.z * _e133.uv)));
-                vec2 _e152 = pairOf(_e125.redGreen);
-                vec2 _e156 = pairOf(_e129.redGreen);
-                vec2 _e161 = pairOf(_e133.redGreen);
-                vec2 redGreen = (((share_2.x * _e152) + (share_2.y * _e156)) + (share_2.z * _e161));
-                vec2 _e166 = pairOf(_e125.blueAlpha);
-                vec2 _e170 = pairOf(_e129.blueAlpha);
-                vec2 _e175 = pairOf(_e133.blueAlpha);
-                vec2 blueAlpha = (((share_2.x * _e166) + (share_2.y * _e170)) + (share_2.z * _e175));
-                p_9.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            const bool _e120 = hasVertexMore;
+            if (_e120) {
+                if ((_e9.vertexRows > vertexRows)) {
+                    VertexMore _e127 = fetchVertexMore((rows_1.x + vertexRows));
+                    VertexMore _e131 = fetchVertexMore((rows_1.y + vertexRows));
+                    VertexMore _e135 = fetchVertexMore((rows_1.z + vertexRows));
+                    vec4 _e138 = p_9.uv;
+                    p_9.uv = vec4(_e138.xy, (((share_2.x * _e127.uv) + (share_2.y * _e131.uv)) + (share_2.z * _e135.uv)));
+                    vec2 _e154 = pairOf(_e127.redGreen);
+                    vec2 _e158 = pairOf(_e131.redGreen);
+                    vec2 _e163 = pairOf(_e135.redGreen);
+                    vec2 redGreen = (((share_2.x * _e154) + (share_2.y * _e158)) + (share_2.z * _e163));
+                    vec2 _e168 = pairOf(_e127.blueAlpha);
+                    vec2 _e172 = pairOf(_e131.blueAlpha);
+                    vec2 _e177 = pairOf(_e135.blueAlpha);
+                    vec2 blueAlpha = (((share_2.x * _e168) + (share_2.y * _e172)) + (share_2.z * _e177));
+                    p_9.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+                }
             }
-            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
-                vec3 _e193 = fromOctahedral(_e54.tangent);
-                vec3 _e197 = fromOctahedral(_e56.tangent);
-                vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent_2 = (((share_2.x * _e193) + (share_2.y * _e197)) + (share_2.z * _e202));
-                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_9.normal = (smoothed * side_4);
-                p_9.tangent = ((turn * tangent_2) * side_4);
-                p_9.bitangent = ((turn * cross(normal_14, tangent_2)) * (hand * side_4));
+            const bool _e188 = hasNormalMaps;
+            if (_e188) {
+                if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                    vec3 _e197 = fromOctahedral(_e54.tangent);
+                    vec3 _e201 = fromOctahedral(_e56.tangent);
+                    vec3 _e206 = fromOctahedral(_e58.tangent);
+                    vec3 tangent_2 = (((share_2.x * _e197) + (share_2.y * _e201)) + (share_2.z * _e206));
+                    float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                    p_9.normal = (smoothed * side_4);
+                    p_9.tangent = ((turn * tangent_2) * side_4);
+                    p_9.bitangent = ((turn * cross(normal_14, tangent_2)) * (hand * side_4));
+                }
             }
         }
     }
-    MeshPoint _e223 = p_9;
-    return _e223;
+    MeshPoint _e227 = p_9;
+    return _e227;
 }
 
 bool isSmooth(uint code_5) {
@@ -1837,11 +1866,11 @@ void takeUpLayer(uint slot, vec4 texel_1) {
         bool isGrain = (slot == anisotropySlot);
         float _e125 = layersHere.anisotropy;
         layersHere.anisotropy = (_e125 * pick(isGrain, texel_1.z, 1.0));
-        vec2 given_2 = ((2.0 * texel_1.xy) - vec2(1.0));
-        float size_3 = dot(given_2, given_2);
-        vec2 d_2 = pick((size_3 > 1e-6), (given_2 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
-        vec2 own_6 = layersHere.grain;
-        layersHere.grain = pick(isGrain, vec2(((own_6.x * d_2.x) - (own_6.y * d_2.y)), ((own_6.y * d_2.x) + (own_6.x * d_2.y))), own_6);
+        vec2 given_1 = ((2.0 * texel_1.xy) - vec2(1.0));
+        float size_3 = dot(given_1, given_1);
+        vec2 d_2 = pick((size_3 > 1e-6), (given_1 * inversesqrt(max(size_3, 1e-20))), vec2(1.0, 0.0));
+        vec2 own_7 = layersHere.grain;
+        layersHere.grain = pick(isGrain, vec2(((own_7.x * d_2.x) - (own_7.y * d_2.y)), ((own_7.y * d_2.x) + (own_7.x * d_2.y))), own_7);
         return;
     } else {
         return;
@@ -1851,6 +1880,7 @@ void takeUpLayer(uint slot, vec4 texel_1) {
 Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
+    vec2 place_2 = vec2(0.0);
     float _e4 = s_6.textures;
     uint row_11 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_11);
@@ -1863,42 +1893,48 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
         while(true) {
             uint _e38 = i_17;
             TextureUse _e42 = fetchTextureUse(((row_11 + materialTexturesRows) + (_e38 * textureUseRows)));
-            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy));
-            vec3 _e53 = s_6.baseColor;
-            s_6.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
-            vec3 _e63 = s_6.emission;
-            s_6.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
-            vec2 share_3 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
-            float _e80 = s_6.alpha;
-            float rough = max(((_e80 * share_3.x) * share_3.x), 0.001);
-            float _e89 = s_6.alpha;
-            float _e91 = s_6.code;
-            bool _e93 = isSmooth(uint(_e91));
-            s_6.alpha = pick(_e93, _e89, rough);
-            float _e96 = s_6.metallic;
-            s_6.metallic = (_e96 * share_3.y);
-            vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
-            vec3 _e112 = bumps.base;
-            bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
-            const bool _e118 = hasCoatNormals;
-            if (_e118) {
-                vec3 _e121 = bumps.coat;
-                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e121);
+            place_2 = uv_1.xy;
+            const bool _e46 = hasVertexMore;
+            if (_e46) {
+                place_2 = pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy);
             }
-            const bool _e127 = hasLayers;
-            if (_e127) {
-                takeUpLayer(_e42.slot, _e51);
+            vec2 _e55 = place_2;
+            vec4 _e56 = lookUp(_e42, _e55);
+            vec3 _e58 = s_6.baseColor;
+            s_6.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e68 = s_6.emission;
+            s_6.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
+            vec2 share_3 = pick((_e42.slot == metallicRoughnessSlot), _e56.yz, vec2(1.0));
+            float _e85 = s_6.alpha;
+            float rough = max(((_e85 * share_3.x) * share_3.x), 0.001);
+            float _e94 = s_6.alpha;
+            float _e96 = s_6.code;
+            bool _e98 = isSmooth(uint(_e96));
+            s_6.alpha = pick(_e98, _e94, rough);
+            float _e101 = s_6.metallic;
+            s_6.metallic = (_e101 * share_3.y);
+            vec3 bump = (((2.0 * _e56.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
+            vec3 _e117 = bumps.base;
+            bumps.base = pick((_e42.slot == normalSlot), bump, _e117);
+            const bool _e123 = hasCoatNormals;
+            if (_e123) {
+                vec3 _e126 = bumps.coat;
+                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e126);
             }
-            uint _e130 = i_17;
-            i_17 = (_e130 + 1u);
-            uint _e132 = i_17;
-            if ((_e132 >= _e6.count)) {
+            const bool _e132 = hasLayers;
+            if (_e132) {
+                takeUpLayer(_e42.slot, _e56);
+            }
+            uint _e135 = i_17;
+            i_17 = (_e135 + 1u);
+            uint _e137 = i_17;
+            if ((_e137 >= _e6.count)) {
                 break;
             }
         }
     }
-    Bumps _e135 = bumps;
-    return _e135;
+    Bumps _e140 = bumps;
+    return _e140;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1931,11 +1967,11 @@ bool isDielectric(uint code_6) {
     return pick(_e2, (_e3 == dielectric_1), false);
 }
 
-bool letsThrough(uint code_7, float eta_2) {
+bool letsThrough(uint code_7, float eta_1) {
     bool _e2 = isDielectric(code_7);
     const bool _e4 = hasTransmission;
-    bool _e5 = isLayered(code_7, eta_2);
-    return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_2 < 0.0), false));
+    bool _e5 = isLayered(code_7);
+    return pick(_e2, true, pick(pick(_e4, _e5, false), (eta_1 < 0.0), false));
 }
 
 vec3 agreed(vec3 geometric_1, vec3 shading, vec3 direction_10, bool isClear) {
@@ -1952,11 +1988,11 @@ vec3 tangentAbout(vec3 normal_2) {
 vec3 grainAt(vec3 normal_3, vec3 tangent, vec3 bitangent, vec2 grain) {
     vec3 along_1 = (tangent - (dot(tangent, normal_3) * normal_3));
     float size_5 = dot(along_1, along_1);
-    bool own_7 = (size_5 > (1e-12 * dot(tangent, tangent)));
+    bool own_8 = (size_5 > (1e-12 * dot(tangent, tangent)));
     vec3 _e12 = tangentAbout(normal_3);
-    vec3 t_16 = pick(own_7, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
+    vec3 t_16 = pick(own_8, (along_1 * inversesqrt(max(size_5, 1e-37))), _e12);
     vec3 across_4 = cross(normal_3, t_16);
-    float hand_1 = pick(pick(own_7, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
+    float hand_1 = pick(pick(own_8, (dot(across_4, bitangent) < 0.0), false), -1.0, 1.0);
     return ((grain.x * t_16) + ((grain.y * hand_1) * across_4));
 }
 
@@ -1990,52 +2026,55 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
                 Bumps _e48 = takeUpTextures(surface, _e39.uv, _e39.color.xyz);
                 tangent_1 = _e39.tangent;
                 bitangent_1 = _e39.bitangent;
-                if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e76 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
-                    normals.shading = _e76;
+                const bool _e52 = hasNormalMaps;
+                if (_e52) {
+                    if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
+                        vec3 _e78 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
+                        normals.shading = _e78;
+                    }
                 }
-                const bool _e78 = hasCoatNormals;
-                if (_e78) {
+                const bool _e80 = hasCoatNormals;
+                if (_e80) {
                     coatNormalHere = _e39.shading;
                     if (any(notEqual(_e48.coat, vec3(0.0, 0.0, 1.0)))) {
-                        vec3 _e106 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
-                        coatNormalHere = _e106;
+                        vec3 _e108 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
+                        coatNormalHere = _e108;
                     }
                 }
             }
-            float _e108 = surface.code;
-            float _e112 = surface.eta.x;
-            bool _e113 = letsThrough(uint(_e108), _e112);
-            vec3 _e116 = normals.geometric;
-            vec3 _e118 = normals.shading;
-            vec3 _e120 = agreed(_e116, _e118, rays_1.direction, _e113);
-            normals.shading = _e120;
-            const bool _e122 = hasCoatNormals;
-            if (_e122) {
-                vec3 _e125 = normals.geometric;
-                vec3 _e127 = coatNormalHere;
-                vec3 _e129 = agreed(_e125, _e127, rays_1.direction, _e113);
-                coatNormalHere = _e129;
+            float _e110 = surface.code;
+            float _e114 = surface.eta.x;
+            bool _e115 = letsThrough(uint(_e110), _e114);
+            vec3 _e118 = normals.geometric;
+            vec3 _e120 = normals.shading;
+            vec3 _e122 = agreed(_e118, _e120, rays_1.direction, _e115);
+            normals.shading = _e122;
+            const bool _e124 = hasCoatNormals;
+            if (_e124) {
+                vec3 _e127 = normals.geometric;
+                vec3 _e129 = coatNormalHere;
+                vec3 _e131 = agreed(_e127, _e129, rays_1.direction, _e115);
+                coatNormalHere = _e131;
             }
         }
     }
-    const bool _e131 = hasGrain;
-    if (_e131) {
+    const bool _e133 = hasGrain;
+    if (_e133) {
         grainHere = vec3(0.0);
-        float _e137 = layersHere.anisotropy;
-        if ((_e137 > 0.0)) {
-            vec3 _e142 = normals.shading;
-            vec3 _e143 = tangent_1;
-            vec3 _e144 = bitangent_1;
-            vec2 _e147 = layersHere.grain;
-            vec3 _e148 = grainAt(_e142, _e143, _e144, _e147);
-            grainHere = _e148;
+        float _e139 = layersHere.anisotropy;
+        if ((_e139 > 0.0)) {
+            vec3 _e144 = normals.shading;
+            vec3 _e145 = tangent_1;
+            vec3 _e146 = bitangent_1;
+            vec2 _e149 = layersHere.grain;
+            vec3 _e150 = grainAt(_e144, _e145, _e146, _e149);
+            grainHere = _e150;
         }
     }
-    Surface _e149 = surface;
-    vec3 _e151 = normals.geometric;
-    vec3 _e153 = normals.shading;
-    return SurfacePoint(_e149, _e151, _e153);
+    Surface _e151 = surface;
+    vec3 _e153 = normals.geometric;
+    vec3 _e155 = normals.shading;
+    return SurfacePoint(_e151, _e153, _e155);
 }
 
 Basis basisAbout(vec3 n_1) {
@@ -2122,10 +2161,10 @@ vec2 quadrantAngles(vec2 x_12, vec2 y_5) {
     vec2 low_2 = min(x_12, y_5);
     vec2 high_1 = max(x_12, y_5);
     bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
-    vec2 r_1 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
-    vec2 z_3 = (r_1 * r_1);
+    vec2 r_4 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
+    vec2 z_3 = (r_4 * r_4);
     vec2 series = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_1) + r_1));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_4) + r_4));
     return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_12));
 }
 
@@ -2137,15 +2176,15 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_6 = uvec2(_e3);
-    uint left_2 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
+    uint left_1 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
     uint right = pick((cell.x == size_6.x), 0u, cell.x);
     uint upper_1 = (max(cell.y, 1u) - 1u);
     uint lower_1 = min(cell.y, (size_6.y - 1u));
     vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_6.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_2, upper_1)), 0);
+    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
     vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_2, lower_1)), 0);
+    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
     vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
     return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
 }
@@ -2202,10 +2241,10 @@ SphereView viewSphere(Emitter e_1, vec3 point) {
     vec3 toCenter_2 = (e_1.position - point);
     float d_3 = length(toCenter_2);
     float power = abs(((d_3 - e_1.radius) * (d_3 + e_1.radius)));
-    bool inside_3 = (d_3 <= e_1.radius);
+    bool inside_2 = (d_3 <= e_1.radius);
     float sine_2 = min((e_1.radius / max(d_3, 1e-30)), 1.0);
-    float cosine_18 = (sqrt(power) / max(d_3, 1e-30));
-    return SphereView(toCenter_2, d_3, power, inside_3, pick(inside_3, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_18))));
+    float cosine_20 = (sqrt(power) / max(d_3, 1e-30));
+    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_20))));
 }
 
 float conePdf(float width) {
@@ -2234,17 +2273,17 @@ float arctangent(float x_13) {
     float a_8 = abs(x_13);
     bool steep = (a_8 > 2.4142137);
     bool middle_2 = pick((a_8 > 0.41421357), !(steep), false);
-    float r_2 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_2, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
+    float r_5 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_2, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
     float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_4 = (r_2 * r_2);
+    float z_4 = (r_5 * r_5);
     float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
-    return (sign(x_13) * (base_1 + (((series_1 * z_4) * r_2) + r_2)));
+    return (sign(x_13) * (base_1 + (((series_1 * z_4) * r_5) + r_5)));
 }
 
 float stretch(float x_14, vec2 y_6, float h_1) {
-    vec2 r_3 = sqrt(((vec2((x_14 * x_14)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_14 * y_6.y) / (h_1 * r_3.y)));
-    float _e22 = arctangent(((x_14 * y_6.x) / (h_1 * r_3.x)));
+    vec2 r_6 = sqrt(((vec2((x_14 * x_14)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
+    float _e16 = arctangent(((x_14 * y_6.y) / (h_1 * r_6.y)));
+    float _e22 = arctangent(((x_14 * y_6.x) / (h_1 * r_6.x)));
     return (_e16 - _e22);
 }
 
@@ -2296,15 +2335,15 @@ LampTriangle fetchLampTriangle(uint row_8) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_7, vec3 direction_17, float distance_4, vec3 normal_5, uint place_2) {
+float meshPdf(Emitter e_7, vec3 direction_17, float distance_4, vec3 normal_5, uint place_3) {
     uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_7.table)) + (place_2 & ((1u << uint(e_7.radius)) - 1u)));
+    uint row_13 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
     float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_17, normal_5))), distance_4);
     LampTriangle _e24 = fetchLampTriangle(row_13);
     return (_e23 * _e24.density);
 }
 
-float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_18, float distance_5, vec3 normal_6, uint place_3) {
+float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_18, float distance_5, vec3 normal_6, uint place_4) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
@@ -2330,7 +2369,7 @@ float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_18, float distance_5, v
     const bool _e27 = hasMeshLamps;
     if (_e27) {
         if ((e_8.kind == 7.0)) {
-            float _e31 = meshPdf(e_8, direction_18, distance_5, normal_6, place_3);
+            float _e31 = meshPdf(e_8, direction_18, distance_5, normal_6, place_4);
             pdf = _e31;
         }
     }
@@ -2368,10 +2407,10 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 z_5 = (n_3.z - vec4(point_7.z));
     vec4 distance2_ = (((x_21 * x_21) + (y_11 * y_11)) + (z_5 * z_5));
     vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
-    bvec4 inside_4 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
+    bvec4 inside_3 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
-    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_4);
+    vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
     vec4 along_2 = (-((((n_3.axisX * x_21) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
@@ -2379,11 +2418,11 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 _e62 = cosineLess(cosW, _e58, n_3.cosWidth, _e60);
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
-    vec4 cosOut = mix(_e64, vec4(1.0), inside_4);
+    vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
     vec4 cosN = clamp(((((normal_7.x * x_21) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
-    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_4);
+    vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
     vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_2);
     vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_, (n_3.reach * n_3.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
@@ -2430,12 +2469,12 @@ TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
         bool low_4 = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own_8 = pick(low_4, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float own_9 = pick(low_4, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
         float before_1 = pick(low_4, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
-        choice.probability = (_e95 * (own_8 / max(total_2, 1e-37)));
+        choice.probability = (_e95 * (own_9 / max(total_2, 1e-37)));
         choice.emitter = uint(pick(low_4, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
-        rest = clamp(((at_3 - before_1) / max(own_8, 1e-37)), 0.0, 0.99999994);
+        rest = clamp(((at_3 - before_1) / max(own_9, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node_1;
         node_1 = (((4u * _e121) + 1u) + child);
         uint _e126 = level;
@@ -2499,17 +2538,17 @@ float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
     const bool _e10 = hasSuns;
     bool isFar = pick(_e10, (e_14.kind == 5.0), false);
     vec3 middle_3 = (e_14.position + pick(isQuad, (0.5 * (e_14.u + e_14.v)), vec3(0.0)));
-    vec3 toLight_3 = pick(isFar, -(e_14.u), (middle_3 - point_10));
-    float distance2_1 = dot(toLight_3, toLight_3);
+    vec3 toLight_4 = pick(isFar, -(e_14.u), (middle_3 - point_10));
+    float distance2_1 = dot(toLight_4, toLight_4);
     float distance_6 = sqrt(distance2_1);
     float grown = max((distance_6 + e_14.reach), 1e-15);
-    float above_3 = clamp(((dot(normal_10, toLight_3) + e_14.reach) / grown), 0.0, 1.0);
-    float cosine_19 = pick((dot(normal_10, normal_10) == 0.0), 1.0, above_3);
+    float above_3 = clamp(((dot(normal_10, toLight_4) + e_14.reach) / grown), 0.0, 1.0);
+    float cosine_21 = pick((dot(normal_10, normal_10) == 0.0), 1.0, above_3);
     float square = pick(isQuad, (distance2_1 + (e_14.area / 3.1415927)), max(distance2_1, (e_14.area / 12.566371)));
-    estimate = ((e_14.power * cosine_19) / pick(isFar, 1.0, max(square, 1e-15)));
+    estimate = ((e_14.power * cosine_21) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_14.u, e_14.v), toLight_3)) / max(e_14.area, 1e-30));
+        float height_2 = (-(dot(cross(e_14.u, e_14.v), toLight_4)) / max(e_14.area, 1e-30));
         float side_7 = pick((e_14.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
         float lampCosine = pick((side_7 > 0.0), ((side_7 + e_14.reach) / grown), 0.0);
         float _e89 = estimate;
@@ -2518,17 +2557,17 @@ float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
     const bool _e94 = hasMeshLamps;
     if (_e94) {
         float alike = length(e_14.v);
-        float across_5 = -(dot(e_14.v, toLight_3));
+        float across_5 = -(dot(e_14.v, toLight_4));
         float side_8 = pick((e_14.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
         float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_14.reach)) / grown));
         float sizeOfMesh = (distance2_1 + ((e_14.area * (1.0 + (3.0 * alike))) / 12.566371));
         float _e125 = estimate;
-        estimate = pick((e_14.kind == 7.0), (((e_14.power * cosine_19) * shown) / max(sizeOfMesh, 1e-15)), _e125);
+        estimate = pick((e_14.kind == 7.0), (((e_14.power * cosine_21) * shown) / max(sizeOfMesh, 1e-15)), _e125);
     }
     const bool _e137 = hasPointLights;
     if (_e137) {
         float _e138 = estimate;
-        float _e143 = spotFalloff(e_14, (toLight_3 / vec3(max(distance_6, 1e-15))));
+        float _e143 = spotFalloff(e_14, (toLight_4 / vec3(max(distance_6, 1e-15))));
         estimate = (_e138 * pick((e_14.kind == 4.0), _e143, 1.0));
     }
     const bool _e151 = hasSky;
@@ -2562,8 +2601,8 @@ float listedProbability(Emitter e_15, vec3 point_11, vec3 normal_11, Odds odds_1
 }
 
 float misWeight(float own_1, float other) {
-    float ratio_8 = (other / own_1);
-    return (1.0 / (1.0 + (ratio_8 * ratio_8)));
+    float ratio_7 = (other / own_1);
+    return (1.0 / (1.0 + (ratio_7 * ratio_7)));
 }
 
 vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
@@ -2744,23 +2783,23 @@ EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_6) {
 }
 
 vec3 turnTo(vec3 axis_1, vec3 v_6) {
-    float s_26 = pick((axis_1.z >= 0.0), 1.0, -1.0);
-    float a_9 = (-1.0 / (s_26 + axis_1.z));
+    float s_28 = pick((axis_1.z >= 0.0), 1.0, -1.0);
+    float a_9 = (-1.0 / (s_28 + axis_1.z));
     float b_12 = ((axis_1.x * axis_1.y) * a_9);
-    vec3 x_22 = vec3((1.0 + (((s_26 * axis_1.x) * axis_1.x) * a_9)), (s_26 * b_12), (-(s_26) * axis_1.x));
-    vec3 y_12 = vec3(b_12, (s_26 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
+    vec3 x_22 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_9)), (s_28 * b_12), (-(s_28) * axis_1.x));
+    vec3 y_12 = vec3(b_12, (s_28 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
     return (((v_6.x * x_22) + (v_6.y * y_12)) + (v_6.z * axis_1));
 }
 
 ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
     float oneMinusCosine = (u_7.x * width_1);
-    float cosine_20 = (1.0 - oneMinusCosine);
+    float cosine_22 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
     float sine_3 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_7.y);
     vec2 turn_2 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_20));
-    return ConeDirection(_e23, cosine_20, sine2_);
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_22));
+    return ConeDirection(_e23, cosine_22, sine2_);
 }
 
 LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_8) {
@@ -2786,9 +2825,9 @@ vec2 cosineAndSine(float x_16) {
 vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
     float h_7 = q_4.height;
     vec2 y_13 = vec2(q_4.low.y, q_4.high.y);
-    vec2 s_27 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
+    vec2 s_29 = (y_13 / sqrt(((y_13 * y_13) + vec2((h_7 * h_7)))));
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
-    vec2 across_6 = (vec2((s_27.y - s_27.x), (s_27.y + s_27.x)) * _e21);
+    vec2 across_6 = (vec2((s_29.y - s_29.x), (s_29.y + s_29.x)) * _e21);
     float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
     float x_23 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
     float d2_ = ((x_23 * x_23) + (h_7 * h_7));
@@ -2802,10 +2841,10 @@ LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_10) {
     QuadView _e3 = viewQuad(e_17, point_14);
     vec3 onArea = ((_e3.corner + (u_10.x * e_17.u)) + (u_10.y * e_17.v));
     vec3 _e13 = sphericalRectangle(_e3, u_10);
-    vec3 toLight_4 = pick(_e3.bySolidAngle, _e13, onArea);
-    float distance_8 = max(length(toLight_4), _e3.height);
+    vec3 toLight_5 = pick(_e3.bySolidAngle, _e13, onArea);
+    float distance_8 = max(length(toLight_5), _e3.height);
     float _e23 = pdfOfView(_e3, e_17.area, distance_8);
-    return LightSample((toLight_4 / vec3(distance_8)), distance_8, e_17.radiance, _e23, false);
+    return LightSample((toLight_5 / vec3(distance_8)), distance_8, e_17.radiance, _e23, false);
 }
 
 vec4 pointOnFaces(Emitter e_18, BoxView b_4, vec2 u_11) {
@@ -2817,8 +2856,8 @@ vec4 pointOnFaces(Emitter e_18, BoxView b_4, vec2 u_11) {
     float within_2 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
     vec3 p_20 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_5 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_4.point);
-    return vec4(toLight_5, abs(dot(axis_5, toLight_5)));
+    vec3 toLight_6 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_4.point);
+    return vec4(toLight_6, abs(dot(axis_5, toLight_6)));
 }
 
 vec3 rotateBack(vec4 q_5, vec3 v_7) {
@@ -2850,12 +2889,12 @@ ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_13) {
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
     float x_24 = clamp((((u_13.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
-    bool own_9 = (x_24 < _e18.own);
-    float rest_2 = pick(own_9, (x_24 / max(_e18.own, 1e-37)), ((x_24 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
-    uint place_7 = pick(own_9, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_7) - _e18.place));
+    bool own_10 = (x_24 < _e18.own);
+    float rest_2 = pick(own_10, (x_24 / max(_e18.own, 1e-37)), ((x_24 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    uint place_8 = pick(own_10, _e18.place, _e18.other);
+    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
     float density = _e67.density;
-    return ChosenTriangle(place_7, density, vec2(min(rest_2, 1.0), u_13.y));
+    return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
 }
 
 vec2 weightsOnTriangle(vec2 u_14) {
@@ -2913,10 +2952,10 @@ LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_15) {
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
-    vec3 toLight_6 = (_e34 - point_16);
+    vec3 toLight_7 = (_e34 - point_16);
     vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
-    float height_3 = (dot(across_7, toLight_6) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
-    float distance_10 = length(toLight_6);
+    float height_3 = (dot(across_7, toLight_7) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
+    float distance_10 = length(toLight_7);
     float _e60 = areaPdf(e_21.area, abs(height_3), distance_10);
     float pdf_5 = (_e60 * _e3.density);
     bool lit_1 = pick((height_3 < 0.0), true, pick((e_21.oneSided == 0.0), (height_3 > 0.0), false));
@@ -2934,14 +2973,14 @@ LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_15) {
         }
     }
     vec3 _e115 = radiance;
-    return LightSample((toLight_6 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_5, 0.0), false);
+    return LightSample((toLight_7 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_5, 0.0), false);
 }
 
 LightSample samplePoint(Emitter e_22, vec3 point_17) {
-    vec3 toLight_7 = (e_22.position - point_17);
-    float distance_11 = length(toLight_7);
+    vec3 toLight_8 = (e_22.position - point_17);
+    float distance_11 = length(toLight_8);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_7 / vec3(safe)), distance_11, (e_22.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_8 / vec3(safe)), distance_11, (e_22.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
 LightSample sampleSpot(Emitter e_23, vec3 point_18) {
@@ -3013,19 +3052,19 @@ Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
         }
     }
     uint _e76 = high;
-    uint pair_4 = min(_e76, (pairs - 1u));
-    vec4 _e84 = fetchEntries(t_6, (max(pair_4, 1u) - 1u));
+    uint pair_5 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_6, (max(pair_5, 1u) - 1u));
     vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
     float before_2 = _e85.y;
     float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
     float _e94 = ends.x;
-    bool isFirst = (_e94 > 0.0);
+    bool isFirst_1 = (_e94 > 0.0);
     float _e98 = ends.x;
-    float start = pick(isFirst, pick((pair_4 == 0u), none, before_2), _e98);
+    float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e98);
     float _e104 = ends.y;
     float _e106 = ends.x;
-    float end = pick(isFirst, _e106, _e104);
-    return Choice(min(((2u * pair_4) + pick(isFirst, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+    float end = pick(isFirst_1, _e106, _e104);
+    return Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
 }
 
 ChosenCell chooseCell(vec2 u_17) {
@@ -3202,9 +3241,12 @@ float sheenAlbedo(float cosine_3, float roughness) {
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
 
-vec3 dielectricF0_(Layers l_1) {
-    float contrast = ((l_1.ior - 1.0) / (l_1.ior + 1.0));
-    return min(((contrast * contrast) * l_1.specularColor), vec3(1.0));
+vec3 dielectricF0_() {
+    float _e2 = layersHere.ior;
+    float _e7 = layersHere.ior;
+    float contrast = ((_e2 - 1.0) / (_e7 + 1.0));
+    vec3 _e14 = layersHere.specularColor;
+    return min(((contrast * contrast) * _e14), vec3(1.0));
 }
 
 float singleScatteringAlbedo(float cosine_4, float alpha_1) {
@@ -3219,217 +3261,145 @@ float cosineInAir(float cosine_5, float ratio) {
     return pick((ratio < 1.0), sqrt(max((1.0 - sine2_1), 0.0)), cosine_5);
 }
 
-vec3 indexOf(vec3 f0_1) {
-    vec3 root_2 = sqrt(min(f0_1, vec3(0.9999)));
-    return ((vec3(1.0) + root_2) / (vec3(1.0) - root_2));
-}
-
-vec3 sensitivity(float difference, vec3 shift) {
-    float phase = (6.2831855e-9 * difference);
-    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
-    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
-    vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
-    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
-    vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_27 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
-}
-
-vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_6) {
-    vec3 sum = vec3(0.0);
-    vec3 amplitude = vec3(0.0);
-    float order = 1.0;
-    float sine2_2 = ((1.0 - (cosine_6 * cosine_6)) / (filmIor * filmIor));
-    float within_3 = sqrt(max((1.0 - sine2_2), 0.0));
-    float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
-    vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_6);
-    float r12_ = _e21.x;
-    float t121_ = (1.0 - r12_);
-    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
-    vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_3);
-    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
-    vec3 once = sqrt(r123_);
-    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
-    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_1 = (((2.0 * filmIor) * thickness) * within_3);
-    sum = (vec3(r12_) + rs);
-    amplitude = (rs - vec3(t121_));
-    while(true) {
-        vec3 _e71 = amplitude;
-        amplitude = (_e71 * once);
-        vec3 _e73 = sum;
-        vec3 _e74 = amplitude;
-        float _e77 = order;
-        float _e79 = order;
-        vec3 _e81 = sensitivity((_e77 * difference_1), (_e79 * shift_1));
-        sum = (_e73 + ((2.0 * _e74) * _e81));
-        float _e84 = order;
-        order = (_e84 + 1.0);
-        float _e87 = order;
-        if ((_e87 > 2.5)) {
-            break;
-        }
+float outerCosine(float cosine_6) {
+    float outer = 0.0;
+    outer = cosine_6;
+    const bool _e3 = hasTransmission;
+    if (_e3) {
+        float _e6 = stackHere.ratio;
+        float _e7 = cosineInAir(cosine_6, _e6);
+        outer = _e7;
     }
-    vec3 _e90 = sum;
-    return clamp(_e90, vec3(0.0), vec3(1.0));
+    float _e8 = outer;
+    return _e8;
 }
 
 bool reflectsAll(float cosine_7, float ratio_1) {
     return pick((ratio_1 < 1.0), ((1.0 - (cosine_7 * cosine_7)) >= (ratio_1 * ratio_1)), false);
 }
 
-vec4 baseReflectance(Surface s_13, Stack o_2, float cosine_8) {
-    float outer = 0.0;
+Reflectance bareReflectance(Surface s_13, float cosine_8) {
     vec3 dielectric = vec3(0.0);
-    vec3 metal = vec3(0.0);
-    bool isMetal = false;
-    Layers l_3 = o_2.layers;
-    outer = cosine_8;
-    const bool _e6 = hasTransmission;
-    if (_e6) {
-        float _e8 = cosineInAir(cosine_8, o_2.ratio);
-        outer = _e8;
+    float _e2 = outerCosine(cosine_8);
+    float _e5 = layersHere.specularWeight;
+    vec3 _e6 = dielectricF0_();
+    vec3 _e7 = schlick(_e6, _e2);
+    dielectric = (_e5 * _e7);
+    const bool _e11 = hasTransmission;
+    if (_e11) {
+        vec3 _e12 = dielectric;
+        float _e17 = stackHere.ratio;
+        bool _e18 = reflectsAll(cosine_8, _e17);
+        dielectric = pick(_e18, vec3(1.0), _e12);
     }
-    vec3 _e9 = dielectricF0_(l_3);
-    float _e11 = outer;
-    vec3 _e12 = schlick(_e9, _e11);
-    dielectric = (l_3.specularWeight * _e12);
-    float _e16 = outer;
-    vec3 _e17 = schlick(s_13.baseColor, _e16);
-    metal = _e17;
-    const bool _e20 = hasIridescence;
-    if (_e20) {
-        if ((l_3.film > 0.0)) {
-            isMetal = (s_13.metallic >= 1.0);
-            while(true) {
-                bool _e31 = isMetal;
-                float _e35 = outer;
-                vec3 _e36 = filmReflectance(pick(_e31, s_13.baseColor, (l_3.specularWeight * _e9)), l_3.filmIor, l_3.filmThickness, _e35);
-                bool _e37 = isMetal;
-                if (_e37) {
-                    vec3 _e38 = metal;
-                    metal = mix(_e38, _e36, l_3.film);
-                } else {
-                    vec3 _e41 = dielectric;
-                    dielectric = mix(_e41, _e36, l_3.film);
-                }
-                bool _e44 = isMetal;
-                if (pick(_e44, true, (s_13.metallic <= 0.0))) {
-                    break;
-                }
-                isMetal = true;
-            }
-        }
-    }
-    const bool _e51 = hasTransmission;
-    if (_e51) {
-        vec3 _e52 = dielectric;
-        bool _e56 = reflectsAll(cosine_8, o_2.ratio);
-        dielectric = pick(_e56, vec3(1.0), _e52);
-    }
-    vec3 _e58 = dielectric;
-    vec3 _e59 = metal;
-    vec3 _e65 = dielectric;
-    float _e66 = greatest(_e65);
-    return vec4(mix(_e58, _e59, s_13.metallic), ((1.0 - s_13.metallic) * (1.0 - _e66)));
+    vec3 _e20 = dielectric;
+    vec3 _e22 = schlick(s_13.baseColor, _e2);
+    return Reflectance(_e20, _e22);
 }
 
 float mean3_(vec3 v_9) {
     return dot(v_9, vec3(0.33333334));
 }
 
-Stack stackOf(Surface s_14, Layers l_2, vec3 given, vec3 hero_1) {
-    bool inside = false;
-    float ratio_2 = 1.0;
-    vec2 alpha_2 = vec2(0.0);
-    float coat_1 = 0.0;
-    float sheenColor = 0.0;
-    float sheen = 0.0;
-    vec3 more = vec3(1.0);
-    Stack o_3 = Stack(Layers(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), vec3(0.0), 0.0, vec3(0.0), 0.0, false, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
     float side_10 = pick((given.z < 0.0), -1.0, 1.0);
     vec3 wo_8 = vec3(given.xy, (given.z * side_10));
-    vec2 _e20 = ellipticAlpha(s_14.alpha, l_2.anisotropy);
-    alpha_2 = _e20;
-    const bool _e23 = hasTransmission;
-    if (_e23) {
-        bool isSolid = (l_2.solid > 0.0);
-        inside = pick(isSolid, (side_10 < 0.0), false);
-        float _e32 = dispersedIndex(l_2.ior, l_2.dispersion, hero_1);
-        bool _e35 = inside;
-        ratio_2 = pick(isSolid, pick(_e35, (1.0 / _e32), _e32), 1.0);
-        bool flat_ = pick(pick(isSolid, (l_2.transmission > 0.0), false), ((_e32 - 1.0) < 0.001), false);
-        vec2 _e48 = alpha_2;
-        alpha_2 = pick(flat_, vec2(0.0), _e48);
+    float metallic_3 = s_14.metallic;
+    stackHere.wo = wo_8;
+    stackHere.side = side_10;
+    stackHere.hero = hero_1;
+    stackHere.inside = false;
+    stackHere.ratio = 1.0;
+    float _e31 = layersHere.anisotropy;
+    vec2 _e32 = ellipticAlpha(s_14.alpha, _e31);
+    stackHere.alpha = _e32;
+    const bool _e34 = hasTransmission;
+    if (_e34) {
+        float _e37 = layersHere.solid;
+        bool isSolid = (_e37 > 0.0);
+        bool inside_4 = pick(isSolid, (side_10 < 0.0), false);
+        float _e45 = layersHere.ior;
+        float _e48 = layersHere.dispersion;
+        float _e49 = dispersedIndex(_e45, _e48, hero_1);
+        float _e52 = layersHere.transmission;
+        bool flat_ = pick(pick(isSolid, (_e52 > 0.0), false), ((_e49 - 1.0) < 0.001), false);
+        stackHere.inside = inside_4;
+        stackHere.ratio = pick(isSolid, pick(inside_4, (1.0 / _e49), _e49), 1.0);
+        vec2 _e74 = stackHere.alpha;
+        stackHere.alpha = pick(flat_, vec2(0.0), _e74);
     }
-    const bool _e55 = hasCoats;
-    if (_e55) {
-        float _e57 = coatCosine(side_10, wo_8);
-        float _e58 = coatReflectance(l_2.coat, _e57);
-        bool _e59 = inside;
-        coat_1 = pick(_e59, 0.0, _e58);
+    stackHere.coat = 0.0;
+    const bool _e82 = hasCoats;
+    if (_e82) {
+        float _e87 = layersHere.coat;
+        float _e88 = coatCosine(side_10, wo_8);
+        float _e89 = coatReflectance(_e87, _e88);
+        bool _e92 = stackHere.inside;
+        stackHere.coat = pick(_e92, 0.0, _e89);
+        float _e99 = layersHere.coatRoughness;
+        float _e102 = layersHere.coatRoughness;
+        stackHere.coatAlpha = (_e99 * _e102);
     }
-    float coatAlpha = (l_2.coatRoughness * l_2.coatRoughness);
-    const bool _e70 = hasSheen;
-    if (_e70) {
-        float _e72 = greatest(l_2.sheenColor);
-        sheenColor = _e72;
-        float _e73 = sheenColor;
-        if ((_e73 > 0.0)) {
-            float _e78 = sheenAlbedo(wo_8.z, l_2.sheenRoughness);
-            bool _e79 = inside;
-            sheen = pick(_e79, 0.0, _e78);
+    stackHere.sheenColor = 0.0;
+    stackHere.sheen = 0.0;
+    const bool _e111 = hasSheen;
+    if (_e111) {
+        vec3 _e116 = layersHere.sheenColor;
+        float _e117 = greatest(_e116);
+        stackHere.sheenColor = _e117;
+        float _e120 = stackHere.sheenColor;
+        if ((_e120 > 0.0)) {
+            float _e128 = layersHere.sheenRoughness;
+            float _e129 = sheenAlbedo(wo_8.z, _e128);
+            bool _e132 = stackHere.inside;
+            stackHere.sheen = pick(_e132, 0.0, _e129);
         }
     }
-    vec3 _e83 = dielectricF0_(l_2);
-    vec3 f0_3 = (l_2.specularWeight * _e83);
-    const bool _e89 = hasCompensation;
-    if (_e89) {
-        float _e92 = alpha_2.x;
-        float _e94 = alpha_2.y;
-        float _e97 = singleScatteringAlbedo(wo_8.z, sqrt((_e92 * _e94)));
-        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (l_2.transmission <= 0.0), false);
-        vec3 _e108 = more;
-        more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, s_14.metallic) * ((1.0 - _e97) / _e97))), _e108);
+    float _e137 = layersHere.specularWeight;
+    vec3 _e138 = dielectricF0_();
+    vec3 f0_3 = (_e137 * _e138);
+    stackHere.more = vec3(1.0);
+    const bool _e145 = hasCompensation;
+    if (_e145) {
+        float _e150 = stackHere.alpha.x;
+        float _e154 = stackHere.alpha.y;
+        float _e157 = singleScatteringAlbedo(wo_8.z, sqrt((_e150 * _e154)));
+        float _e166 = layersHere.transmission;
+        bool asked = pick(((uint(s_14.code) & 8u) != 0u), (_e166 <= 0.0), false);
+        stackHere.more = pick(asked, (vec3(1.0) + (mix(f0_3, s_14.baseColor, metallic_3) * ((1.0 - _e157) / _e157))), vec3(1.0));
     }
-    float _e120 = ratio_2;
-    bool _e121 = inside;
-    vec3 _e122 = more;
-    vec2 _e123 = alpha_2;
-    float _e124 = coat_1;
-    float _e125 = sheen;
-    float _e126 = sheenColor;
-    o_3 = Stack(l_2, wo_8, side_10, hero_1, _e120, _e121, _e122, _e123, coatAlpha, _e124, _e125, _e126, 0.0, 0.0, 0.0, 0.0);
-    Stack _e133 = o_3;
-    vec4 _e135 = baseReflectance(s_14, _e133, wo_8.z);
-    float _e136 = coat_1;
-    float _e139 = sheenColor;
-    float _e140 = sheen;
-    float below_2 = ((1.0 - _e136) * (1.0 - (_e139 * min(_e140, 1.0))));
-    float film_1 = pick((l_2.film > 0.0), (0.25 * l_2.film), 0.0);
-    float _e156 = mean3_(_e135.xyz);
-    float _e162 = mean3_(s_14.baseColor);
-    float facets = (below_2 * ((_e156 + film_1) + ((_e135.w * l_2.transmission) * _e162)));
-    float _e166 = coat_1;
-    float _e169 = sheen;
-    float _e172 = mean3_(l_2.sheenColor);
-    float fibres = (((1.0 - _e166) * _e169) * _e172);
-    float _e178 = greatest(f0_3);
-    float body = (((below_2 * (1.0 - s_14.metallic)) * (1.0 - _e178)) * (1.0 - l_2.transmission));
-    float _e191 = mean3_(s_14.baseColor);
-    float diffuse = ((body * (1.0 - l_2.beyond)) * _e191);
-    float _e196 = mean3_(l_2.beyondColor);
-    float beyond = ((body * l_2.beyond) * _e196);
-    float _e198 = coat_1;
-    float all_ = max(((((_e198 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    float _e206 = coat_1;
-    o_3.ofCoat = (_e206 / all_);
-    o_3.ofFacets = (facets / all_);
-    o_3.ofSheen = (fibres / all_);
-    o_3.ofDiffuse = (diffuse / all_);
-    Stack _e214 = o_3;
-    return _e214;
+    Reflectance _e185 = bareReflectance(s_14, wo_8.z);
+    vec3 met_1 = mix(_e185.dielectric, _e185.metal, metallic_3);
+    float _e192 = greatest(_e185.dielectric);
+    float enters = ((1.0 - metallic_3) * (1.0 - _e192));
+    float _e197 = mean3_(s_14.baseColor);
+    float coat_1 = stackHere.coat;
+    float _e205 = stackHere.sheenColor;
+    float _e208 = stackHere.sheen;
+    float below_2 = ((1.0 - coat_1) * (1.0 - (_e205 * min(_e208, 1.0))));
+    float _e215 = mean3_(met_1);
+    float _e218 = layersHere.film;
+    float _e224 = layersHere.transmission;
+    float facets = (below_2 * ((_e215 + (0.25 * _e218)) + ((enters * _e224) * _e197)));
+    float _e233 = stackHere.sheen;
+    vec3 _e237 = layersHere.sheenColor;
+    float _e238 = mean3_(_e237);
+    float fibres = (((1.0 - coat_1) * _e233) * _e238);
+    float _e243 = greatest(f0_3);
+    float _e249 = layersHere.transmission;
+    float body = (((below_2 * (1.0 - metallic_3)) * (1.0 - _e243)) * (1.0 - _e249));
+    float _e255 = layersHere.beyond;
+    float diffuse = ((body * (1.0 - _e255)) * _e197);
+    float _e262 = layersHere.beyond;
+    vec3 _e266 = layersHere.beyondColor;
+    float _e267 = mean3_(_e266);
+    float beyond = ((body * _e262) * _e267);
+    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    stackHere.ofCoat = (coat_1 / all_);
+    stackHere.ofFacets = (facets / all_);
+    stackHere.ofSheen = (fibres / all_);
+    stackHere.ofDiffuse = (diffuse / all_);
+    return;
 }
 
 vec3 metallicRoughnessF0_(vec3 baseColor, float metallic) {
@@ -3450,62 +3420,64 @@ float specularShare(vec3 baseColor_2, float metallic_2, float cosine_10) {
     return (specular / max((specular + diffuse_1), 1e-20));
 }
 
-float indexRatio(float eta_3, float z_1, bool thin) {
-    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_3), eta_3);
+float indexRatio(float eta_2, float z_1, bool thin) {
+    return pick(pick((z_1 < 0.0), !(thin), false), (1.0 / eta_2), eta_2);
 }
 
-float reflectionBound(vec3 wo, float alpha_3) {
-    float s_28 = (1.0 + length(wo.xy));
-    float s2_ = (s_28 * s_28);
-    float a2_1 = (alpha_3 * alpha_3);
+float reflectionBound(vec3 wo, float alpha_2) {
+    float s_30 = (1.0 + length(wo.xy));
+    float s2_ = (s_30 * s_30);
+    float a2_1 = (alpha_2 * alpha_2);
     return (((1.0 - a2_1) * s2_) / (s2_ + ((a2_1 * wo.z) * wo.z)));
 }
 
-float stretched(vec3 w_3, float alpha_4) {
-    return sqrt(((w_3.z * w_3.z) + ((alpha_4 * alpha_4) * dot(w_3.xy, w_3.xy))));
+float stretched(vec3 w_3, float alpha_3) {
+    return sqrt(((w_3.z * w_3.z) + ((alpha_3 * alpha_3) * dot(w_3.xy, w_3.xy))));
 }
 
 Outgoing outgoing(Surface s_15, vec3 wo_1, vec3 hero_2) {
-    Outgoing o_4 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
+    Outgoing o_2 = Outgoing(vec3(0.0), 0.0, 0.0, 0.0, 0.0);
     uint code_12 = uint(s_15.code);
     bool _e5 = isConductor(code_12);
     bool _e6 = isDielectric(code_12);
-    o_4 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
+    o_2 = Outgoing(wo_1, pick(pick(_e5, true, _e6), 1.0, 0.0), 1.0, 1.0, 1.0);
     const bool _e17 = hasLayers;
     if (_e17) {
-        bool _e22 = isLayered(uint(s_15.code), s_15.eta.x);
-        if (_e22) {
-            Layers _e25 = layersHere;
-            Stack _e26 = stackOf(s_15, _e25, wo_1, hero_2);
-            stackHere = _e26;
+        bool _e18 = isLayered(code_12);
+        if (_e18) {
+            meetLayers(s_15, wo_1, hero_2);
         }
     }
-    const bool _e28 = hasMetallicRoughness;
-    if (_e28) {
-        float _e31 = o_4.share;
-        float _e35 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
-        bool _e36 = isMetallicRoughness(code_12);
-        o_4.share = pick(_e36, _e35, _e31);
+    const bool _e20 = hasMetallicRoughness;
+    if (_e20) {
+        const bool _e22 = hasLayers;
+        if (!(_e22)) {
+            float _e26 = o_2.share;
+            float _e30 = specularShare(s_15.baseColor, s_15.metallic, wo_1.z);
+            bool _e31 = isMetallicRoughness(code_12);
+            o_2.share = pick(_e31, _e30, _e26);
+        }
     }
-    const bool _e39 = hasGlass;
-    if (_e39) {
-        bool _e44 = isThin(code_12);
-        float _e45 = indexRatio(s_15.eta.x, wo_1.z, _e44);
-        bool _e46 = isDielectric(code_12);
-        o_4.ratio = pick(_e46, _e45, 1.0);
+    const bool _e34 = hasGlass;
+    if (_e34) {
+        bool _e39 = isThin(code_12);
+        float _e40 = indexRatio(s_15.eta.x, wo_1.z, _e39);
+        bool _e41 = isDielectric(code_12);
+        o_2.ratio = pick(_e41, _e40, 1.0);
     }
-    const bool _e50 = hasConductors;
-    const bool _e52 = hasMetallicRoughness;
-    const bool _e55 = hasGlass;
-    if (pick(pick(_e50, true, _e52), true, _e55)) {
-        float _e59 = reflectionBound(wo_1, s_15.alpha);
-        bool _e60 = isDielectric(code_12);
-        o_4.bound = pick(_e60, 1.0, _e59);
-        float _e65 = stretched(wo_1, s_15.alpha);
-        o_4.stretched = _e65;
+    const bool _e45 = hasConductors;
+    const bool _e47 = hasMetallicRoughness;
+    const bool _e49 = hasLayers;
+    const bool _e54 = hasGlass;
+    if (pick(pick(_e45, true, pick(_e47, !(_e49), false)), true, _e54)) {
+        float _e58 = reflectionBound(wo_1, s_15.alpha);
+        bool _e59 = isDielectric(code_12);
+        o_2.bound = pick(_e59, 1.0, _e58);
+        float _e64 = stretched(wo_1, s_15.alpha);
+        o_2.stretched = _e64;
     }
-    Outgoing _e66 = o_4;
-    return _e66;
+    Outgoing _e65 = o_2;
+    return _e65;
 }
 
 float mirrorShare(float reflectivity) {
@@ -3519,659 +3491,826 @@ vec3 sampleCosine(vec2 u_23) {
     return normalize(vec3((radius_2 * cos(phi_2)), (radius_2 * sin(phi_2)), sqrt((1.0 - u_23.x))));
 }
 
-vec3 sampleVisibleNormal(vec3 wo_2, float alpha_5, float bound, vec2 u_24) {
-    float _e8 = stretched(wo_2, alpha_5);
-    vec3 w_7 = (vec3((alpha_5 * wo_2.xy), wo_2.z) / vec3(_e8));
+vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
+    float _e8 = stretched(wo_2, alpha_4);
+    vec3 w_7 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
     float drop = (u_24.y * (1.0 + (bound * w_7.z)));
     float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
     vec3 h_8 = (w_7 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
-    return normalize(vec3((alpha_5 * h_8.xy), max(h_8.z, 1e-7)));
+    return normalize(vec3((alpha_4 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
-vec3 sampleFacet(float alpha_6, bool isMirror, Outgoing o_5, vec2 u_25) {
-    float side_11 = pick((o_5.wo.z < 0.0), -1.0, 1.0);
-    vec3 _e16 = sampleVisibleNormal((o_5.wo * side_11), max(alpha_6, 0.001), o_5.bound, u_25);
+vec3 sampleFacet(float alpha_5, bool isMirror, Outgoing o_3, vec2 u_25) {
+    float side_11 = pick((o_3.wo.z < 0.0), -1.0, 1.0);
+    vec3 _e16 = sampleVisibleNormal((o_3.wo * side_11), max(alpha_5, 0.001), o_3.bound, u_25);
     return (pick(isMirror, vec3(0.0, 0.0, 1.0), _e16) * side_11);
 }
 
-vec3 conductorFresnel(float cosine_11, vec3 eta_4, vec3 k_1) {
+vec3 conductorFresnel(float cosine_11, vec3 eta_3, vec3 k_1) {
     float cosine2_ = (cosine_11 * cosine_11);
-    float sine2_3 = (1.0 - cosine2_);
-    vec3 difference_2 = (((eta_4 * eta_4) - (k_1 * k_1)) - vec3(sine2_3));
-    vec3 a2PlusB2_ = sqrt(((difference_2 * difference_2) + ((((4.0 * eta_4) * eta_4) * k_1) * k_1)));
-    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_2))) + vec3(1e-20)));
-    vec3 smaller = ((eta_4 * k_1) / larger_1);
-    vec3 a_10 = mix(smaller, larger_1, greaterThan(difference_2, vec3(0.0)));
-    vec3 b_13 = mix(larger_1, smaller, greaterThan(difference_2, vec3(0.0)));
+    float sine2_2 = (1.0 - cosine2_);
+    vec3 difference_1 = (((eta_3 * eta_3) - (k_1 * k_1)) - vec3(sine2_2));
+    vec3 a2PlusB2_ = sqrt(((difference_1 * difference_1) + ((((4.0 * eta_3) * eta_3) * k_1) * k_1)));
+    vec3 larger_1 = sqrt(((0.5 * (a2PlusB2_ + abs(difference_1))) + vec3(1e-20)));
+    vec3 smaller = ((eta_3 * k_1) / larger_1);
+    vec3 a_10 = mix(smaller, larger_1, greaterThan(difference_1, vec3(0.0)));
+    vec3 b_13 = mix(larger_1, smaller, greaterThan(difference_1, vec3(0.0)));
     vec3 b2_ = ((b_13 * b_13) + vec3(1e-20));
     vec3 acrossFar = (a_10 + vec3(cosine_11));
     vec3 acrossNear = (a_10 - vec3(cosine_11));
     vec3 across_8 = (((acrossNear * acrossNear) + b2_) / ((acrossFar * acrossFar) + b2_));
-    vec3 alongFar = ((a_10 * cosine_11) + vec3(sine2_3));
-    vec3 alongNear = ((a_10 * cosine_11) - vec3(sine2_3));
+    vec3 alongFar = ((a_10 * cosine_11) + vec3(sine2_2));
+    vec3 alongNear = ((a_10 * cosine_11) - vec3(sine2_2));
     vec3 b2cosine2_ = ((b2_ * cosine2_) + vec3(1e-20));
     return ((0.5 * across_8) * (vec3(1.0) + (((alongNear * alongNear) + b2cosine2_) / ((alongFar * alongFar) + b2cosine2_))));
 }
 
-vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_5, vec3 k_2, float cosine_12) {
-    float constants = dot((eta_5 + k_2), vec3(1.0));
-    vec3 _e8 = conductorFresnel(cosine_12, eta_5, k_2);
+vec3 conductorReflectance(vec3 baseColor_3, vec3 eta_4, vec3 k_2, float cosine_12) {
+    float constants = dot((eta_4 + k_2), vec3(1.0));
+    vec3 _e8 = conductorFresnel(cosine_12, eta_4, k_2);
     return pick((constants > 0.0), _e8, baseColor_3);
 }
 
-float dielectricFresnel(float cosine_13, float ratio_3) {
-    float inside2_ = (((ratio_3 - 1.0) * (ratio_3 + 1.0)) + (cosine_13 * cosine_13));
+float dielectricFresnel(float cosine_13, float ratio_2) {
+    float inside2_ = (((ratio_2 - 1.0) * (ratio_2 + 1.0)) + (cosine_13 * cosine_13));
     float inside_5 = sqrt(max(inside2_, 0.0));
     float across_9 = ((cosine_13 - inside_5) / (cosine_13 + inside_5));
-    float along_4 = ((((ratio_3 * ratio_3) * cosine_13) - inside_5) / (((ratio_3 * ratio_3) * cosine_13) + inside_5));
+    float along_4 = ((((ratio_2 * ratio_2) * cosine_13) - inside_5) / (((ratio_2 * ratio_2) * cosine_13) + inside_5));
     return pick((inside2_ > 0.0), (0.5 * ((across_9 * across_9) + (along_4 * along_4))), 1.0);
 }
 
-float glassReflectance(float cosine_14, float ratio_4, bool thin_1) {
-    float _e3 = dielectricFresnel(cosine_14, ratio_4);
+float glassReflectance(float cosine_14, float ratio_3, bool thin_1) {
+    float _e3 = dielectricFresnel(cosine_14, ratio_3);
     return pick(thin_1, ((2.0 * _e3) / (1.0 + _e3)), _e3);
 }
 
-vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_5) {
+vec3 facetReflectance(Surface s_16, float cosine_15, float ratio_4) {
     vec3 reflectance = vec3(0.0);
     uint code_13 = uint(s_16.code);
     const bool _e9 = hasMetallicRoughness;
     if (_e9) {
-        vec3 _e12 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
-        vec3 _e13 = schlick(_e12, cosine_15);
-        reflectance = _e13;
+        const bool _e11 = hasLayers;
+        if (!(_e11)) {
+            vec3 _e15 = metallicRoughnessF0_(s_16.baseColor, s_16.metallic);
+            vec3 _e16 = schlick(_e15, cosine_15);
+            reflectance = _e16;
+        }
     }
-    const bool _e15 = hasConductors;
-    if (_e15) {
-        vec3 _e16 = reflectance;
-        vec3 _e20 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
-        bool _e21 = isConductor(code_13);
-        reflectance = pick(_e21, _e20, _e16);
+    const bool _e18 = hasConductors;
+    if (_e18) {
+        vec3 _e19 = reflectance;
+        vec3 _e23 = conductorReflectance(s_16.baseColor, s_16.eta, s_16.k, cosine_15);
+        bool _e24 = isConductor(code_13);
+        reflectance = pick(_e24, _e23, _e19);
     }
-    const bool _e24 = hasGlass;
-    if (_e24) {
-        vec3 _e25 = reflectance;
-        bool _e26 = isThin(code_13);
-        float _e27 = glassReflectance(cosine_15, ratio_5, _e26);
-        bool _e29 = isDielectric(code_13);
-        reflectance = pick(_e29, vec3(_e27), _e25);
+    const bool _e27 = hasGlass;
+    if (_e27) {
+        vec3 _e28 = reflectance;
+        bool _e29 = isThin(code_13);
+        float _e30 = glassReflectance(cosine_15, ratio_4, _e29);
+        bool _e32 = isDielectric(code_13);
+        reflectance = pick(_e32, vec3(_e30), _e28);
     }
-    vec3 _e31 = reflectance;
-    return _e31;
+    vec3 _e34 = reflectance;
+    return _e34;
 }
 
-vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_6) {
-    float cosine_21 = dot(wo_3, h_2);
-    float inside_6 = sqrt(max((((ratio_6 - 1.0) * (ratio_6 + 1.0)) + (cosine_21 * cosine_21)), 0.0));
-    return ((((cosine_21 - inside_6) * h_2) - wo_3) / vec3(ratio_6));
+vec3 refracted(vec3 wo_3, vec3 h_2, float ratio_5) {
+    float cosine_23 = dot(wo_3, h_2);
+    float inside_6 = sqrt(max((((ratio_5 - 1.0) * (ratio_5 + 1.0)) + (cosine_23 * cosine_23)), 0.0));
+    return ((((cosine_23 - inside_6) * h_2) - wo_3) / vec3(ratio_5));
 }
 
-float ellipticBound(vec3 wo_4, vec2 alpha_7) {
-    float s_29 = (1.0 + length(wo_4.xy));
-    float s2_1 = (s_29 * s_29);
-    float least_2 = min(alpha_7.x, alpha_7.y);
+bool isSolidHere() {
+    const bool _e1 = hasTransmission;
+    float _e4 = layersHere.solid;
+    return pick(_e1, (_e4 > 0.0), false);
+}
+
+float ellipticBound(vec3 wo_4, vec2 alpha_6) {
+    float s_31 = (1.0 + length(wo_4.xy));
+    float s2_1 = (s_31 * s_31);
+    float least_2 = min(alpha_6.x, alpha_6.y);
     float a2_2 = (least_2 * least_2);
     return (((1.0 - a2_2) * s2_1) / (s2_1 + ((a2_2 * wo_4.z) * wo_4.z)));
 }
 
-float ellipticStretched(vec3 w_4, vec2 alpha_8) {
-    vec2 scaled = (alpha_8 * w_4.xy);
+float ellipticStretched(vec3 w_4, vec2 alpha_7) {
+    vec2 scaled = (alpha_7 * w_4.xy);
     return sqrt(((w_4.z * w_4.z) + dot(scaled, scaled)));
 }
 
-vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_9, float bound_1, vec2 u_26) {
-    float _e8 = ellipticStretched(wo_5, alpha_9);
-    vec3 w_8 = (vec3((alpha_9 * wo_5.xy), wo_5.z) / vec3(_e8));
+vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
+    float _e8 = ellipticStretched(wo_5, alpha_8);
+    vec3 w_8 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
     float drop_1 = (u_26.y * (1.0 + (bound_1 * w_8.z)));
     float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
     vec3 h_9 = (w_8 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
-    return normalize(vec3((alpha_9 * h_9.xy), max(h_9.z, 1e-7)));
+    return normalize(vec3((alpha_8 * h_9.xy), max(h_9.z, 1e-7)));
 }
 
 vec3 toWorld(Basis b_6, vec3 v_10) {
     return (((v_10.x * b_6.tangent) + (v_10.y * b_6.bitangent)) + (v_10.z * b_6.normal));
 }
 
-Parting partingOf(Surface s_17, Stack o_6, vec4 reflectance_1) {
-    Parting parting = Parting(vec3(0.0), vec3(0.0), 0.0);
-    parting = Parting(reflectance_1.xyz, vec3(0.0), 1.0);
-    const bool _e10 = hasTransmission;
-    if (_e10) {
-        vec3 toward = (reflectance_1.xyz * pick(o_6.inside, o_6.hero, vec3(1.0)));
-        vec3 beyond_1 = (((reflectance_1.w * o_6.layers.transmission) * s_17.baseColor) * o_6.hero);
-        float _e26 = mean3_(toward);
-        float _e27 = mean3_(beyond_1);
-        parting = Parting(toward, beyond_1, pick((_e27 > 0.0), (_e26 / max((_e26 + _e27), 1e-20)), 1.0));
+Parting partingOf(Surface s_17, Reflectance r_1) {
+    Parting parting = Parting(vec3(0.0), vec3(0.0));
+    vec3 toward = mix(r_1.dielectric, r_1.metal, s_17.metallic);
+    parting = Parting(toward, vec3(0.0));
+    const bool _e11 = hasTransmission;
+    if (_e11) {
+        float _e16 = greatest(r_1.dielectric);
+        float enters_1 = ((1.0 - s_17.metallic) * (1.0 - _e16));
+        vec3 _e24 = stackHere.hero;
+        bool _e27 = stackHere.inside;
+        float _e32 = layersHere.transmission;
+        vec3 _e38 = stackHere.hero;
+        parting = Parting((toward * pick(_e27, _e24, vec3(1.0))), (((enters_1 * _e32) * s_17.baseColor) * _e38));
     }
-    Parting _e37 = parting;
-    return _e37;
+    Parting _e41 = parting;
+    return _e41;
 }
 
-float throughCover(Stack o_7, float zi, float coatZi, bool crossing) {
-    float left_1 = 1.0;
-    float sheen_1 = 0.0;
-    Layers l_4 = o_7.layers;
-    const bool _e8 = hasCoats;
-    if (_e8) {
-        bool entersHere = pick(o_7.inside, crossing, false);
-        float _e13 = coatReflectance(l_4.coat, coatZi);
-        left_1 = (1.0 - pick(entersHere, _e13, o_7.coat));
-    }
-    const bool _e18 = hasSheen;
-    if (_e18) {
-        sheen_1 = o_7.sheen;
-        if ((o_7.sheenColor > 0.0)) {
-            bool isOutside = pick(!((l_4.solid > 0.0)), true, (o_7.inside == crossing));
-            float _e31 = sheen_1;
-            float _e33 = sheenAlbedo(zi, l_4.sheenRoughness);
-            sheen_1 = max(_e31, pick(isOutside, _e33, 0.0));
-        }
-        float _e37 = left_1;
-        float _e39 = sheen_1;
-        left_1 = (_e37 * (1.0 - (o_7.sheenColor * min(_e39, 1.0))));
-    }
-    float _e46 = left_1;
-    return _e46;
+float shareToward(Surface s_18, Reflectance bare) {
+    Parting _e2 = partingOf(s_18, bare);
+    float _e4 = mean3_(_e2.toward);
+    float _e6 = mean3_(_e2.beyond);
+    float _e13 = layersHere.film;
+    return pick((_e6 > 0.0), mix((_e4 / max((_e4 + _e6), 1e-20)), 0.5, (0.5 * _e13)), 1.0);
 }
 
-LayeredSample sampleLayered(Surface s_18, Stack o_8, vec3 u_27) {
-    Basis frame = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
+LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
+    Basis own_2 = Basis(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0));
     vec3 ownWo = vec3(0.0);
     vec3 h_3 = vec3(0.0);
     vec3 met = vec3(0.0);
+    bool crossing = false;
     bool lost = false;
-    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, vec3(0.0), false);
-    vec3 wo_9 = o_8.wo;
-    const bool _e5 = hasTransmission;
-    bool isSolid_1 = pick(_e5, (o_8.layers.solid > 0.0), false);
-    const bool _e12 = hasCoats;
-    bool isCoat_1 = pick(_e12, (u_27.z < o_8.ofCoat), false);
-    bool isFacet = (u_27.z < (o_8.ofCoat + o_8.ofFacets));
-    vec2 alpha_15 = pick(isCoat_1, vec2(o_8.coatAlpha), o_8.alpha);
-    bool isSmooth_1 = (max(alpha_15.x, alpha_15.y) < 0.001);
-    vec2 wide_1 = max(alpha_15, vec2(0.001));
-    const bool _e49 = hasCoatNormals;
-    if (_e49) {
+    LayeredSample drawn = LayeredSample(vec3(0.0), 0.0, false);
+    vec3 wo_9 = stackHere.wo;
+    bool _e5 = isSolidHere();
+    const bool _e7 = hasCoats;
+    float _e11 = stackHere.ofCoat;
+    bool isCoat_1 = pick(_e7, (u_27.z < _e11), false);
+    float _e17 = stackHere.ofCoat;
+    float _e20 = stackHere.ofFacets;
+    bool isFacet = (u_27.z < (_e17 + _e20));
+    stackHere.drawnByCoat = isCoat_1;
+    vec2 _e27 = stackHere.alpha;
+    float _e30 = stackHere.coatAlpha;
+    vec2 alpha_14 = pick(isCoat_1, vec2(_e30), _e27);
+    bool isSmooth_1 = (max(alpha_14.x, alpha_14.y) < 0.001);
+    vec2 wide_1 = max(alpha_14, vec2(0.001));
+    const bool _e56 = hasCoatNormals;
+    if (_e56) {
         if (isCoat_1) {
-            vec3 _e51 = coatNormal(o_8.side);
-            Basis _e52 = basisAbout(_e51);
-            frame = _e52;
+            float _e59 = stackHere.side;
+            vec3 _e60 = coatNormal(_e59);
+            Basis _e61 = basisAbout(_e60);
+            own_2 = _e61;
         }
     }
     ownWo = wo_9;
-    const bool _e55 = hasCoatNormals;
-    if (_e55) {
-        Basis _e56 = frame;
-        vec3 _e57 = toLocal(_e56, wo_9);
-        ownWo = _e57;
+    const bool _e64 = hasCoatNormals;
+    if (_e64) {
+        Basis _e65 = own_2;
+        vec3 _e66 = toLocal(_e65, wo_9);
+        ownWo = _e66;
     }
-    vec3 _e58 = ownWo;
-    float _e59 = ellipticBound(_e58, wide_1);
-    float bound_2 = pick(pick(isSolid_1, !(isCoat_1), false), 1.0, _e59);
-    vec3 _e64 = ownWo;
-    vec3 _e66 = sampleEllipticNormal(_e64, wide_1, bound_2, u_27.xy);
-    h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e66);
-    const bool _e74 = hasCoatNormals;
-    if (_e74) {
-        Basis _e75 = frame;
-        vec3 _e76 = h_3;
-        vec3 _e77 = toWorld(_e75, _e76);
-        h_3 = _e77;
+    vec3 _e67 = ownWo;
+    float _e68 = ellipticBound(_e67, wide_1);
+    float bound_2 = pick(pick(_e5, !(isCoat_1), false), 1.0, _e68);
+    vec3 _e73 = ownWo;
+    vec3 _e75 = sampleEllipticNormal(_e73, wide_1, bound_2, u_27.xy);
+    h_3 = pick(isSmooth_1, vec3(0.0, 0.0, 1.0), _e75);
+    const bool _e83 = hasCoatNormals;
+    if (_e83) {
+        Basis _e84 = own_2;
+        vec3 _e85 = h_3;
+        vec3 _e86 = toWorld(_e84, _e85);
+        h_3 = _e86;
     }
-    vec3 _e78 = h_3;
-    float oh = max(dot(wo_9, _e78), 0.0);
-    vec4 _e82 = baseReflectance(s_18, o_8, oh);
-    Parting _e83 = partingOf(s_18, o_8, _e82);
-    float left_3 = ((u_27.z - o_8.ofCoat) / max(o_8.ofFacets, 1e-20));
-    const bool _e92 = hasTransmission;
-    bool crossing_1 = pick(pick(_e92, !(isCoat_1), false), (left_3 >= _e83.share), false);
-    vec3 _e100 = h_3;
-    vec3 reflected_1 = (((2.0 * oh) * _e100) - wo_9);
+    vec3 _e87 = h_3;
+    float oh = max(dot(wo_9, _e87), 0.0);
+    vec3 _e93 = h_3;
+    vec3 reflected_1 = (((2.0 * oh) * _e93) - wo_9);
     met = reflected_1;
-    const bool _e105 = hasTransmission;
-    if (_e105) {
-        vec3 _e110 = h_3;
-        vec3 _e112 = refracted(wo_9, _e110, o_8.ratio);
-        vec3 beyond_2 = pick(isSolid_1, _e112, vec3(reflected_1.xy, -(reflected_1.z)));
-        met = pick(crossing_1, beyond_2, reflected_1);
+    const bool _e100 = hasTransmission;
+    if (_e100) {
+        float _e104 = stackHere.ofCoat;
+        float _e108 = stackHere.ofFacets;
+        float left_2 = ((u_27.z - _e104) / max(_e108, 1e-20));
+        Reflectance _e113 = bareReflectance(s_19, oh);
+        float _e114 = shareToward(s_19, _e113);
+        crossing = pick(!(isCoat_1), (left_2 >= _e114), false);
+        vec3 _e121 = h_3;
+        float _e124 = stackHere.ratio;
+        vec3 _e125 = refracted(wo_9, _e121, _e124);
+        vec3 beyond_1 = pick(_e5, _e125, vec3(reflected_1.xy, -(reflected_1.z)));
+        bool _e127 = crossing;
+        met = pick(_e127, beyond_1, reflected_1);
     }
-    float _e117 = met.z;
-    lost = pick(!(isSmooth_1), (crossing_1 != (_e117 < 0.0)), false);
-    const bool _e124 = hasCoatNormals;
-    if (_e124) {
+    bool _e130 = crossing;
+    float _e132 = met.z;
+    lost = pick(!(isSmooth_1), (_e130 != (_e132 < 0.0)), false);
+    const bool _e139 = hasCoatNormals;
+    if (_e139) {
         if (isCoat_1) {
-            vec3 _e126 = frame.normal;
-            vec3 _e127 = met;
-            float _e132 = met.z;
-            lost = pick((dot(_e126, _e127) <= 0.0), true, pick((_e132 < 0.0), (s_18.eta.x < 0.0), false));
+            vec3 _e141 = own_2.normal;
+            vec3 _e142 = met;
+            float _e147 = met.z;
+            lost = pick((dot(_e141, _e142) <= 0.0), true, pick((_e147 < 0.0), (s_19.eta.x < 0.0), false));
         }
     }
-    float _e142 = met.z;
-    vec3 _e145 = met;
-    float _e146 = coatCosine(o_8.side, _e145);
-    float _e147 = throughCover(o_8, abs(_e142), _e146, crossing_1);
-    vec3 weight_2 = (_e147 * pick(crossing_1, (_e83.beyond / vec3(max((((1.0 - _e83.share) * o_8.ratio) * o_8.ratio), 1e-20))), (_e83.toward / vec3(max(_e83.share, 1e-20)))));
-    vec3 _e168 = met;
-    drawn = LayeredSample(_e168, pick(isCoat_1, o_8.ofCoat, (o_8.ofFacets * pick(crossing_1, (1.0 - _e83.share), _e83.share))), pick(isCoat_1, vec3((o_8.coat / max(o_8.ofCoat, 1e-20))), (weight_2 / vec3(max(o_8.ofFacets, 1e-20)))), isSmooth_1);
-    float _e194 = drawn.pdf;
-    bool _e195 = lost;
-    drawn.pdf = pick(_e195, 0.0, _e194);
+    vec3 _e156 = met;
+    bool _e157 = lost;
+    drawn = LayeredSample(_e156, pick(_e157, 0.0, 1.0), isSmooth_1);
     if (!(isFacet)) {
-        float next_1 = ((u_27.z - o_8.ofCoat) - o_8.ofFacets);
+        float _e167 = stackHere.ofCoat;
+        float _e171 = stackHere.ofFacets;
+        float next_1 = ((u_27.z - _e167) - _e171);
         float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
         float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
         vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
-        vec3 _e226 = sampleCosine(u_27.xy);
-        const bool _e232 = hasTransmission;
-        vec3 below_3 = vec3(_e226.xy, pick(pick(_e232, (next_1 >= (o_8.ofSheen + o_8.ofDiffuse)), false), -(_e226.z), _e226.z));
-        const bool _e241 = hasSheen;
-        drawn = LayeredSample(pick(pick(_e241, (next_1 < o_8.ofSheen), false), even, below_3), 1.0, vec3(1.0), false);
+        vec3 _e195 = sampleCosine(u_27.xy);
+        const bool _e201 = hasTransmission;
+        float _e204 = stackHere.ofSheen;
+        float _e207 = stackHere.ofDiffuse;
+        vec3 below_3 = vec3(_e195.xy, pick(pick(_e201, (next_1 >= (_e204 + _e207)), false), -(_e195.z), _e195.z));
+        const bool _e214 = hasSheen;
+        float _e217 = stackHere.ofSheen;
+        drawn = LayeredSample(pick(pick(_e214, (next_1 < _e217), false), even, below_3), 1.0, false);
     }
-    float _e253 = drawn.direction.z;
-    drawn.direction.z = (_e253 * o_8.side);
-    LayeredSample _e256 = drawn;
-    return _e256;
+    float _e226 = drawn.direction.z;
+    float _e229 = stackHere.side;
+    drawn.direction.z = (_e226 * _e229);
+    LayeredSample _e231 = drawn;
+    return _e231;
 }
 
 vec3 mirrored(vec3 wo_6) {
     return vec3(-(wo_6.xy), wo_6.z);
 }
 
-BsdfSample sampleLobe(Surface s_19, Outgoing o_9, vec3 u_28) {
+BsdfSample sampleLobe(Surface s_20, Outgoing o_4, vec3 u_28) {
     BsdfSample drawn_1 = BsdfSample(vec3(0.0), 0.0, vec3(0.0), false);
     vec3 wi = vec3(0.0);
     float probability_3 = 0.0;
     vec3 weight = vec3(0.0);
-    vec3 wo_10 = o_9.wo;
-    float _e5 = mirrorShare(s_19.reflectivity);
+    vec3 wo_10 = o_4.wo;
+    float _e5 = mirrorShare(s_20.reflectivity);
     float base_2 = (1.0 - _e5);
     float choice_2 = ((u_28.z - _e5) / base_2);
     vec3 _e12 = sampleCosine(u_28.xy);
     drawn_1 = BsdfSample(_e12, 1.0, vec3(1.0), false);
     const bool _e20 = hasConductors;
     const bool _e22 = hasMetallicRoughness;
-    const bool _e25 = hasGlass;
-    if (pick(pick(_e20, true, _e22), true, _e25)) {
-        uint code_14 = uint(s_19.code);
-        bool _e29 = isDielectric(code_14);
-        bool _e30 = isSmooth(code_14);
-        vec3 _e33 = sampleFacet(s_19.alpha, _e30, o_9, u_28.xy);
-        float oh_1 = max(dot(wo_10, _e33), 0.0);
-        vec3 _e38 = facetReflectance(s_19, oh_1, o_9.ratio);
-        bool crossing_2 = pick(_e29, (choice_2 >= _e38.x), false);
-        wi = (((2.0 * oh_1) * _e33) - wo_10);
-        probability_3 = (base_2 * o_9.share);
-        weight = (_e38 / vec3(o_9.share));
-        const bool _e55 = hasGlass;
-        if (_e55) {
-            bool _e56 = isThin(code_14);
-            vec3 _e57 = wi;
-            vec3 _e59 = refracted(wo_10, _e33, o_9.ratio);
-            wi = pick(crossing_2, pick(_e56, -(wo_10), _e59), _e57);
-            float _e63 = probability_3;
-            probability_3 = pick(_e29, (base_2 * pick(crossing_2, (1.0 - _e38.x), _e38.x)), _e63);
-            vec3 _e71 = weight;
-            weight = pick(_e29, vec3(pick(pick(crossing_2, !(_e56), false), (1.0 / (o_9.ratio * o_9.ratio)), 1.0)), _e71);
+    const bool _e24 = hasLayers;
+    const bool _e29 = hasGlass;
+    if (pick(pick(_e20, true, pick(_e22, !(_e24), false)), true, _e29)) {
+        uint code_14 = uint(s_20.code);
+        bool _e33 = isDielectric(code_14);
+        bool _e34 = isSmooth(code_14);
+        vec3 _e37 = sampleFacet(s_20.alpha, _e34, o_4, u_28.xy);
+        float oh_1 = max(dot(wo_10, _e37), 0.0);
+        vec3 _e42 = facetReflectance(s_20, oh_1, o_4.ratio);
+        bool crossing_2 = pick(_e33, (choice_2 >= _e42.x), false);
+        wi = (((2.0 * oh_1) * _e37) - wo_10);
+        probability_3 = (base_2 * o_4.share);
+        weight = (_e42 / vec3(o_4.share));
+        const bool _e59 = hasGlass;
+        if (_e59) {
+            bool _e60 = isThin(code_14);
+            vec3 _e61 = wi;
+            vec3 _e63 = refracted(wo_10, _e37, o_4.ratio);
+            wi = pick(crossing_2, pick(_e60, -(wo_10), _e63), _e61);
+            float _e67 = probability_3;
+            probability_3 = pick(_e33, (base_2 * pick(crossing_2, (1.0 - _e42.x), _e42.x)), _e67);
+            vec3 _e75 = weight;
+            weight = pick(_e33, vec3(pick(pick(crossing_2, !(_e60), false), (1.0 / (o_4.ratio * o_4.ratio)), 1.0)), _e75);
         }
-        float _e88 = wi.z;
-        bool lost_1 = pick(!(_e30), (crossing_2 != ((wo_10.z < 0.0) != (_e88 < 0.0))), false);
-        bool specular_1 = (choice_2 < o_9.share);
-        vec3 _e98 = drawn_1.direction;
-        vec3 _e99 = wi;
-        drawn_1.direction = pick(specular_1, _e99, _e98);
-        float _e103 = drawn_1.pdf;
-        float _e104 = probability_3;
-        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e104), _e103);
-        vec3 _e110 = drawn_1.weight;
-        vec3 _e111 = weight;
-        drawn_1.weight = pick(specular_1, _e111, _e110);
-        drawn_1.delta = pick(specular_1, _e30, false);
+        float _e92 = wi.z;
+        bool lost_1 = pick(!(_e34), (crossing_2 != ((wo_10.z < 0.0) != (_e92 < 0.0))), false);
+        bool specular_1 = (choice_2 < o_4.share);
+        vec3 _e102 = drawn_1.direction;
+        vec3 _e103 = wi;
+        drawn_1.direction = pick(specular_1, _e103, _e102);
+        float _e107 = drawn_1.pdf;
+        float _e108 = probability_3;
+        drawn_1.pdf = pick(specular_1, pick(lost_1, 0.0, _e108), _e107);
+        vec3 _e114 = drawn_1.weight;
+        vec3 _e115 = weight;
+        drawn_1.weight = pick(specular_1, _e115, _e114);
+        drawn_1.delta = pick(specular_1, _e34, false);
     }
-    const bool _e116 = hasLayers;
-    if (_e116) {
-        bool _e121 = isLayered(uint(s_19.code), s_19.eta.x);
-        if (_e121) {
-            Stack _e123 = stackHere;
-            LayeredSample _e126 = sampleLayered(s_19, _e123, vec3(u_28.xy, choice_2));
-            drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), _e126.weight, _e126.delta);
+    const bool _e120 = hasLayers;
+    if (_e120) {
+        bool _e123 = isLayered(uint(s_20.code));
+        if (_e123) {
+            LayeredSample _e126 = sampleLayered(s_20, vec3(u_28.xy, choice_2));
+            drawn_1 = BsdfSample(_e126.direction, (base_2 * _e126.pdf), vec3(0.0), _e126.delta);
         }
     }
-    const bool _e134 = hasMirrorLayers;
-    if (_e134) {
+    const bool _e135 = hasMirrorLayers;
+    if (_e135) {
         bool reflected_2 = (u_28.z < _e5);
-        vec3 _e139 = drawn_1.direction;
-        vec3 _e140 = mirrored(wo_10);
-        drawn_1.direction = pick(reflected_2, _e140, _e139);
-        float _e144 = drawn_1.pdf;
-        drawn_1.pdf = pick(reflected_2, _e5, _e144);
-        vec3 _e148 = drawn_1.weight;
-        drawn_1.weight = pick(reflected_2, vec3(1.0), _e148);
-        bool _e154 = drawn_1.delta;
-        drawn_1.delta = pick(_e154, true, reflected_2);
+        vec3 _e140 = drawn_1.direction;
+        vec3 _e141 = mirrored(wo_10);
+        drawn_1.direction = pick(reflected_2, _e141, _e140);
+        float _e145 = drawn_1.pdf;
+        drawn_1.pdf = pick(reflected_2, _e5, _e145);
+        vec3 _e149 = drawn_1.weight;
+        drawn_1.weight = pick(reflected_2, vec3(1.0), _e149);
+        bool _e155 = drawn_1.delta;
+        drawn_1.delta = pick(_e155, true, reflected_2);
     }
-    BsdfSample _e156 = drawn_1;
-    return _e156;
+    BsdfSample _e157 = drawn_1;
+    return _e157;
 }
 
-float facetDensity(vec3 h_4, float alpha_10) {
-    float slope = max(((dot(h_4.xy, h_4.xy) / (alpha_10 * alpha_10)) + (h_4.z * h_4.z)), 1.0);
-    return (0.31830987 / (((alpha_10 * alpha_10) * slope) * slope));
+float facetDensity(vec3 h_4, float alpha_9) {
+    float slope = max(((dot(h_4.xy, h_4.xy) / (alpha_9 * alpha_9)) + (h_4.z * h_4.z)), 1.0);
+    return (0.31830987 / (((alpha_9 * alpha_9) * slope) * slope));
 }
 
 bool hidesApart(uint code_11) {
     return ((code_11 & 64u) != 0u);
 }
 
-vec3 compensation(Surface s_20, float cosine_16) {
-    uint code_15 = uint(s_20.code);
+vec3 compensation(Surface s_21, float cosine_16) {
+    uint code_15 = uint(s_21.code);
     bool _e8 = isDielectric(code_15);
     bool asked_1 = pick(((code_15 & 8u) != 0u), !(_e8), false);
-    float _e12 = singleScatteringAlbedo(cosine_16, s_20.alpha);
-    vec3 _e17 = facetReflectance(s_20, 1.0, 1.0);
+    float _e12 = singleScatteringAlbedo(cosine_16, s_21.alpha);
+    vec3 _e17 = facetReflectance(s_21, 1.0, 1.0);
     return pick(asked_1, (vec3(1.0) + (_e17 * ((1.0 - _e12) / _e12))), vec3(1.0));
 }
 
-FacetLobe evaluateFacets(Surface s_21, Outgoing o_10, vec3 wi_1) {
+FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
     vec3 passes = vec3(0.0);
-    vec3 wo_11 = o_10.wo;
-    bool _e6 = isDielectric(uint(s_21.code));
+    vec3 wo_11 = o_5.wo;
+    bool _e6 = isDielectric(uint(s_22.code));
     const bool _e8 = hasGlass;
     bool crossing_3 = pick(_e8, ((wo_11.z < 0.0) != (wi_1.z < 0.0)), false);
-    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_10.ratio, 1.0)));
+    vec3 m_1 = (wo_11 + (wi_1 * pick(crossing_3, o_5.ratio, 1.0)));
     float m2_1 = max(dot(m_1, m_1), 1e-20);
     vec3 h_10 = (m_1 * inversesqrt(m2_1));
     float oh_2 = dot(wo_11, h_10);
     float ih = dot(wi_1, h_10);
     float zo = abs(wo_11.z);
-    float zi_1 = abs(wi_1.z);
+    float zi = abs(wi_1.z);
     bool faces_1 = pick(!(crossing_3), true, pick((((oh_2 * h_10.z) * wo_11.z) >= 0.0), (((ih * h_10.z) * wi_1.z) >= 0.0), false));
-    float _e54 = facetDensity(h_10, s_21.alpha);
+    float _e54 = facetDensity(h_10, s_22.alpha);
     float spread = (pick(crossing_3, (abs((oh_2 * ih)) / m2_1), 0.25) * pick(faces_1, (2.0 * _e54), 0.0));
-    vec3 _e62 = facetReflectance(s_21, abs(oh_2), o_10.ratio);
+    vec3 _e62 = facetReflectance(s_22, abs(oh_2), o_5.ratio);
     passes = pick(crossing_3, (vec3(1.0) - _e62), _e62);
-    float _e69 = stretched(wi_1, s_21.alpha);
-    float apart = ((0.5 * (zo + o_10.stretched)) * (zi_1 + _e69));
-    bool _e82 = hidesApart(uint(s_21.code));
-    float masked = (zi_1 / max(pick(_e82, apart, ((zi_1 * o_10.stretched) + (zo * _e69))), 1e-20));
+    float _e69 = stretched(wi_1, s_22.alpha);
+    float apart = ((0.5 * (zo + o_5.stretched)) * (zi + _e69));
+    bool _e82 = hidesApart(uint(s_22.code));
+    float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
-    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_10.ratio * o_10.ratio), 1.0));
+    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
-        vec3 _e100 = compensation(s_21, zo);
+        vec3 _e100 = compensation(s_22, zo);
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
-    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_10.bound * zo) + o_10.stretched)), abs(oh_2));
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
 }
 
-vec4 evaluateBsdf(Surface s_22, Outgoing o_11, vec3 wi_2) {
+vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
     vec4 value = vec4(0.0);
     bool dark = false;
     vec3 base = vec3(0.0);
     float lambert = (0.31830987 * max(wi_2.z, 0.0));
-    value = (vec4(s_22.baseColor, 1.0) * lambert);
-    dark = pick((o_11.wo.z < 0.0), true, (wi_2.z <= 0.0));
+    value = (vec4(s_23.baseColor, 1.0) * lambert);
+    dark = pick((o_6.wo.z < 0.0), true, (wi_2.z <= 0.0));
     const bool _e23 = hasConductors;
     const bool _e25 = hasMetallicRoughness;
-    const bool _e28 = hasGlass;
-    if (pick(pick(_e23, true, _e25), true, _e28)) {
-        uint code_16 = uint(s_22.code);
-        FacetLobe _e32 = evaluateFacets(s_22, o_11, wi_2);
-        const bool _e37 = hasMetallicRoughness;
-        if (_e37) {
-            vec3 _e38 = base;
-            vec3 _e42 = metallicRoughnessDiffuse(s_22.baseColor, s_22.metallic, _e32.cosine);
-            bool _e43 = isMetallicRoughness(code_16);
-            base = pick(_e43, _e42, _e38);
-        }
-        bool _e52 = isSmooth(code_16);
-        vec4 rough_1 = pick(_e52, vec4(0.0), vec4(_e32.value, (o_11.share * _e32.pdf)));
-        vec3 _e54 = base;
-        vec4 _e61 = value;
-        uint _e62 = kindOf(code_16);
-        value = pick((_e62 == diffuse0_), _e61, (rough_1 + (vec4(_e54, (1.0 - o_11.share)) * lambert)));
-        bool _e66 = dark;
-        bool _e67 = isSmooth(code_16);
-        bool _e68 = isDielectric(code_16);
-        dark = pick(_e68, _e67, _e66);
-    }
-    float _e71 = mirrorShare(s_22.reflectivity);
-    vec4 _e74 = value;
-    bool _e78 = dark;
-    return pick(_e78, vec4(0.0), ((1.0 - _e71) * _e74));
-}
-
-float ellipticDensity(vec3 h_5, vec2 alpha_11) {
-    vec2 scaled_1 = (h_5.xy / alpha_11);
-    float slope_1 = max((dot(scaled_1, scaled_1) + (h_5.z * h_5.z)), 1.0);
-    return (0.31830987 / (((alpha_11.x * alpha_11.y) * slope_1) * slope_1));
-}
-
-float shadowingExponent(float x_17, float alpha_12) {
-    float m_2 = ((1.0 - alpha_12) * (1.0 - alpha_12));
-    float a_11 = mix(21.5473, 25.3245, m_2);
-    float b_14 = mix(3.82987, 3.32435, m_2);
-    float c_6 = mix(0.19823, 0.16801, m_2);
-    float d_4 = mix(-1.9776, -1.27393, m_2);
-    float e_26 = mix(-4.32054, -4.85967, m_2);
-    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_26);
-}
-
-float sheenShadowing(float cosine_17, float alpha_13) {
-    float x_28 = clamp(cosine_17, 1e-6, 1.0);
-    bool isLow = (x_28 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_13);
-    float _e14 = shadowingExponent(0.5, alpha_13);
-    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
-}
-
-float whiteSheen(vec3 wo_7, vec3 wi_3, float alpha_14) {
-    vec3 m_3 = (wo_7 + wi_3);
-    float m2_2 = max(dot(m_3, m_3), 1e-20);
-    float sine2_4 = clamp((dot(m_3.xy, m_3.xy) / m2_2), 0.0, 1.0);
-    float power_1 = (0.5 / alpha_14);
-    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
-    float zo_1 = max(wo_7.z, 1e-6);
-    float _e38 = sheenShadowing(wo_7.z, alpha_14);
-    float _e42 = sheenShadowing(wi_3.z, alpha_14);
-    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
-}
-
-float sheenAlpha(float roughness_1) {
-    float r_4 = max(roughness_1, 0.07);
-    return (r_4 * r_4);
-}
-
-float ofBeyond(Stack o_12) {
-    return max(((((1.0 - o_12.ofCoat) - o_12.ofFacets) - o_12.ofSheen) - o_12.ofDiffuse), 0.0);
-}
-
-vec4 evaluateLayered(Surface s_23, Stack o_13, vec3 given_1) {
-    vec4 sum_1 = vec4(0.0);
-    float intoBody = 0.0;
-    bool isCoat = false;
-    vec3 ownWo_1 = vec3(0.0);
-    vec3 ownWi = vec3(0.0);
-    vec3 ownH = vec3(0.0);
-    vec3 lobe = vec3(0.0);
-    float chosen_1 = 0.0;
-    Layers l_5 = o_13.layers;
-    vec3 wo_12 = o_13.wo;
-    vec3 wi_4 = vec3(given_1.xy, (given_1.z * o_13.side));
-    const bool _e11 = hasTransmission;
-    const bool _e13 = hasCoatNormals;
-    bool crossing_4 = pick(pick(_e11, true, _e13), (wi_4.z < 0.0), false);
-    const bool _e20 = hasTransmission;
-    const bool _e22 = hasCoatNormals;
-    bool dark_1 = pick(!(pick(_e20, true, _e22)), (wi_4.z < 0.0), false);
-    vec3 facing = vec3(wi_4.xy, abs(wi_4.z));
-    float zi_2 = facing.z;
-    float _e35 = coatCosine(o_13.side, wi_4);
-    float _e36 = throughCover(o_13, zi_2, _e35, crossing_4);
-    const bool _e43 = hasCoats;
-    const bool _e45 = hasTransmission;
-    isCoat = pick(pick(_e43, true, _e45), pick((o_13.coat > 0.0), true, (s_23.metallic < 1.0)), false);
-    const bool _e57 = hasCoatNormals;
-    bool coatEnds = pick(crossing_4, !(pick(_e57, (s_23.eta.x >= 0.0), false)), false);
-    while(true) {
-        const bool _e66 = hasTransmission;
-        bool _e68 = isCoat;
-        bool bends = pick(pick(pick(_e66, crossing_4, false), !(_e68), false), (l_5.solid > 0.0), false);
-        bool _e78 = isCoat;
-        vec2 alpha_16 = pick(_e78, vec2(o_13.coatAlpha), o_13.alpha);
-        bool isSmooth_2 = (max(alpha_16.x, alpha_16.y) < 0.001);
-        vec2 wide_2 = max(alpha_16, vec2(0.001));
-        bool _e88 = isCoat;
-        vec3 met_1 = pick(pick(bends, true, pick(_e88, !(coatEnds), false)), wi_4, facing);
-        vec3 m_4 = (wo_12 + (met_1 * pick(bends, o_13.ratio, 1.0)));
-        float m2_3 = max(dot(m_4, m_4), 1e-20);
-        vec3 h_11 = (m_4 * inversesqrt(m2_3));
-        float oh_3 = dot(wo_12, h_11);
-        float ih_1 = dot(met_1, h_11);
-        ownWo_1 = wo_12;
-        ownWi = met_1;
-        ownH = h_11;
-        const bool _e109 = hasCoatNormals;
-        if (_e109) {
-            bool _e110 = isCoat;
-            if (_e110) {
-                vec3 _e112 = coatNormal(o_13.side);
-                Basis _e113 = basisAbout(_e112);
-                vec3 _e114 = toLocal(_e113, wo_12);
-                ownWo_1 = _e114;
-                vec3 _e115 = toLocal(_e113, met_1);
-                ownWi = _e115;
-                vec3 _e116 = toLocal(_e113, h_11);
-                ownH = _e116;
+    const bool _e27 = hasLayers;
+    const bool _e32 = hasGlass;
+    if (pick(pick(_e23, true, pick(_e25, !(_e27), false)), true, _e32)) {
+        uint code_16 = uint(s_23.code);
+        FacetLobe _e36 = evaluateFacets(s_23, o_6, wi_2);
+        const bool _e41 = hasMetallicRoughness;
+        if (_e41) {
+            const bool _e43 = hasLayers;
+            if (!(_e43)) {
+                vec3 _e45 = base;
+                vec3 _e49 = metallicRoughnessDiffuse(s_23.baseColor, s_23.metallic, _e36.cosine);
+                bool _e50 = isMetallicRoughness(code_16);
+                base = pick(_e50, _e49, _e45);
             }
         }
-        float _e118 = ownH.z;
-        float _e123 = ownH.z;
-        float _e126 = ownWi.z;
-        float _e132 = ownWi.z;
-        bool faces_2 = pick(pick(((oh_3 * _e118) >= 0.0), (((ih_1 * _e123) * _e126) >= 0.0), false), pick(bends, true, (_e132 >= 0.0)), false);
-        vec3 _e142 = ownH;
-        float _e143 = ellipticDensity(_e142, wide_2);
-        float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_3), 0.25) * pick(pick(faces_2, !(isSmooth_2), false), (2.0 * _e143), 0.0));
-        vec3 _e151 = ownWo_1;
-        float _e152 = ellipticStretched(_e151, wide_2);
-        float _e154 = ownWi.z;
-        float ownZi = abs(_e154);
-        float _e158 = ownWo_1.z;
-        vec3 _e159 = ownWi;
-        float _e160 = ellipticStretched(_e159, wide_2);
-        float masked_1 = (ownZi / max(((ownZi * _e152) + (_e158 * _e160)), 1e-20));
-        vec3 _e166 = ownWo_1;
-        float _e167 = ellipticBound(_e166, wide_2);
-        const bool _e169 = hasTransmission;
-        bool _e174 = isCoat;
-        float bound_3 = pick(pick(pick(_e169, (l_5.solid > 0.0), false), !(_e174), false), 1.0, _e167);
-        float _e180 = ownWo_1.z;
-        float density_2 = (spread_1 / ((bound_3 * _e180) + _e152));
-        const bool _e189 = hasTransmission;
-        bool _e190 = isCoat;
-        vec4 _e195 = baseReflectance(s_23, o_13, pick(pick(pick(_e189, _e190, false), o_13.inside, false), wo_12.z, min(abs(oh_3), 1.0)));
-        Parting _e196 = partingOf(s_23, o_13, _e195);
-        lobe = (_e36 * pick(crossing_4, _e196.beyond, (_e196.toward * o_13.more)));
-        chosen_1 = ((o_13.ofFacets * pick(crossing_4, (1.0 - _e196.share), _e196.share)) * pick(bends, (o_13.ratio * o_13.ratio), 1.0));
-        const bool _e219 = hasCoats;
-        if (!(_e219)) {
-            const bool _e222 = hasTransmission;
-            if (!(_e222)) {
-                intoBody = _e195.w;
-            }
-        }
-        bool _e225 = isCoat;
-        if (_e225) {
-            intoBody = _e195.w;
-            lobe = vec3(pick(coatEnds, 0.0, o_13.coat));
-            chosen_1 = pick(coatEnds, 0.0, o_13.ofCoat);
-        }
-        vec4 _e234 = sum_1;
-        vec3 _e235 = lobe;
-        float _e238 = chosen_1;
-        sum_1 = (_e234 + vec4((_e235 * (spread_1 * masked_1)), (_e238 * density_2)));
-        const bool _e243 = hasCoats;
-        if (!(_e243)) {
-            const bool _e246 = hasTransmission;
-            if (!(_e246)) {
-                break;
-            }
-        }
-        bool _e248 = isCoat;
-        if (!(_e248)) {
-            break;
-        }
-        isCoat = false;
+        bool _e59 = isSmooth(code_16);
+        vec4 rough_1 = pick(_e59, vec4(0.0), vec4(_e36.value, (o_6.share * _e36.pdf)));
+        vec3 _e61 = base;
+        vec4 _e68 = value;
+        uint _e69 = kindOf(code_16);
+        value = pick((_e69 == diffuse0_), _e68, (rough_1 + (vec4(_e61, (1.0 - o_6.share)) * lambert)));
+        bool _e73 = dark;
+        bool _e74 = isSmooth(code_16);
+        bool _e75 = isDielectric(code_16);
+        dark = pick(_e75, _e74, _e73);
     }
-    const bool _e252 = hasSheen;
-    if (_e252) {
-        if (pick(pick((o_13.sheenColor > 0.0), !(crossing_4), false), !(o_13.inside), false)) {
-            float _e263 = sheenAlbedo(zi_2, l_5.sheenRoughness);
-            float most_2 = max(max(o_13.sheen, _e263), 1.0);
-            float _e271 = sheenAlpha(l_5.sheenRoughness);
-            float _e272 = whiteSheen(wo_12, wi_4, _e271);
-            float fibres_1 = (((1.0 - o_13.coat) * _e272) / most_2);
-            vec4 _e275 = sum_1;
-            sum_1 = (_e275 + vec4((fibres_1 * l_5.sheenColor), (o_13.ofSheen * 0.15915494)));
-        }
-    }
-    vec3 body_1 = pick(crossing_4, (l_5.beyond * l_5.beyondColor), ((1.0 - l_5.beyond) * s_23.baseColor));
-    float _e292 = intoBody;
-    vec3 matte = (((_e36 * _e292) * (1.0 - l_5.transmission)) * body_1);
-    vec4 _e299 = sum_1;
-    float _e301 = ofBeyond(o_13);
-    vec4 all_1 = (_e299 + (vec4(matte, pick(crossing_4, _e301, o_13.ofDiffuse)) * (0.31830987 * zi_2)));
-    return pick(dark_1, vec4(0.0), all_1);
-}
-
-Pair evaluatePair(Surface s_24, Outgoing o_14, vec3 toLight_2, vec3 toSample) {
-    Pair pair_2 = Pair(vec4(0.0), vec4(0.0));
-    bool isLight = false;
-    vec4 _e4 = evaluateBsdf(s_24, o_14, toLight_2);
-    vec4 _e5 = evaluateBsdf(s_24, o_14, toSample);
-    pair_2 = Pair(_e4, _e5);
-    const bool _e9 = hasLayers;
-    if (_e9) {
-        bool _e14 = isLayered(uint(s_24.code), s_24.eta.x);
-        if (_e14) {
-            uint _e17 = frame.emitterCount;
-            isLight = (_e17 > 0u);
-            while(true) {
-                float _e22 = mirrorShare(s_24.reflectivity);
-                Stack _e26 = stackHere;
-                bool _e27 = isLight;
-                vec4 _e29 = evaluateLayered(s_24, _e26, pick(_e27, toLight_2, toSample));
-                vec4 value_2 = ((1.0 - _e22) * _e29);
-                bool _e31 = isLight;
-                if (_e31) {
-                    pair_2.toLight = value_2;
-                } else {
-                    pair_2.toSample = value_2;
-                }
-                bool _e34 = isLight;
-                if (!(_e34)) {
-                    break;
-                }
-                isLight = false;
-            }
-        }
-    }
-    Pair _e37 = pair_2;
-    return _e37;
-}
-
-bool crosses(vec3 geometric_2, vec3 a_4, vec3 b_7) {
-    return ((dot(geometric_2, a_4) > 0.0) != (dot(geometric_2, b_7) > 0.0));
+    float _e78 = mirrorShare(s_23.reflectivity);
+    vec4 _e81 = value;
+    bool _e85 = dark;
+    return pick(_e85, vec4(0.0), ((1.0 - _e78) * _e81));
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
     float pdf_6 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_3 = pick((pdf_6 > 0.0), (value_1.xyz / vec3(max(pdf_6, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_3), drawn_2.delta);
+    vec3 weight_2 = pick((pdf_6 > 0.0), (value_1.xyz / vec3(max(pdf_6, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+}
+
+float ellipticDensity(vec3 h_5, vec2 alpha_10) {
+    vec2 scaled_1 = (h_5.xy / alpha_10);
+    float slope_1 = max((dot(scaled_1, scaled_1) + (h_5.z * h_5.z)), 1.0);
+    return (0.31830987 / (((alpha_10.x * alpha_10.y) * slope_1) * slope_1));
+}
+
+Facets facetsTowards(vec3 wi_3, bool isCoat, bool bends) {
+    vec3 ownWo_1 = vec3(0.0);
+    vec3 ownWi = vec3(0.0);
+    vec3 ownH = vec3(0.0);
+    vec3 wo_12 = stackHere.wo;
+    vec2 _e8 = stackHere.alpha;
+    float _e11 = stackHere.coatAlpha;
+    vec2 alpha_15 = pick(isCoat, vec2(_e11), _e8);
+    bool isRough = (max(alpha_15.x, alpha_15.y) >= 0.001);
+    vec2 wide_2 = max(alpha_15, vec2(0.001));
+    float _e24 = stackHere.ratio;
+    vec3 m_2 = (wo_12 + (wi_3 * pick(bends, _e24, 1.0)));
+    float m2_2 = max(dot(m_2, m_2), 1e-20);
+    vec3 h_11 = (m_2 * inversesqrt(m2_2));
+    float oh_3 = dot(wo_12, h_11);
+    float ih_1 = dot(wi_3, h_11);
+    ownWo_1 = wo_12;
+    ownWi = wi_3;
+    ownH = h_11;
+    const bool _e40 = hasCoatNormals;
+    if (_e40) {
+        if (isCoat) {
+            float _e43 = stackHere.side;
+            vec3 _e44 = coatNormal(_e43);
+            Basis _e45 = basisAbout(_e44);
+            vec3 _e46 = toLocal(_e45, wo_12);
+            ownWo_1 = _e46;
+            vec3 _e47 = toLocal(_e45, wi_3);
+            ownWi = _e47;
+            vec3 _e48 = toLocal(_e45, h_11);
+            ownH = _e48;
+        }
+    }
+    float _e50 = ownH.z;
+    float _e55 = ownH.z;
+    float _e58 = ownWi.z;
+    float _e64 = ownWi.z;
+    bool faces_2 = pick(pick(((oh_3 * _e50) >= 0.0), (((ih_1 * _e55) * _e58) >= 0.0), false), pick(bends, true, (_e64 >= 0.0)), false);
+    vec3 _e74 = ownH;
+    float _e75 = ellipticDensity(_e74, wide_2);
+    float spread_1 = (pick(bends, (abs((oh_3 * ih_1)) / m2_2), 0.25) * pick(pick(faces_2, isRough, false), (2.0 * _e75), 0.0));
+    vec3 _e82 = ownWo_1;
+    float _e83 = ellipticStretched(_e82, wide_2);
+    float _e85 = ownWi.z;
+    float ownZi = abs(_e85);
+    float _e89 = ownWo_1.z;
+    vec3 _e90 = ownWi;
+    float _e91 = ellipticStretched(_e90, wide_2);
+    float masked_1 = (ownZi / max(((ownZi * _e83) + (_e89 * _e91)), 1e-20));
+    vec3 _e97 = ownWo_1;
+    float _e98 = ellipticBound(_e97, wide_2);
+    bool _e99 = isSolidHere();
+    float bound_3 = pick(pick(_e99, !(isCoat), false), 1.0, _e98);
+    float _e106 = ownWo_1.z;
+    return Facets((spread_1 * masked_1), (spread_1 / ((bound_3 * _e106) + _e83)), min(abs(oh_3), 1.0));
+}
+
+vec3 indexOf(vec3 f0_1) {
+    vec3 root_2 = sqrt(min(f0_1, vec3(0.9999)));
+    return ((vec3(1.0) + root_2) / (vec3(1.0) - root_2));
+}
+
+vec3 sensitivity(float difference, vec3 shift) {
+    float phase = (6.2831855e-9 * difference);
+    vec4 mean = vec4(1681000.0, 1795300.0, 2208400.0, 2239900.0);
+    vec4 variance = vec4(4327800000.0, 9304600000.0, 6612100000.0, 4528200000.0);
+    vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
+    vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
+    vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
+    float x_27 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+}
+
+vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17) {
+    vec3 sum = vec3(0.0);
+    vec3 amplitude = vec3(0.0);
+    float order = 1.0;
+    float sine2_3 = ((1.0 - (cosine_17 * cosine_17)) / (filmIor * filmIor));
+    float within_3 = sqrt(max((1.0 - sine2_3), 0.0));
+    float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
+    vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_17);
+    float r12_ = _e21.x;
+    float t121_ = (1.0 - r12_);
+    vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
+    vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
+    vec3 _e35 = schlick((second_1 * second_1), within_3);
+    vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
+    vec3 once = sqrt(r123_);
+    vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
+    vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
+    float difference_2 = (((2.0 * filmIor) * thickness) * within_3);
+    sum = (vec3(r12_) + rs);
+    amplitude = (rs - vec3(t121_));
+    while(true) {
+        vec3 _e71 = amplitude;
+        amplitude = (_e71 * once);
+        vec3 _e73 = sum;
+        vec3 _e74 = amplitude;
+        float _e77 = order;
+        float _e79 = order;
+        vec3 _e81 = sensitivity((_e77 * difference_2), (_e79 * shift_1));
+        sum = (_e73 + ((2.0 * _e74) * _e81));
+        float _e84 = order;
+        order = (_e84 + 1.0);
+        float _e87 = order;
+        if ((_e87 > 2.5)) {
+            break;
+        }
+    }
+    vec3 _e90 = sum;
+    return clamp(_e90, vec3(0.0), vec3(1.0));
+}
+
+Reflectance filmedReflectance(Surface s_24, Reflectance bare_1, float cosine_18) {
+    Reflectance r_2 = Reflectance(vec3(0.0), vec3(0.0));
+    bool isMetal = false;
+    r_2 = bare_1;
+    float _e6 = layersHere.film;
+    if ((_e6 > 0.0)) {
+        float _e9 = outerCosine(cosine_18);
+        isMetal = (s_24.metallic >= 1.0);
+        while(true) {
+            float _e16 = layersHere.specularWeight;
+            vec3 _e17 = dielectricF0_();
+            bool _e20 = isMetal;
+            vec3 f0_4 = pick(_e20, s_24.baseColor, (_e16 * _e17));
+            float _e24 = layersHere.filmIor;
+            float _e27 = layersHere.filmThickness;
+            vec3 _e28 = filmReflectance(f0_4, _e24, _e27, _e9);
+            bool _e29 = isMetal;
+            if (_e29) {
+                vec3 _e32 = r_2.metal;
+                float _e35 = layersHere.film;
+                r_2.metal = mix(_e32, _e28, _e35);
+            } else {
+                vec3 _e39 = r_2.dielectric;
+                float _e42 = layersHere.film;
+                r_2.dielectric = mix(_e39, _e28, _e42);
+            }
+            bool _e44 = isMetal;
+            if (pick(_e44, true, (s_24.metallic <= 0.0))) {
+                break;
+            }
+            isMetal = true;
+        }
+        const bool _e51 = hasTransmission;
+        if (_e51) {
+            vec3 _e54 = r_2.dielectric;
+            float _e59 = stackHere.ratio;
+            bool _e60 = reflectsAll(cosine_18, _e59);
+            r_2.dielectric = pick(_e60, vec3(1.0), _e54);
+        }
+    }
+    Reflectance _e62 = r_2;
+    return _e62;
+}
+
+float shadowingExponent(float x_17, float alpha_11) {
+    float m_3 = ((1.0 - alpha_11) * (1.0 - alpha_11));
+    float a_11 = mix(21.5473, 25.3245, m_3);
+    float b_14 = mix(3.82987, 3.32435, m_3);
+    float c_6 = mix(0.19823, 0.16801, m_3);
+    float d_4 = mix(-1.9776, -1.27393, m_3);
+    float e_26 = mix(-4.32054, -4.85967, m_3);
+    return (((a_11 / (1.0 + (b_14 * pow(x_17, c_6)))) + (d_4 * x_17)) + e_26);
+}
+
+float sheenShadowing(float cosine_19, float alpha_12) {
+    float x_28 = clamp(cosine_19, 1e-6, 1.0);
+    bool isLow = (x_28 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_12);
+    float _e14 = shadowingExponent(0.5, alpha_12);
+    return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
+}
+
+float whiteSheen(vec3 wo_7, vec3 wi_4, float alpha_13) {
+    vec3 m_4 = (wo_7 + wi_4);
+    float m2_3 = max(dot(m_4, m_4), 1e-20);
+    float sine2_4 = clamp((dot(m_4.xy, m_4.xy) / m2_3), 0.0, 1.0);
+    float power_1 = (0.5 / alpha_13);
+    float density_1 = (((2.0 + (2.0 * power_1)) * 0.15915494) * pick((sine2_4 < 1e-20), 0.0, exp((power_1 * log(max(sine2_4, 1e-20))))));
+    float zo_1 = max(wo_7.z, 1e-6);
+    float _e38 = sheenShadowing(wo_7.z, alpha_13);
+    float _e42 = sheenShadowing(wi_4.z, alpha_13);
+    return (density_1 / ((4.0 * zo_1) * ((1.0 + _e38) + _e42)));
+}
+
+float sheenAlpha(float roughness_1) {
+    float r_7 = max(roughness_1, 0.07);
+    return (r_7 * r_7);
+}
+
+Cover0_ coverTowards(vec3 wi_5, bool crossing_1) {
+    Cover0_ cover_1 = Cover0_(1.0, vec4(0.0));
+    const bool _e8 = hasCoats;
+    if (_e8) {
+        float _e11 = layersHere.coat;
+        float _e14 = stackHere.side;
+        float _e15 = coatCosine(_e14, wi_5);
+        float _e16 = coatReflectance(_e11, _e15);
+        float _e20 = stackHere.coat;
+        bool _e23 = stackHere.inside;
+        cover_1.left = (1.0 - pick(pick(_e23, crossing_1, false), _e16, _e20));
+    }
+    const bool _e29 = hasSheen;
+    if (_e29) {
+        float _e32 = stackHere.sheenColor;
+        if ((_e32 > 0.0)) {
+            float _e37 = layersHere.solid;
+            bool _e43 = stackHere.inside;
+            bool isOutside = pick(!((_e37 > 0.0)), true, (_e43 == crossing_1));
+            float _e48 = stackHere.sheen;
+            float _e53 = layersHere.sheenRoughness;
+            float _e54 = sheenAlbedo(abs(wi_5.z), _e53);
+            float most_2 = max(_e48, _e54);
+            float _e58 = stackHere.coat;
+            vec3 _e63 = stackHere.wo;
+            float _e66 = layersHere.sheenRoughness;
+            float _e67 = sheenAlpha(_e66);
+            float _e68 = whiteSheen(_e63, wi_5, _e67);
+            float white_1 = (((1.0 - _e58) * _e68) / max(most_2, 1.0));
+            vec3 _e76 = layersHere.sheenColor;
+            float _e80 = stackHere.ofSheen;
+            bool _e88 = stackHere.inside;
+            cover_1.fibres = pick(pick(crossing_1, true, _e88), vec4(0.0), vec4((white_1 * _e76), (_e80 * 0.15915494)));
+            float _e92 = cover_1.left;
+            float _e95 = stackHere.sheenColor;
+            float _e98 = stackHere.sheen;
+            cover_1.left = (_e92 * (1.0 - (_e95 * min(pick(isOutside, most_2, _e98), 1.0))));
+        }
+    }
+    Cover0_ _e106 = cover_1;
+    return _e106;
+}
+
+float ofBeyond() {
+    float _e2 = stackHere.ofCoat;
+    float _e7 = stackHere.ofFacets;
+    float _e11 = stackHere.ofSheen;
+    float _e15 = stackHere.ofDiffuse;
+    return max(((((1.0 - _e2) - _e7) - _e11) - _e15), 0.0);
+}
+
+LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byMirror) {
+    LayeredPair pair_2 = LayeredPair(vec4(0.0), vec4(0.0));
+    bool isLight = false;
+    bool isFirst = true;
+    vec4 sum_1 = vec4(0.0);
+    float intoBody = 0.0;
+    Reflectance r_3 = Reflectance(vec3(0.0), vec3(0.0));
+    float chosen_1 = 0.0;
+    uint _e12 = frame.emitterCount;
+    isLight = (_e12 > 0u);
+    while(true) {
+        bool _e23 = isLight;
+        vec3 given_2 = pick(_e23, toLight_2, toSample);
+        float _e29 = stackHere.side;
+        vec3 wi_6 = vec3(given_2.xy, (given_2.z * _e29));
+        vec3 facing = vec3(wi_6.xy, abs(wi_6.z));
+        const bool _e37 = hasTransmission;
+        const bool _e39 = hasCoatNormals;
+        bool crossing_4 = pick(pick(_e37, true, _e39), (wi_6.z < 0.0), false);
+        float _e47 = stackHere.coat;
+        bool _e50 = isSolidHere();
+        bool _e53 = stackHere.inside;
+        bool apart_1 = pick((_e47 > 0.0), true, pick(pick(_e50, pick(crossing_4, true, _e53), false), (s_25.metallic < 1.0), false));
+        const bool _e62 = hasCoats;
+        const bool _e64 = hasTransmission;
+        bool _e66 = isFirst;
+        bool isCoat_2 = pick(pick(pick(_e62, true, _e64), _e66, false), apart_1, false);
+        const bool _e70 = hasCoatNormals;
+        bool coatEnds = pick(crossing_4, !(pick(_e70, (s_25.eta.x >= 0.0), false)), false);
+        bool _e78 = isSolidHere();
+        bool bends_1 = pick(pick(_e78, crossing_4, false), !(isCoat_2), false);
+        Facets _e86 = facetsTowards(pick(pick(bends_1, true, pick(isCoat_2, !(coatEnds), false)), wi_6, facing), isCoat_2, bends_1);
+        bool _e87 = isLight;
+        bool ofMirror = pick(byMirror, !(_e87), false);
+        bool _e92 = stackHere.drawnByCoat;
+        bool isMirror_1 = pick(ofMirror, (isCoat_2 == _e92), false);
+        float value_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.value));
+        float density_2 = pick(isMirror_1, 1.0, pick(ofMirror, 0.0, _e86.density));
+        float _e109 = stackHere.wo.z;
+        bool _e112 = stackHere.inside;
+        float cosine_24 = pick(pick(pick(isCoat_2, _e112, false), true, isMirror_1), _e109, _e86.cosine);
+        Reflectance _e116 = bareReflectance(s_25, cosine_24);
+        r_3 = _e116;
+        const bool _e119 = hasIridescence;
+        if (_e119) {
+            Reflectance _e120 = filmedReflectance(s_25, _e116, cosine_24);
+            r_3 = _e120;
+        }
+        float _e121 = intoBody;
+        vec3 _e126 = r_3.dielectric;
+        float _e127 = greatest(_e126);
+        intoBody = pick(pick(isCoat_2, true, !(apart_1)), ((1.0 - s_25.metallic) * (1.0 - _e127)), _e121);
+        if (isCoat_2) {
+            float _e136 = stackHere.coat;
+            float _e141 = stackHere.ofCoat;
+            sum_1 = pick(coatEnds, vec4(0.0), vec4(vec3((_e136 * value_2)), (_e141 * density_2)));
+            isFirst = false;
+        } else {
+            Cover0_ _e148 = coverTowards(wi_6, crossing_4);
+            Reflectance _e149 = r_3;
+            Parting _e150 = partingOf(s_25, _e149);
+            vec3 _e155 = stackHere.more;
+            vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
+            float _e165 = stackHere.ofFacets;
+            chosen_1 = _e165;
+            const bool _e168 = hasTransmission;
+            if (_e168) {
+                float _e169 = shareToward(s_25, _e116);
+                float _e170 = chosen_1;
+                float _e176 = stackHere.ratio;
+                float _e179 = stackHere.ratio;
+                chosen_1 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
+            }
+            vec4 _e185 = sum_1;
+            float _e187 = chosen_1;
+            sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_2)));
+            float _e193 = layersHere.beyond;
+            float _e200 = layersHere.beyond;
+            vec3 _e203 = layersHere.beyondColor;
+            vec3 body_1 = pick(crossing_4, (_e200 * _e203), ((1.0 - _e193) * s_25.baseColor));
+            float _e207 = intoBody;
+            float _e211 = layersHere.transmission;
+            vec3 matte = (((_e148.left * _e207) * (1.0 - _e211)) * body_1);
+            float _e219 = stackHere.ofDiffuse;
+            float _e220 = ofBeyond();
+            vec4 even_1 = (_e148.fibres + (vec4(matte, pick(crossing_4, _e220, _e219)) * (0.31830987 * facing.z)));
+            vec4 _e228 = sum_1;
+            sum_1 = (_e228 + pick(ofMirror, vec4(0.0), even_1));
+            vec4 _e233 = sum_1;
+            sum_1 = pick(pick(!(crossing_4), (wi_6.z < 0.0), false), vec4(0.0), _e233);
+            vec4 _e243 = pair_2.toLight;
+            vec4 _e244 = sum_1;
+            bool _e245 = isLight;
+            vec4 _e247 = sum_1;
+            pair_2 = LayeredPair(pick(_e245, _e244, _e243), _e247);
+            bool _e249 = isLight;
+            if (!(_e249)) {
+                break;
+            }
+            isLight = false;
+            isFirst = true;
+            sum_1 = vec4(0.0);
+        }
+    }
+    LayeredPair _e255 = pair_2;
+    return _e255;
+}
+
+Pair evaluatePair(Surface s_26, Outgoing o_7, vec3 toLight_3, BsdfSample drawn_3) {
+    Pair pair_3 = Pair(vec4(0.0), BsdfSample(vec3(0.0), 0.0, vec3(0.0), false));
+    vec4 _e4 = evaluateBsdf(s_26, o_7, toLight_3);
+    vec4 _e6 = evaluateBsdf(s_26, o_7, drawn_3.direction);
+    BsdfSample _e7 = completed(drawn_3, _e6);
+    pair_3 = Pair(_e4, _e7);
+    const bool _e11 = hasLayers;
+    if (_e11) {
+        bool _e14 = isLayered(uint(s_26.code));
+        if (_e14) {
+            bool byMirror_1 = pick(drawn_3.delta, !(any(greaterThan(drawn_3.weight, vec3(0.0)))), false);
+            float _e24 = mirrorShare(s_26.reflectivity);
+            float base_3 = (1.0 - _e24);
+            LayeredPair _e28 = evaluateLayers(s_26, toLight_3, drawn_3.direction, byMirror_1);
+            pair_3.toLight = (base_3 * _e28.toLight);
+            BsdfSample _e41 = completed(BsdfSample(drawn_3.direction, drawn_3.pdf, drawn_3.weight, pick(drawn_3.delta, !(byMirror_1), false)), (base_3 * _e28.toSample));
+            pair_3.drawn = BsdfSample(_e41.direction, _e41.pdf, _e41.weight, drawn_3.delta);
+        }
+    }
+    Pair _e48 = pair_3;
+    return _e48;
+}
+
+bool crosses(vec3 geometric_2, vec3 a_4, vec3 b_7) {
+    return ((dot(geometric_2, a_4) > 0.0) != (dot(geometric_2, b_7) > 0.0));
 }
 
 float max3_(vec3 v_11) {
@@ -4278,48 +4417,48 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     Surface _e164 = surface_1;
     Basis _e165 = basis;
     vec3 _e167 = toLocal(_e165, _e139.direction);
-    Pair _e169 = evaluatePair(_e164, _e161, _e167, _e163.direction);
-    const bool _e171 = hasMeshes;
-    bool opaque = pick(_e171, !(_e19), false);
-    bool _e178 = crosses(_e10.geometric, _e139.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e178, false);
-    vec4 toLight_8 = pick(lightLeaks, vec4(0.0), _e169.toLight);
+    Pair _e168 = evaluatePair(_e164, _e161, _e167, _e163);
+    const bool _e170 = hasMeshes;
+    bool opaque = pick(_e170, !(_e19), false);
+    bool _e177 = crosses(_e10.geometric, _e139.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e177, false);
+    vec4 toLight_9 = pick(lightLeaks, vec4(0.0), _e168.toLight);
     bool alone_1 = pick(_e139.delta, true, pick((_e137.shape < 0.0), (_e139.distance_ < 1e30), false));
-    float _e194 = misWeight(lightPdf, toLight_8.w);
-    float lightWeight = (pick(alone_1, 1.0, _e194) / lightPdf);
-    BsdfSample _e199 = completed(_e163, _e169.toSample);
-    Basis _e200 = basis;
-    vec3 _e202 = toWorld(_e200, _e199.direction);
-    bool _e206 = crosses(_e10.geometric, _e202, -(rays_2.direction));
-    bool leaks = pick(opaque, _e206, false);
-    uint _e210 = p_12.depth;
-    uint _e213 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e210 != _e213), false);
-    vec3 _e217 = p_12.throughput;
-    vec3 contribution = (((_e217 * toLight_8.xyz) * _e139.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_8.xyz * _e139.radiance), vec3(0.0))), false);
+    float _e193 = misWeight(lightPdf, toLight_9.w);
+    float lightWeight = (pick(alone_1, 1.0, _e193) / lightPdf);
+    BsdfSample bsdf = _e168.drawn;
+    Basis _e198 = basis;
+    vec3 _e200 = toWorld(_e198, bsdf.direction);
+    bool _e204 = crosses(_e10.geometric, _e200, -(rays_2.direction));
+    bool leaks = pick(opaque, _e204, false);
+    uint _e208 = p_12.depth;
+    uint _e211 = frame.maxDepth;
+    bool goesOn = pick(!(escaped_1), (_e208 != _e211), false);
+    vec3 _e215 = p_12.throughput;
+    vec3 contribution = (((_e215 * toLight_9.xyz) * _e139.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_9.xyz * _e139.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e239 = p_12.throughput;
-    vec3 throughput_1 = (_e239 * _e199.weight);
-    float _e242 = max3_(throughput_1);
-    uint _e248 = p_12.depth;
-    float survival = pick((_e248 < rouletteDepth), 1.0, min((_e242 / 0.33333334), 0.95));
-    float _e260 = max3_(throughput_1);
-    float _e265 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn, (_e199.pdf > 0.0), false), !(leaks), false), (_e260 > 0.0), false), (_e265 < survival), false);
+    vec3 _e237 = p_12.throughput;
+    vec3 throughput_1 = (_e237 * bsdf.weight);
+    float _e240 = max3_(throughput_1);
+    uint _e246 = p_12.depth;
+    float survival = pick((_e246 < rouletteDepth), 1.0, min((_e240 / 0.33333334), 0.95));
+    float _e258 = max3_(throughput_1);
+    float _e263 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e258 > 0.0), false), (_e263 < survival), false);
     p_12.throughput = (throughput_1 / vec3(survival));
-    uint _e273 = p_12.depth;
-    p_12.depth = (_e273 + 1u);
-    p_12.pdf = pick(_e199.delta, 0.0, _e199.pdf);
+    uint _e271 = p_12.depth;
+    p_12.depth = (_e271 + 1u);
+    p_12.pdf = pick(bsdf.delta, 0.0, bsdf.pdf);
     p_12.litSide = litSide;
     p_12.odds = _e135.odds;
-    bool _e283 = isFlat(shape_1);
-    bool solid = !(_e283);
+    bool _e281 = isFlat(shape_1);
+    bool solid = !(_e281);
     uint lightShape = pick((_e137.shape >= 0.0), uint(max(_e137.shape, 0.0)), noShape);
-    bool _e300 = p_12.alive;
-    Sampler _e315 = p_12.sampler_;
-    uint _e316 = numberOfNext(_e315);
-    p_12.rays = RayPair(point_20, shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e300, _e202, pick(solid, (dot(_e202, outward_1) < 0.0), false), _e139.direction, pick(solid, (dot(_e139.direction, outward_1) < 0.0), false), pick(lit_2, _e139.distance_, -1.0), lightShape, _e316);
+    bool _e298 = p_12.alive;
+    Sampler _e313 = p_12.sampler_;
+    uint _e314 = numberOfNext(_e313);
+    p_12.rays = RayPair(point_20, shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e298, _e200, pick(solid, (dot(_e200, outward_1) < 0.0), false), _e139.direction, pick(solid, (dot(_e139.direction, outward_1) < 0.0), false), pick(lit_2, _e139.distance_, -1.0), lightShape, _e314);
     return;
 }
 
