@@ -1,7 +1,16 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { cubeMesh } from '../../../tests/fixtures/meshes/solids.ts';
+import { arm } from '../../../tests/fixtures/motion.ts';
 import { testScene } from '../../../tests/fixtures/scenes.ts';
-import { type Device, DeviceError, type FilmTexture, type Pass, type PassSource, type Region } from './gpu/device.ts';
+import {
+  type Compute,
+  type Device,
+  DeviceError,
+  type FilmTexture,
+  type Pass,
+  type PassSource,
+  type Region,
+} from './gpu/device.ts';
 import { GpuRenderer } from './gpu-renderer.ts';
 import { UntraceableSceneError } from './packed-scene/refuse-meshes.ts';
 import type { RendererOptions } from './renderer-types.ts';
@@ -12,7 +21,7 @@ import type { Scene } from './scene/scene.ts';
 class FakeDevice implements Device {
   readonly backend = 'webgl2';
   readonly description = 'fake';
-  readonly compute = null;
+  compute: Compute | null = null;
   readonly maxTextureSize = 4096;
   readonly maxFilmSamples = 2 ** 24;
   readonly counts = { buffers: 0, textures: 0, programsMade: 0 };
@@ -285,6 +294,51 @@ describe('models', () => {
     expect(device.counts.buffers).toBe(buffers - 2);
     await settled(renderer, cubes(1));
     expect(device.counts.buffers).toBe(buffers);
+  });
+
+  /** Kernels that do nothing and note when they would; or none, where the driver refuses them. */
+  function computing(device: FakeDevice, refuses: boolean): void {
+    device.compute = {
+      maxRows: 1e6,
+      createKernels: async ({ label }) => {
+        if (refuses) throw new DeviceError('refused');
+        return { label };
+      },
+      prepare: () => {
+        device.counts.buffers++;
+        return { destroy: () => device.counts.buffers-- };
+      },
+      run: () => void device.drawn.push({ pass: 'bend', rows: 0, firstRow: 0 }),
+      read: async (_data, _row, rows) => new Uint32Array(4 * rows),
+    };
+  }
+
+  test('meshes are bent before they are drawn where the device can, and what that takes is given back', async () => {
+    const device = new FakeDevice();
+    computing(device, false);
+    const renderer = await started(device);
+    renderer.stop();
+    await settled(renderer, cubes(1));
+    const { buffers } = device.counts;
+    await settled(renderer, arm(8, 6));
+    const order = device.drawn.map(({ pass }) => pass).filter((pass) => pass === 'bend' || pass === 'path');
+    expect(order.slice(-2)).toEqual(['bend', 'path']);
+    expect(device.count('bend')).toBe(1);
+    renderer.time = 1;
+    await Promise.all([renderer.render(), pass(50)]);
+    expect(device.count('bend')).toBe(2);
+    await settled(renderer, cubes(1));
+    expect([device.count('bend'), device.counts.buffers]).toEqual([2, buffers]);
+  });
+
+  test('where a driver refuses the kernels, meshes are bent on this thread', async () => {
+    const device = new FakeDevice();
+    computing(device, true);
+    const renderer = await started(device);
+    renderer.stop();
+    await settled(renderer, arm(8, 6));
+    expect(device.count('path')).toBe(1);
+    expect(device.count('bend')).toBe(0);
   });
 
   test('more shapes than its tables have rows for are refused, and the scene before stays', async () => {

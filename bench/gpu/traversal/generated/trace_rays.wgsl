@@ -495,9 +495,10 @@ const materialTexturesRows = 1u;
 // Linear red, green, blue and alpha of an image at these coordinates of the mesh.
 fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
   let place = vec3f(uv, 1.0);
-  let nearest = (t.flags & isNearest) != 0u;
-  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
-  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let flags = select(0u, t.flags, hasOtherLookups);
+  let nearest = (flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (flags & clampsU) != 0u, (flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (flags & clampsV) != 0u, (flags & mirrorsV) != 0u, nearest);
   let upper = t.first + y.first * t.width;
   let lower = t.first + y.second * t.width;
   let colored = (t.flags & isColor) != 0u;
@@ -534,6 +535,8 @@ struct TextureUse {
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
+
+override hasOtherLookups = false;
 
 const isNearest = 4u;
 

@@ -409,6 +409,8 @@ const bool hasVariedLamps = false;
 
 uniform highp usampler2D texels;
 
+const bool hasOtherLookups = false;
+
 const bool hasEnvironment = false;
 
 uniform highp sampler2D environment;
@@ -432,6 +434,10 @@ const bool hasCutouts = false;
 const bool hasOneSided = false;
 
 const bool hasTextures = false;
+
+const bool hasVertexMore = false;
+
+const bool hasNormalMaps = false;
 
 layout(location = 0) out vec4 _fs2p_location0;
 
@@ -1077,22 +1083,24 @@ uint texelAt(uint i_7) {
 
 vec4 lookUp(TextureUse t_1, vec2 uv) {
     vec3 place_5 = vec3(uv, 1.0);
-    bool nearest_1 = ((t_1.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_1.toU, place_5), t_1.width, ((t_1.flags & clampsU) != 0u), ((t_1.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_1.toV, place_5), t_1.height, ((t_1.flags & clampsV) != 0u), ((t_1.flags & mirrorsV) != 0u), nearest_1);
+    const bool _e7 = hasOtherLookups;
+    uint flags = pick(_e7, t_1.flags, 0u);
+    bool nearest_1 = ((flags & isNearest) != 0u);
+    Neighbours _e24 = neighbours(dot(t_1.toU, place_5), t_1.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_1.toV, place_5), t_1.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
     uint upper = (t_1.first + (_e36.first * t_1.width));
     uint lower = (t_1.first + (_e36.second * t_1.width));
     bool colored_1 = ((t_1.flags & isColor) != 0u);
-    uint _e54 = texelAt((upper + _e22.first));
+    uint _e54 = texelAt((upper + _e24.first));
     vec4 _e55 = decoded(_e54, colored_1);
-    uint _e58 = texelAt((upper + _e22.second));
+    uint _e58 = texelAt((upper + _e24.second));
     vec4 _e59 = decoded(_e58, colored_1);
-    vec4 above_2 = mix(_e55, _e59, _e22.share);
-    uint _e64 = texelAt((lower + _e22.first));
+    vec4 above_2 = mix(_e55, _e59, _e24.share);
+    uint _e64 = texelAt((lower + _e24.first));
     vec4 _e65 = decoded(_e64, colored_1);
-    uint _e68 = texelAt((lower + _e22.second));
+    uint _e68 = texelAt((lower + _e24.second));
     vec4 _e69 = decoded(_e68, colored_1);
-    vec4 below = mix(_e65, _e69, _e22.share);
+    vec4 below = mix(_e65, _e69, _e24.share);
     return mix(above_2, below, _e36.share);
 }
 
@@ -2016,36 +2024,42 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
         const bool _e103 = hasTextures;
         if (_e103) {
             p_8.uv = vec4((((share_5.x * _e54.uv) + (share_5.y * _e56.uv)) + (share_5.z * _e58.uv)), 0.0, 0.0);
-            if ((_e9.vertexRows > vertexRows)) {
-                VertexMore _e125 = fetchVertexMore((rows_2.x + vertexRows));
-                VertexMore _e129 = fetchVertexMore((rows_2.y + vertexRows));
-                VertexMore _e133 = fetchVertexMore((rows_2.z + vertexRows));
-                vec4 _e136 = p_8.uv;
-                p_8.uv = vec4(_e136.xy, (((share_5.x * _e125.uv) + (share_5.y * _e129.uv)) + (share_5.z * _e133.uv)));
-                vec2 _e152 = pairOf(_e125.redGreen);
-                vec2 _e156 = pairOf(_e129.redGreen);
-                vec2 _e161 = pairOf(_e133.redGreen);
-                vec2 redGreen = (((share_5.x * _e152) + (share_5.y * _e156)) + (share_5.z * _e161));
-                vec2 _e166 = pairOf(_e125.blueAlpha);
-                vec2 _e170 = pairOf(_e129.blueAlpha);
-                vec2 _e175 = pairOf(_e133.blueAlpha);
-                vec2 blueAlpha = (((share_5.x * _e166) + (share_5.y * _e170)) + (share_5.z * _e175));
-                p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            const bool _e120 = hasVertexMore;
+            if (_e120) {
+                if ((_e9.vertexRows > vertexRows)) {
+                    VertexMore _e127 = fetchVertexMore((rows_2.x + vertexRows));
+                    VertexMore _e131 = fetchVertexMore((rows_2.y + vertexRows));
+                    VertexMore _e135 = fetchVertexMore((rows_2.z + vertexRows));
+                    vec4 _e138 = p_8.uv;
+                    p_8.uv = vec4(_e138.xy, (((share_5.x * _e127.uv) + (share_5.y * _e131.uv)) + (share_5.z * _e135.uv)));
+                    vec2 _e154 = pairOf(_e127.redGreen);
+                    vec2 _e158 = pairOf(_e131.redGreen);
+                    vec2 _e163 = pairOf(_e135.redGreen);
+                    vec2 redGreen = (((share_5.x * _e154) + (share_5.y * _e158)) + (share_5.z * _e163));
+                    vec2 _e168 = pairOf(_e127.blueAlpha);
+                    vec2 _e172 = pairOf(_e131.blueAlpha);
+                    vec2 _e177 = pairOf(_e135.blueAlpha);
+                    vec2 blueAlpha = (((share_5.x * _e168) + (share_5.y * _e172)) + (share_5.z * _e177));
+                    p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+                }
             }
-            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
-                vec3 _e193 = fromOctahedral(_e54.tangent);
-                vec3 _e197 = fromOctahedral(_e56.tangent);
-                vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent = (((share_5.x * _e193) + (share_5.y * _e197)) + (share_5.z * _e202));
-                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_8.normal = (smoothed * side_3);
-                p_8.tangent = ((turn_1 * tangent) * side_3);
-                p_8.bitangent = ((turn_1 * cross(normal_14, tangent)) * (hand * side_3));
+            const bool _e188 = hasNormalMaps;
+            if (_e188) {
+                if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                    vec3 _e197 = fromOctahedral(_e54.tangent);
+                    vec3 _e201 = fromOctahedral(_e56.tangent);
+                    vec3 _e206 = fromOctahedral(_e58.tangent);
+                    vec3 tangent = (((share_5.x * _e197) + (share_5.y * _e201)) + (share_5.z * _e206));
+                    float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                    p_8.normal = (smoothed * side_3);
+                    p_8.tangent = ((turn_1 * tangent) * side_3);
+                    p_8.bitangent = ((turn_1 * cross(normal_14, tangent)) * (hand * side_3));
+                }
             }
         }
     }
-    MeshPoint _e223 = p_8;
-    return _e223;
+    MeshPoint _e227 = p_8;
+    return _e227;
 }
 
 uint emitterOfTriangle(Emitter e_18, LeftTriangle t_6) {

@@ -651,22 +651,26 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
     p.shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful);
     if (hasTextures) {
       p.uv = vec4f(share.x * a.uv + share.y * b.uv + share.z * c.uv, 0.0, 0.0);
-      if (i.vertexRows > vertexRows) {
-        let moreA = fetchVertexMore(rows.x + vertexRows);
-        let moreB = fetchVertexMore(rows.y + vertexRows);
-        let moreC = fetchVertexMore(rows.z + vertexRows);
-        p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
-        let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
-        let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
-        p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+      if (hasVertexMore) {
+        if (i.vertexRows > vertexRows) {
+          let moreA = fetchVertexMore(rows.x + vertexRows);
+          let moreB = fetchVertexMore(rows.y + vertexRows);
+          let moreC = fetchVertexMore(rows.z + vertexRows);
+          p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
+          let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
+          let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
+          p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+        }
       }
-      if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
-        let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
-        // The vertices of a triangle have one hand: else they would not be shared.
-        let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
-        p.normal = smoothed * side;
-        p.tangent = turn * tangent * side;
-        p.bitangent = turn * cross(normal, tangent) * (hand * side);
+      if (hasNormalMaps) {
+        if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
+          let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
+          // The vertices of a triangle have one hand: else they would not be shared.
+          let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
+          p.normal = smoothed * side;
+          p.tangent = turn * tangent * side;
+          p.bitangent = turn * cross(normal, tangent) * (hand * side);
+        }
       }
     }
   }
@@ -1398,9 +1402,10 @@ const materialTexturesRows = 1u;
 // Linear red, green, blue and alpha of an image at these coordinates of the mesh.
 fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
   let place = vec3f(uv, 1.0);
-  let nearest = (t.flags & isNearest) != 0u;
-  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
-  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let flags = select(0u, t.flags, hasOtherLookups);
+  let nearest = (flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (flags & clampsU) != 0u, (flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (flags & clampsV) != 0u, (flags & mirrorsV) != 0u, nearest);
   let upper = t.first + y.first * t.width;
   let lower = t.first + y.second * t.width;
   let colored = (t.flags & isColor) != 0u;
@@ -1437,6 +1442,8 @@ struct TextureUse {
 
 
 @group(0) @binding(6) var texels: texture_2d<f32>;
+
+override hasOtherLookups = false;
 
 const isNearest = 4u;
 
@@ -1574,6 +1581,12 @@ const hasNormals = 1u;
 
 // Textures, and colours at the vertices of meshes.
 override hasTextures = false;
+
+override hasVertexMore = false;
+
+// Of textures: normal maps, or grain, which need frames of tangents; colours at vertices or a second set of coordinates, which lie side by
+// side; and such that are not repeated and looked up linearly.
+override hasNormalMaps = false;
 
 const hasTangents = 2u;
 

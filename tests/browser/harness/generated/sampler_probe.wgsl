@@ -88,10 +88,8 @@ struct Sampler {
 }
 
 
-// The first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. The two parts are exact, and so is their sum.
 fn toUnit(scrambled: u32) -> f32 {
-  let digits = f32(i32(reversedHigh(scrambled & 0xffffu))) * 4.656612873077392578125e-10;
-  return digits + f32(scrambled & 0xff000000u) * 3.552713678800501e-15;
+  return f32(((reverseBits(scrambled) >> 8u) & 0xffff00u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
@@ -128,17 +126,6 @@ struct Group {
 }
 
 
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
-// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
-// where it is, and what comes first goes past it. (WebGL2 has no reverseBits.)
-fn reversedHigh(x: u32) -> u32 {
-  var y = x + (x & 0x5555u) * 3u;
-  y += (y & 0x6666u) * 15u;
-  y += (y & 0x7878u) * 255u;
-  return y + (y & 0x7f80u) * 65535u;
-}
-
 // A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
 // C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
 fn mixBits(x: u32) -> u32 {
@@ -148,7 +135,7 @@ fn mixBits(x: u32) -> u32 {
 }
 
 fn reversed(x: u32) -> u32 {
-  return reversedHigh(x) >> 15u;
+  return reverseBits(x) >> 16u;
 }
 
 // Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the

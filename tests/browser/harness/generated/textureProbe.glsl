@@ -36,6 +36,8 @@ const uint isColor = 2u;
 
 uniform highp sampler2D questions;
 
+const bool hasOtherLookups = false;
+
 uniform highp usampler2D texels;
 
 layout(location = 0) out vec4 _fs2p_location0;
@@ -76,22 +78,24 @@ uint texelAt(uint i_1) {
 
 vec4 lookUp(TextureUse t, vec2 uv) {
     vec3 place = vec3(uv, 1.0);
-    bool nearest_1 = ((t.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t.toU, place), t.width, ((t.flags & clampsU) != 0u), ((t.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t.toV, place), t.height, ((t.flags & clampsV) != 0u), ((t.flags & mirrorsV) != 0u), nearest_1);
+    const bool _e7 = hasOtherLookups;
+    uint flags = pick(_e7, t.flags, 0u);
+    bool nearest_1 = ((flags & isNearest) != 0u);
+    Neighbours _e24 = neighbours(dot(t.toU, place), t.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t.toV, place), t.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
     uint upper = (t.first + (_e36.first * t.width));
     uint lower = (t.first + (_e36.second * t.width));
     bool colored_1 = ((t.flags & isColor) != 0u);
-    uint _e54 = texelAt((upper + _e22.first));
+    uint _e54 = texelAt((upper + _e24.first));
     vec4 _e55 = decoded(_e54, colored_1);
-    uint _e58 = texelAt((upper + _e22.second));
+    uint _e58 = texelAt((upper + _e24.second));
     vec4 _e59 = decoded(_e58, colored_1);
-    vec4 above = mix(_e55, _e59, _e22.share);
-    uint _e64 = texelAt((lower + _e22.first));
+    vec4 above = mix(_e55, _e59, _e24.share);
+    uint _e64 = texelAt((lower + _e24.first));
     vec4 _e65 = decoded(_e64, colored_1);
-    uint _e68 = texelAt((lower + _e22.second));
+    uint _e68 = texelAt((lower + _e24.second));
     vec4 _e69 = decoded(_e68, colored_1);
-    vec4 below = mix(_e65, _e69, _e22.share);
+    vec4 below = mix(_e65, _e69, _e24.share);
     return mix(above, below, _e36.share);
 }
 

@@ -9,9 +9,10 @@
 // Linear red, green, blue and alpha of an image at these coordinates of the mesh.
 fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
   let place = vec3f(uv, 1.0);
-  let nearest = (t.flags & isNearest) != 0u;
-  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
-  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let flags = select(0u, t.flags, hasOtherLookups);
+  let nearest = (flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (flags & clampsU) != 0u, (flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (flags & clampsV) != 0u, (flags & mirrorsV) != 0u, nearest);
   let upper = t.first + y.first * t.width;
   let lower = t.first + y.second * t.width;
   let colored = (t.flags & isColor) != 0u;
@@ -26,6 +27,8 @@ fn fetchTextureUse(row: u32) -> TextureUse {
   let r2 = texelRow(row + 2u);
   return TextureUse(bitcast<vec3f>(r0.xyz), r0.w, bitcast<vec3f>(r1.xyz), r1.w, r2.x, r2.y, r2.z, bitcast<f32>(r2.w));
 }
+
+override hasOtherLookups = false;
 
 const isNearest = 4u;
 

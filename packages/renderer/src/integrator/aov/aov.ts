@@ -16,7 +16,7 @@ import type {
 import { FILTER_PIECES, GEOMETRY, SCENE_TABLE, TEXELS } from '../../packed-scene/layout.ts';
 import type { StructValues } from '../../packed-scene/write-struct.ts';
 import type { Integrator } from '../../scene/scene.ts';
-import { FEATURES as ALL, SHAPE_FEATURES } from '../../shading/features.ts';
+import { type Feature, SHAPE_FEATURES } from '../../shading/features.ts';
 import aovWgsl from '../../shading/generated/aov.wgsl?raw';
 import aovDataGlsl from '../../shading/generated/aovData.glsl?raw';
 import aovFeaturesGlsl from '../../shading/generated/aovFeatures.glsl?raw';
@@ -64,10 +64,42 @@ export interface AovInputs {
   readonly texels: DataBuffer;
 }
 
-/** `models`: whether it draws scenes with models. */
-export async function createAovPass(device: Device, content: AovContent, models: boolean): Promise<Pass> {
+/** Of a camera and a filter, which change while somebody watches: every program has them. */
+const ASKED_OF_RAYS: readonly Feature[] = ['hasLens', 'hasOtherProjections', 'hasFilter'];
+/** What of a scene with models is seen in AOVs: not its lights, and of layers only whether light goes through, on which normals turn. */
+const SEEN: readonly Feature[] = [
+  'hasSpheres',
+  'hasBoxes',
+  'hasTurnedBoxes',
+  'hasQuads',
+  'hasPlanes',
+  'hasMeshes',
+  'hasTextures',
+  'hasNormalMaps',
+  'hasVertexMore',
+  'hasOtherLookups',
+  'hasOneSided',
+  'hasCutouts',
+  'hasMetallicRoughness',
+  'hasGlass',
+  'hasTransmission',
+];
+
+/** Of what paths need for a scene, what a program for its AOVs does. One program has all that scenes without models may need. */
+export function aovFeatures(needs: ReadonlySet<Feature>): ReadonlySet<Feature> {
+  if (!needs.has('hasMeshes')) return new Set(SHAPE_FEATURES);
+  const features = new Set([...ASKED_OF_RAYS, ...SEEN.filter((feature) => needs.has(feature))]);
+  return needs.has('hasTransmission') ? features.add('hasLayers') : features;
+}
+
+/** A program for scenes that ask for no more than these features. */
+export async function createAovPass(
+  device: Device,
+  content: AovContent,
+  features: ReadonlySet<Feature>,
+): Promise<Pass> {
   const source = content === 'features' ? FEATURES : DATA;
-  return device.createPass(await sourceFor(source, content, new Set(models ? ALL : SHAPE_FEATURES)));
+  return device.createPass(await sourceFor(source, content, features));
 }
 
 export function drawAov(device: Device, pass: Pass, film: FilmTexture, inputs: AovInputs, region: Region): void {

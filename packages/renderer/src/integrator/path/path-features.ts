@@ -3,6 +3,7 @@
  * draws the same picture more slowly.
  */
 import { EMITTER_KIND } from '../../packed-scene/emitter-values.ts';
+import { TEXTURE_SLOTS } from '../../packed-scene/layout.ts';
 import { type EmitterPlan, LISTED_EMITTERS, planEmitters } from '../../packed-scene/pack-emitters.ts';
 import { isOneSided, mayBeMissing, slotsOf } from '../../packed-scene/texture-slots.ts';
 import type { RendererSettings } from '../../renderer-types.ts';
@@ -10,6 +11,7 @@ import { lampsAsShapes } from '../../scene/lamps.ts';
 import { bendsCoatApart, hasCoat, hasGrain, hasSheen, isClear, isLayered } from '../../scene/layered.ts';
 import { meshShapes } from '../../scene/placed.ts';
 import type { Camera, Material, MeshShape, Scene, Shape, ShapeType } from '../../scene/scene.ts';
+import type { Texture } from '../../scene/textures.ts';
 import { FEATURES, type Feature } from '../../shading/features.ts';
 
 /** What a film needs a program for. */
@@ -59,17 +61,26 @@ function shapeFeatures(shapes: readonly Shape[]) {
   };
 }
 
-function meshFeatures({ materials, meshes = {} }: Scene, shapes: readonly [string, MeshShape][]) {
+function meshFeatures({ materials, meshes = {}, textures = {} }: Scene, shapes: readonly [string, MeshShape][]) {
   const all = shapes.map(([, { material, mesh }]) => [materials[material]!, meshes[mesh]?.data] as const);
+  const hasColors = all.some(([, mesh]) => mesh?.colors !== undefined);
+  const grain = all.some(([material]) => hasGrain(material));
+  const slots = all.flatMap(([material]) => slotsOf(material));
+  const bends: number[] = [TEXTURE_SLOTS.normalSlot, TEXTURE_SLOTS.coatNormalSlot];
   return {
-    // Frames of tangents come with them.
-    hasTextures: all.some(
-      ([material, mesh]) => slotsOf(material).length > 0 || mesh?.colors !== undefined || hasGrain(material),
-    ),
+    // What needs frames of tangents needs what lies at the vertices for textures.
+    hasTextures: slots.length > 0 || hasColors || grain,
+    hasNormalMaps: slots.some(({ slot }) => bends.includes(slot)) || grain,
+    hasVertexMore: slots.some(({ use }) => use.uvSet === 1) || hasColors,
+    hasOtherLookups: slots.some(({ use }) => isLookedUpOtherwise(textures[use.texture]!)),
     hasOneSided: all.some(([material]) => isOneSided(material)),
     hasCutouts: all.some(([material, mesh]) => mayBeMissing(material, mesh)),
   };
 }
+
+/** Than repeated and linearly. */
+const isLookedUpOtherwise = ({ wrapU = 'repeat', wrapV = 'repeat', filter = 'linear' }: Texture) =>
+  wrapU !== 'repeat' || wrapV !== 'repeat' || filter !== 'linear';
 
 function lightFeatures({ kinds, far, near, glows }: EmitterPlan) {
   const has = (...wanted: number[]) => wanted.some((kind) => kinds.has(kind));

@@ -362,6 +362,8 @@ const bool hasOneSided = false;
 
 uniform highp usampler2D texels;
 
+const bool hasOtherLookups = false;
+
 const bool hasLayers = false;
 
 Layers0_ layersHere = Layers0_(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
@@ -373,6 +375,10 @@ const bool hasCoatNormals = false;
 vec3 coatNormalHere = vec3(0.0);
 
 const bool hasTextures = false;
+
+const bool hasVertexMore = false;
+
+const bool hasNormalMaps = false;
 
 const bool hasTransmission = false;
 
@@ -446,11 +452,11 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e15 = pixelHash(pick(independent, pixel_1, (pixel_1 >> uvec2(4u))), pick(independent, sampleIndex_1, (sampleIndex_1 >> 16u)), seed_1);
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
-    uint place_2 = (_e19 | (_e23 * 2u));
+    uint place_3 = (_e19 | (_e23 * 2u));
     uint _e29 = reversed((sampleIndex_1 & 65535u));
     uint sample_ = pick(independent, 0u, _e29);
     uint _e34 = mixBits((_e15 ^ 1779033703u));
-    uint _e37 = reversed((place_2 * 256u));
+    uint _e37 = reversed((place_3 * 256u));
     return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
 }
 
@@ -951,23 +957,25 @@ uint texelAt(uint i_9) {
 }
 
 vec4 lookUp(TextureUse t_2, vec2 uv) {
-    vec3 place_3 = vec3(uv, 1.0);
-    bool nearest_1 = ((t_2.flags & isNearest) != 0u);
-    Neighbours _e22 = neighbours(dot(t_2.toU, place_3), t_2.width, ((t_2.flags & clampsU) != 0u), ((t_2.flags & mirrorsU) != 0u), nearest_1);
-    Neighbours _e36 = neighbours(dot(t_2.toV, place_3), t_2.height, ((t_2.flags & clampsV) != 0u), ((t_2.flags & mirrorsV) != 0u), nearest_1);
+    vec3 place_4 = vec3(uv, 1.0);
+    const bool _e7 = hasOtherLookups;
+    uint flags = pick(_e7, t_2.flags, 0u);
+    bool nearest_1 = ((flags & isNearest) != 0u);
+    Neighbours _e24 = neighbours(dot(t_2.toU, place_4), t_2.width, ((flags & clampsU) != 0u), ((flags & mirrorsU) != 0u), nearest_1);
+    Neighbours _e36 = neighbours(dot(t_2.toV, place_4), t_2.height, ((flags & clampsV) != 0u), ((flags & mirrorsV) != 0u), nearest_1);
     uint upper = (t_2.first + (_e36.first * t_2.width));
     uint lower = (t_2.first + (_e36.second * t_2.width));
     bool colored_1 = ((t_2.flags & isColor) != 0u);
-    uint _e54 = texelAt((upper + _e22.first));
+    uint _e54 = texelAt((upper + _e24.first));
     vec4 _e55 = decoded(_e54, colored_1);
-    uint _e58 = texelAt((upper + _e22.second));
+    uint _e58 = texelAt((upper + _e24.second));
     vec4 _e59 = decoded(_e58, colored_1);
-    vec4 above = mix(_e55, _e59, _e22.share);
-    uint _e64 = texelAt((lower + _e22.first));
+    vec4 above = mix(_e55, _e59, _e24.share);
+    uint _e64 = texelAt((lower + _e24.first));
     vec4 _e65 = decoded(_e64, colored_1);
-    uint _e68 = texelAt((lower + _e22.second));
+    uint _e68 = texelAt((lower + _e24.second));
     vec4 _e69 = decoded(_e68, colored_1);
-    vec4 below = mix(_e65, _e69, _e22.share);
+    vec4 below = mix(_e65, _e69, _e24.share);
     return mix(above, below, _e36.share);
 }
 
@@ -1139,7 +1147,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
             uint _e299 = waiting;
             if ((_e299 != noLeaf)) {
                 uint _e302 = waiting;
-                uint place_4 = (_e302 & placeMask);
+                uint place_5 = (_e302 & placeMask);
                 uint _e305 = waiting;
                 waiting = ((_e305 + 1u) - 268435456u);
                 uint _e310 = waiting;
@@ -1147,11 +1155,11 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 waiting = pick((_e312 < leaves), noLeaf, _e310);
                 MeshRay _e316 = ray_2;
                 uint _e317 = triangles;
-                Triangle _e321 = fetchTriangle((_e317 + (place_4 * triangleRows)));
+                Triangle _e321 = fetchTriangle((_e317 + (place_5 * triangleRows)));
                 Crossing _e322 = crossTriangle(_e316, _e321);
                 float _e331 = most;
                 uint _e336 = own;
-                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_4 != _e336), false);
+                nearer = pick(pick(pick(_e322.within, (_e322.depth > (rays.least * _e322.sum)), false), (_e322.depth < (_e331 * _e322.sum)), false), (place_5 != _e336), false);
                 const bool _e341 = hasOneSided;
                 if (_e341) {
                     bool _e342 = nearer;
@@ -1167,7 +1175,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                     uint _e361 = cover;
                     if (pick(_e360, ((_e361 & coverRow) != 0u), false)) {
                         uint _e367 = instance_1;
-                        doubted = MeshHit(t_11, _e367, place_4, weights_3, false);
+                        doubted = MeshHit(t_11, _e367, place_5, weights_3, false);
                         nearer = false;
                     }
                 }
@@ -1186,7 +1194,7 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e388 = instance_1;
                 found_5.instance = pick(counts, _e388, _e387);
                 uint _e392 = found_5.triangle;
-                found_5.triangle = pick(counts, place_4, _e392);
+                found_5.triangle = pick(counts, place_5, _e392);
                 vec2 _e396 = found_5.weights;
                 found_5.weights = pick(counts, weights_3, _e396);
                 bool _e400 = found_5.blocked;
@@ -1525,36 +1533,42 @@ MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
         const bool _e103 = hasTextures;
         if (_e103) {
             p_8.uv = vec4((((share_1.x * _e54.uv) + (share_1.y * _e56.uv)) + (share_1.z * _e58.uv)), 0.0, 0.0);
-            if ((_e9.vertexRows > vertexRows)) {
-                VertexMore _e125 = fetchVertexMore((rows_1.x + vertexRows));
-                VertexMore _e129 = fetchVertexMore((rows_1.y + vertexRows));
-                VertexMore _e133 = fetchVertexMore((rows_1.z + vertexRows));
-                vec4 _e136 = p_8.uv;
-                p_8.uv = vec4(_e136.xy, (((share_1.x * _e125.uv) + (share_1.y * _e129.uv)) + (share_1.z * _e133.uv)));
-                vec2 _e152 = pairOf(_e125.redGreen);
-                vec2 _e156 = pairOf(_e129.redGreen);
-                vec2 _e161 = pairOf(_e133.redGreen);
-                vec2 redGreen = (((share_1.x * _e152) + (share_1.y * _e156)) + (share_1.z * _e161));
-                vec2 _e166 = pairOf(_e125.blueAlpha);
-                vec2 _e170 = pairOf(_e129.blueAlpha);
-                vec2 _e175 = pairOf(_e133.blueAlpha);
-                vec2 blueAlpha = (((share_1.x * _e166) + (share_1.y * _e170)) + (share_1.z * _e175));
-                p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+            const bool _e120 = hasVertexMore;
+            if (_e120) {
+                if ((_e9.vertexRows > vertexRows)) {
+                    VertexMore _e127 = fetchVertexMore((rows_1.x + vertexRows));
+                    VertexMore _e131 = fetchVertexMore((rows_1.y + vertexRows));
+                    VertexMore _e135 = fetchVertexMore((rows_1.z + vertexRows));
+                    vec4 _e138 = p_8.uv;
+                    p_8.uv = vec4(_e138.xy, (((share_1.x * _e127.uv) + (share_1.y * _e131.uv)) + (share_1.z * _e135.uv)));
+                    vec2 _e154 = pairOf(_e127.redGreen);
+                    vec2 _e158 = pairOf(_e131.redGreen);
+                    vec2 _e163 = pairOf(_e135.redGreen);
+                    vec2 redGreen = (((share_1.x * _e154) + (share_1.y * _e158)) + (share_1.z * _e163));
+                    vec2 _e168 = pairOf(_e127.blueAlpha);
+                    vec2 _e172 = pairOf(_e131.blueAlpha);
+                    vec2 _e177 = pairOf(_e135.blueAlpha);
+                    vec2 blueAlpha = (((share_1.x * _e168) + (share_1.y * _e172)) + (share_1.z * _e177));
+                    p_8.color = clamp(vec4(redGreen, blueAlpha), vec4(0.0), vec4(1.0));
+                }
             }
-            if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
-                vec3 _e193 = fromOctahedral(_e54.tangent);
-                vec3 _e197 = fromOctahedral(_e56.tangent);
-                vec3 _e202 = fromOctahedral(_e58.tangent);
-                vec3 tangent_2 = (((share_1.x * _e193) + (share_1.y * _e197)) + (share_1.z * _e202));
-                float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
-                p_8.normal = (smoothed * side_2);
-                p_8.tangent = ((turn * tangent_2) * side_2);
-                p_8.bitangent = ((turn * cross(normal_5, tangent_2)) * (hand * side_2));
+            const bool _e188 = hasNormalMaps;
+            if (_e188) {
+                if (pick(useful, ((_e9.vertexFlags & hasTangents) != 0u), false)) {
+                    vec3 _e197 = fromOctahedral(_e54.tangent);
+                    vec3 _e201 = fromOctahedral(_e56.tangent);
+                    vec3 _e206 = fromOctahedral(_e58.tangent);
+                    vec3 tangent_2 = (((share_1.x * _e197) + (share_1.y * _e201)) + (share_1.z * _e206));
+                    float hand = pick(((_e54.tangent & 65536u) != 0u), -1.0, 1.0);
+                    p_8.normal = (smoothed * side_2);
+                    p_8.tangent = ((turn * tangent_2) * side_2);
+                    p_8.bitangent = ((turn * cross(normal_5, tangent_2)) * (hand * side_2));
+                }
             }
         }
     }
-    MeshPoint _e223 = p_8;
-    return _e223;
+    MeshPoint _e227 = p_8;
+    return _e227;
 }
 
 bool isSmooth(uint code_5) {
@@ -1618,6 +1632,7 @@ void takeUpLayer(uint slot, vec4 texel_1) {
 Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
+    vec2 place_2 = vec2(0.0);
     float _e4 = s_4.textures;
     uint row_9 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_9);
@@ -1630,42 +1645,48 @@ Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
         while(true) {
             uint _e38 = i_17;
             TextureUse _e42 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e38 * textureUseRows)));
-            vec4 _e51 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy));
-            vec3 _e53 = s_4.baseColor;
-            s_4.baseColor = (_e53 * pick((_e42.slot == baseColorSlot), _e51.xyz, vec3(1.0)));
-            vec3 _e63 = s_4.emission;
-            s_4.emission = (_e63 * pick((_e42.slot == emissionSlot), _e51.xyz, vec3(1.0)));
-            vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e51.yz, vec2(1.0));
-            float _e80 = s_4.alpha;
-            float rough = max(((_e80 * share_2.x) * share_2.x), 0.001);
-            float _e89 = s_4.alpha;
-            float _e91 = s_4.code;
-            bool _e93 = isSmooth(uint(_e91));
-            s_4.alpha = pick(_e93, _e89, rough);
-            float _e96 = s_4.metallic;
-            s_4.metallic = (_e96 * share_2.y);
-            vec3 bump = (((2.0 * _e51.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
-            vec3 _e112 = bumps.base;
-            bumps.base = pick((_e42.slot == normalSlot), bump, _e112);
-            const bool _e118 = hasCoatNormals;
-            if (_e118) {
-                vec3 _e121 = bumps.coat;
-                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e121);
+            place_2 = uv_1.xy;
+            const bool _e46 = hasVertexMore;
+            if (_e46) {
+                place_2 = pick(((_e42.flags & usesSecondSet) != 0u), uv_1.zw, uv_1.xy);
             }
-            const bool _e127 = hasLayers;
-            if (_e127) {
-                takeUpLayer(_e42.slot, _e51);
+            vec2 _e55 = place_2;
+            vec4 _e56 = lookUp(_e42, _e55);
+            vec3 _e58 = s_4.baseColor;
+            s_4.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e68 = s_4.emission;
+            s_4.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
+            vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e56.yz, vec2(1.0));
+            float _e85 = s_4.alpha;
+            float rough = max(((_e85 * share_2.x) * share_2.x), 0.001);
+            float _e94 = s_4.alpha;
+            float _e96 = s_4.code;
+            bool _e98 = isSmooth(uint(_e96));
+            s_4.alpha = pick(_e98, _e94, rough);
+            float _e101 = s_4.metallic;
+            s_4.metallic = (_e101 * share_2.y);
+            vec3 bump = (((2.0 * _e56.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
+            vec3 _e117 = bumps.base;
+            bumps.base = pick((_e42.slot == normalSlot), bump, _e117);
+            const bool _e123 = hasCoatNormals;
+            if (_e123) {
+                vec3 _e126 = bumps.coat;
+                bumps.coat = pick((_e42.slot == coatNormalSlot), bump, _e126);
             }
-            uint _e130 = i_17;
-            i_17 = (_e130 + 1u);
-            uint _e132 = i_17;
-            if ((_e132 >= _e6.count)) {
+            const bool _e132 = hasLayers;
+            if (_e132) {
+                takeUpLayer(_e42.slot, _e56);
+            }
+            uint _e135 = i_17;
+            i_17 = (_e135 + 1u);
+            uint _e137 = i_17;
+            if ((_e137 >= _e6.count)) {
                 break;
             }
         }
     }
-    Bumps _e135 = bumps;
-    return _e135;
+    Bumps _e140 = bumps;
+    return _e140;
 }
 
 vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
@@ -1757,52 +1778,55 @@ SurfacePoint surfaceAt(RayPair rays_1, PairHit hit, uint shape) {
                 Bumps _e48 = takeUpTextures(surface, _e39.uv, _e39.color.xyz);
                 tangent_1 = _e39.tangent;
                 bitangent_1 = _e39.bitangent;
-                if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
-                    vec3 _e76 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
-                    normals.shading = _e76;
+                const bool _e52 = hasNormalMaps;
+                if (_e52) {
+                    if (any(notEqual(_e48.base, vec3(0.0, 0.0, 1.0)))) {
+                        vec3 _e78 = validNormal(_e39.geometric, rays_1.direction, (((_e48.base.x * _e39.tangent) + (_e48.base.y * _e39.bitangent)) + (_e48.base.z * _e39.normal)), _e39.shading);
+                        normals.shading = _e78;
+                    }
                 }
-                const bool _e78 = hasCoatNormals;
-                if (_e78) {
+                const bool _e80 = hasCoatNormals;
+                if (_e80) {
                     coatNormalHere = _e39.shading;
                     if (any(notEqual(_e48.coat, vec3(0.0, 0.0, 1.0)))) {
-                        vec3 _e106 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
-                        coatNormalHere = _e106;
+                        vec3 _e108 = validNormal(_e39.geometric, rays_1.direction, (((_e48.coat.x * _e39.tangent) + (_e48.coat.y * _e39.bitangent)) + (_e48.coat.z * _e39.normal)), _e39.shading);
+                        coatNormalHere = _e108;
                     }
                 }
             }
-            float _e108 = surface.code;
-            float _e112 = surface.eta.x;
-            bool _e113 = letsThrough(uint(_e108), _e112);
-            vec3 _e116 = normals.geometric;
-            vec3 _e118 = normals.shading;
-            vec3 _e120 = agreed(_e116, _e118, rays_1.direction, _e113);
-            normals.shading = _e120;
-            const bool _e122 = hasCoatNormals;
-            if (_e122) {
-                vec3 _e125 = normals.geometric;
-                vec3 _e127 = coatNormalHere;
-                vec3 _e129 = agreed(_e125, _e127, rays_1.direction, _e113);
-                coatNormalHere = _e129;
+            float _e110 = surface.code;
+            float _e114 = surface.eta.x;
+            bool _e115 = letsThrough(uint(_e110), _e114);
+            vec3 _e118 = normals.geometric;
+            vec3 _e120 = normals.shading;
+            vec3 _e122 = agreed(_e118, _e120, rays_1.direction, _e115);
+            normals.shading = _e122;
+            const bool _e124 = hasCoatNormals;
+            if (_e124) {
+                vec3 _e127 = normals.geometric;
+                vec3 _e129 = coatNormalHere;
+                vec3 _e131 = agreed(_e127, _e129, rays_1.direction, _e115);
+                coatNormalHere = _e131;
             }
         }
     }
-    const bool _e131 = hasGrain;
-    if (_e131) {
+    const bool _e133 = hasGrain;
+    if (_e133) {
         grainHere = vec3(0.0);
-        float _e137 = layersHere.anisotropy;
-        if ((_e137 > 0.0)) {
-            vec3 _e142 = normals.shading;
-            vec3 _e143 = tangent_1;
-            vec3 _e144 = bitangent_1;
-            vec2 _e147 = layersHere.grain;
-            vec3 _e148 = grainAt(_e142, _e143, _e144, _e147);
-            grainHere = _e148;
+        float _e139 = layersHere.anisotropy;
+        if ((_e139 > 0.0)) {
+            vec3 _e144 = normals.shading;
+            vec3 _e145 = tangent_1;
+            vec3 _e146 = bitangent_1;
+            vec2 _e149 = layersHere.grain;
+            vec3 _e150 = grainAt(_e144, _e145, _e146, _e149);
+            grainHere = _e150;
         }
     }
-    Surface _e149 = surface;
-    vec3 _e151 = normals.geometric;
-    vec3 _e153 = normals.shading;
-    return SurfacePoint(_e149, _e151, _e153);
+    Surface _e151 = surface;
+    vec3 _e153 = normals.geometric;
+    vec3 _e155 = normals.shading;
+    return SurfacePoint(_e151, _e153, _e155);
 }
 
 vec3 conductorFresnel(float cosine, vec3 eta_2, vec3 k) {

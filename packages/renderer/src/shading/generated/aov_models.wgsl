@@ -219,7 +219,7 @@ fn spread(x: u32) -> u32 {
 }
 
 fn reversed(x: u32) -> u32 {
-  return reversedHigh(x) >> 15u;
+  return reverseBits(x) >> 16u;
 }
 
 struct Sampler {
@@ -247,17 +247,6 @@ fn pcg(x: u32) -> u32 {
   let s = x * 747796405u + 2891336453u;
   let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
   return (w >> 22u) ^ w;
-}
-
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
-// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
-// where it is, and what comes first goes past it. (WebGL2 has no reverseBits.)
-fn reversedHigh(x: u32) -> u32 {
-  var y = x + (x & 0x5555u) * 3u;
-  y += (y & 0x6666u) * 15u;
-  y += (y & 0x7878u) * 255u;
-  return y + (y & 0x7f80u) * 65535u;
 }
 
 struct Frame {
@@ -374,10 +363,8 @@ fn nextGroup(s: ptr<function, Sampler>) -> Group {
   return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a * 65536u), (b >> 16u) | (b * 65536u));
 }
 
-// The first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. The two parts are exact, and so is their sum.
 fn toUnit(scrambled: u32) -> f32 {
-  let digits = f32(i32(reversedHigh(scrambled & 0xffffu))) * 4.656612873077392578125e-10;
-  return digits + f32(scrambled & 0xff000000u) * 3.552713678800501e-15;
+  return f32(((reverseBits(scrambled) >> 8u) & 0xffff00u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
@@ -1141,9 +1128,10 @@ const materialTexturesRows = 1u;
 // Linear red, green, blue and alpha of an image at these coordinates of the mesh.
 fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
   let place = vec3f(uv, 1.0);
-  let nearest = (t.flags & isNearest) != 0u;
-  let x = neighbours(dot(t.toU, place), t.width, (t.flags & clampsU) != 0u, (t.flags & mirrorsU) != 0u, nearest);
-  let y = neighbours(dot(t.toV, place), t.height, (t.flags & clampsV) != 0u, (t.flags & mirrorsV) != 0u, nearest);
+  let flags = select(0u, t.flags, hasOtherLookups);
+  let nearest = (flags & isNearest) != 0u;
+  let x = neighbours(dot(t.toU, place), t.width, (flags & clampsU) != 0u, (flags & mirrorsU) != 0u, nearest);
+  let y = neighbours(dot(t.toV, place), t.height, (flags & clampsV) != 0u, (flags & mirrorsV) != 0u, nearest);
   let upper = t.first + y.first * t.width;
   let lower = t.first + y.second * t.width;
   let colored = (t.flags & isColor) != 0u;
@@ -1180,6 +1168,8 @@ struct TextureUse {
 
 // Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
 @group(0) @binding(6) var<storage, read> texels: array<vec4u>;
+
+override hasOtherLookups = false;
 
 const isNearest = 4u;
 
@@ -1311,8 +1301,10 @@ fn surfaceAt(rays: RayPair, hit: PairHit, shape: u32) -> SurfacePoint {
         let bumps = takeUpTextures(&surface, m.uv, m.color.rgb);
         tangent = m.tangent;
         bitangent = m.bitangent;
-        if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
-          normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+        if (hasNormalMaps) {
+          if (any(bumps.base != vec3f(0.0, 0.0, 1.0))) {
+            normals.shading = validNormal(m.geometric, rays.direction, bumps.base.x * m.tangent + bumps.base.y * m.bitangent + bumps.base.z * m.normal, m.shading);
+          }
         }
         if (hasCoatNormals) {
           coatNormalHere = m.shading;
@@ -1522,22 +1514,26 @@ fn meshPoint(instance: u32, place: u32, weights: vec2f) -> MeshPoint {
     p.shading = select(geometric, smoothed * (side * inverseSqrt(max(size, 1e-37))), useful);
     if (hasTextures) {
       p.uv = vec4f(share.x * a.uv + share.y * b.uv + share.z * c.uv, 0.0, 0.0);
-      if (i.vertexRows > vertexRows) {
-        let moreA = fetchVertexMore(rows.x + vertexRows);
-        let moreB = fetchVertexMore(rows.y + vertexRows);
-        let moreC = fetchVertexMore(rows.z + vertexRows);
-        p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
-        let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
-        let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
-        p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+      if (hasVertexMore) {
+        if (i.vertexRows > vertexRows) {
+          let moreA = fetchVertexMore(rows.x + vertexRows);
+          let moreB = fetchVertexMore(rows.y + vertexRows);
+          let moreC = fetchVertexMore(rows.z + vertexRows);
+          p.uv = vec4f(p.uv.xy, share.x * moreA.uv + share.y * moreB.uv + share.z * moreC.uv);
+          let redGreen = share.x * pairOf(moreA.redGreen) + share.y * pairOf(moreB.redGreen) + share.z * pairOf(moreC.redGreen);
+          let blueAlpha = share.x * pairOf(moreA.blueAlpha) + share.y * pairOf(moreB.blueAlpha) + share.z * pairOf(moreC.blueAlpha);
+          p.color = clamp(vec4f(redGreen, blueAlpha), vec4f(0.0), vec4f(1.0));
+        }
       }
-      if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
-        let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
-        // The vertices of a triangle have one hand: else they would not be shared.
-        let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
-        p.normal = smoothed * side;
-        p.tangent = turn * tangent * side;
-        p.bitangent = turn * cross(normal, tangent) * (hand * side);
+      if (hasNormalMaps) {
+        if (useful & ((i.vertexFlags & hasTangents) != 0u)) {
+          let tangent = share.x * fromOctahedral(a.tangent) + share.y * fromOctahedral(b.tangent) + share.z * fromOctahedral(c.tangent);
+          // The vertices of a triangle have one hand: else they would not be shared.
+          let hand = select(1.0, -1.0, (a.tangent & 0x10000u) != 0u);
+          p.normal = smoothed * side;
+          p.tangent = turn * tangent * side;
+          p.bitangent = turn * cross(normal, tangent) * (hand * side);
+        }
       }
     }
   }
@@ -1571,7 +1567,11 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   if (material.count > 0u) {
     loop {
       let t = fetchTextureUse(row + materialTexturesRows + i * textureUseRows);
-      let texel = lookUp(t, select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u));
+      var place = uv.xy;
+      if (hasVertexMore) {
+        place = select(uv.xy, uv.zw, (t.flags & usesSecondSet) != 0u);
+      }
+      let texel = lookUp(t, place);
       (*s).baseColor *= select(vec3f(1.0), texel.rgb, t.slot == baseColorSlot);
       (*s).emission *= select(vec3f(1.0), texel.rgb, t.slot == emissionSlot);
       let share = select(vec2f(1.0), texel.gb, t.slot == metallicRoughnessSlot);
@@ -1594,6 +1594,10 @@ fn takeUpTextures(s: ptr<function, Surface>, uv: vec4f, color: vec3f) -> Bumps {
   }
   return bumps;
 }
+
+// Of textures: normal maps, or grain, which need frames of tangents; colours at vertices or a second set of coordinates, which lie side by
+// side; and such that are not repeated and looked up linearly.
+override hasNormalMaps = false;
 
 // A map's normal of any length, to the side of `geometric`; `direction` of the ray that meets the surface. `otherwise`: where the map
 // gives none.
@@ -1663,6 +1667,8 @@ struct Surface {
 
 
 const textureUseRows = 3u;
+
+override hasVertexMore = false;
 
 const baseColorSlot = 0u;
 

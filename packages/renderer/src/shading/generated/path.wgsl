@@ -1355,14 +1355,12 @@ fn points2d(g: Group) -> vec2f {
   return vec2f(toUnit(scramble(g.index ^ g.shift, g.seedA)), toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB)));
 }
 
-// The first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. The two parts are exact, and so is their sum.
 fn toUnit(scrambled: u32) -> f32 {
-  let digits = f32(i32(reversedHigh(scrambled & 0xffffu))) * 4.656612873077392578125e-10;
-  return digits + f32(scrambled & 0xff000000u) * 3.552713678800501e-15;
+  return f32(((reverseBits(scrambled) >> 8u) & 0xffff00u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
 }
 
 fn reversed(x: u32) -> u32 {
-  return reversedHigh(x) >> 15u;
+  return reverseBits(x) >> 16u;
 }
 
 // One padded sequence: what all its dimensions have in common.
@@ -1382,17 +1380,6 @@ fn shiftOfPlace(x: u32) -> u32 {
   var y = x ^ timesW((x >> 2u) & 0x33u);
   y ^= timesW2((y >> 4u) & 0x0fu);
   return timesW(y) | (y * 256u);
-}
-
-// What the sampler does to the bits of its numbers. docs/sampler.md says why.
-// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
-// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
-// where it is, and what comes first goes past it. (WebGL2 has no reverseBits.)
-fn reversedHigh(x: u32) -> u32 {
-  var y = x + (x & 0x5555u) * 3u;
-  y += (y & 0x6666u) * 15u;
-  y += (y & 0x7878u) * 255u;
-  return y + (y & 0x7f80u) * 65535u;
 }
 
 // Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
