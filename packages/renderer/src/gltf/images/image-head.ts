@@ -30,18 +30,40 @@ export function readImageHead(bytes: Uint8Array): ImageHead | null {
 
 export const NO_IMAGE = 'bytes that are no image';
 
-/** What bytes without a head are, as far as one can tell: such as "a BMP image". */
-export function strangeImage(bytes: Uint8Array): string {
-  const is = (...words: readonly string[]): boolean => words.some((word) => starts(bytes, 0, ascii(word)));
-  const known = is('BM') ? 'BMP' : is('GIF8') ? 'GIF' : is('DDS ') ? 'DDS' : is('8BPS') ? 'PSD' : is('II*\0', 'MM\0*') ? 'TIFF' : is('#?RADIANCE', '#?RGBE') ? 'HDR' : is('v/1\x01') ? 'EXR' : starts(bytes, bytes.length - 18, ascii('TRUEVISION-XFILE')) ? 'TGA' : null; // biome-ignore format: a list
-  if (known !== null) return `a ${known} image`;
-  const broken = starts(bytes, 0, [0xff, 0xd8, 0xff]) ? 'JPEG' : starts(bytes, 1, ascii('PNG')) ? 'PNG' : is('RIFF') ? 'WebP' : starts(bytes, 1, ascii('KTX')) ? 'KTX2' : null; // biome-ignore format: a list
-  return broken === null ? NO_IMAGE : `a ${broken} image that is damaged or cut off in its head`;
-}
-
 const ascii = (text: string): number[] => [...text].map((letter) => letter.charCodeAt(0));
 const starts = (bytes: Uint8Array, at: number, wanted: readonly number[]): boolean =>
   wanted.every((byte, i) => bytes[at + i] === byte);
+
+/** How files of images begin that glTF does not allow. */
+const OTHER_KINDS: readonly (readonly [kind: string, start: string])[] = [
+  ['BMP', 'BM'],
+  ['GIF', 'GIF8'],
+  ['DDS', 'DDS '],
+  ['PSD', '8BPS'],
+  ['TIFF', 'II*\0'],
+  ['TIFF', 'MM\0*'],
+  ['HDR', '#?RADIANCE'],
+  ['HDR', '#?RGBE'],
+  ['EXR', 'v/1\x01'],
+];
+/** Letters by which one knows a kind that glTF does allow, though its head can not be read, and where they stand. */
+const ALLOWED_KINDS: readonly (readonly [kind: string, at: number, letters: string])[] = [
+  ['JPEG', 0, '\xff\xd8\xff'],
+  ['PNG', 1, 'PNG'],
+  ['WebP', 0, 'RIFF'],
+  ['KTX2', 1, 'KTX'],
+];
+/** A TGA ends with it. */
+const TGA_END = 'TRUEVISION-XFILE';
+
+/** What bytes without a head are, as far as one can tell: such as "a BMP image". */
+export function strangeImage(bytes: Uint8Array): string {
+  const other = OTHER_KINDS.find(([, start]) => starts(bytes, 0, ascii(start)));
+  if (other) return `a ${other[0]} image`;
+  if (starts(bytes, bytes.length - 18, ascii(TGA_END))) return 'a TGA image';
+  const broken = ALLOWED_KINDS.find(([, at, letters]) => starts(bytes, at, ascii(letters)));
+  return broken ? `a ${broken[0]} image that is damaged or cut off in its head` : NO_IMAGE;
+}
 
 /** Colour types 4 and 6 have alpha, and so has what comes with a tRNS chunk, which stands before the pixels. */
 function pngHead(bytes: Uint8Array, view: DataView): ImageHead {
