@@ -1,9 +1,8 @@
 /** Films of the path integrator: the one place where tests and `npm run proof` meet it. */
 
-import type { FilmTracer } from '../../../packages/renderer/src/headless/index.ts';
-import { GpuFilmTracer, openWebGl2, openWebGpu } from '../../../packages/renderer/src/headless/index.ts';
 import type { Scene } from '../../../packages/renderer/src/scene/scene.ts';
 import type { GpuBackend } from './parity.ts';
+import { tracerBy } from './tracers.ts';
 
 export interface PathRange {
   readonly width: number;
@@ -21,21 +20,9 @@ export interface PathFilm {
   readonly count: Float32Array;
 }
 
-const tracers = new Map<GpuBackend, Promise<FilmTracer>>();
-function tracerOn(backend: GpuBackend): Promise<FilmTracer> {
-  let tracer = tracers.get(backend);
-  if (!tracer) {
-    // A software adapter would draw; the compute entry is the one that needs proof.
-    const device =
-      backend === 'webgpu' ? openWebGpu(null, { computes: true }) : openWebGl2(document.createElement('canvas'));
-    tracers.set(backend, (tracer = device.then((d) => GpuFilmTracer.create(d))));
-  }
-  return tracer;
-}
-
 export async function renderPath(backend: GpuBackend, scene: Scene, range: PathRange): Promise<PathFilm> {
   const { width, height, samples, firstSample, seed } = range;
-  const tracer = await tracerOn(backend);
+  const tracer = await tracerBy(backend === 'webgpu' ? 'webgpu, computed' : 'webgl2');
   const { maxDepth, maxReflections, lightSamples } = scene.render;
   const settings = { integrator: 'path', maxDepth, maxReflections, lightSamples, seed } as const;
   await tracer.begin({ scene, settings, width, height, area: { x: 0, y: 0, width, height }, squares: true });

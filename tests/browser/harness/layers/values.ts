@@ -9,11 +9,10 @@ import { evaluateLayered } from '../../../fixtures/layers/layered-bsdf.ts';
 import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';
 import { between, inCube, pick, type Random, seededRandom } from '../../../fixtures/random.ts';
 import { randomNumbers } from '../bsdf/cases.ts';
-import { type Answer, ASKED, askTable, floatVector, openDevice, type Question } from '../bsdf/questions.ts';
+import { type Answer, ASKED, askTable, floatVector, type Question } from '../bsdf/questions.ts';
+import { type GpuBackend, probeDevice } from '../probe-device.ts';
 import { albedoOfSheen, layerTable, switchesOf } from './materials.ts';
 import { LAYER_KINDS, someLayers, withOnly } from './random-layers.ts';
-
-type Backend = 'webgpu' | 'webgl2';
 
 export interface LayersReport {
   readonly asked: number;
@@ -132,19 +131,18 @@ async function probe(
 }
 
 /** Materials with all kinds of layers, by a program that knows all. */
-export async function probeLayers(backend: Backend, seed: number): Promise<LayersReport> {
+export async function probeLayers(backend: GpuBackend, seed: number): Promise<LayersReport> {
   const random = seededRandom(seed);
   const report = newReport();
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   await probe(device, someLayers(random, MATERIALS), report, random);
-  device.destroy();
   return report;
 }
 
 /** Kinds of layer, each by the program that a scene with this kind alone is drawn by. */
-export async function probeLayersAlone(backend: Backend, seed: number): Promise<LayersReport[]> {
+export async function probeLayersAlone(backend: GpuBackend, seed: number): Promise<LayersReport[]> {
   const random = seededRandom(seed);
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const reports: LayersReport[] = [];
   for (const kind of LAYER_KINDS) {
     const materials = someLayers(random, 40)
@@ -154,14 +152,13 @@ export async function probeLayersAlone(backend: Backend, seed: number): Promise<
     await probe(device, materials, report, random, switchesOf(materials));
     reports.push(report);
   }
-  device.destroy();
   return reports;
 }
 
 const ALONG: readonly Vec3[] = [[1, 0, 0], [0, -1, 0], floatVector(directionOf(0, 1)), [0, 0, 1], [0, 0, -1], floatVector(directionOf(1e-20, 2))]; // biome-ignore format: one line
 
 /** Where formulas divide by zero: anything finite and not negative will do, and samples that are not too heavy. */
-export async function probeLayerEdges(backend: Backend, seed: number): Promise<LayersReport & { heaviest: number }> {
+export async function probeLayerEdges(backend: GpuBackend, seed: number): Promise<LayersReport & { heaviest: number }> {
   const random = seededRandom(seed);
   const materials = someLayers(random, MATERIALS);
   const questions = Array.from({ length: QUESTIONS }, (_, k): Question => {
@@ -177,9 +174,8 @@ export async function probeLayerEdges(backend: Backend, seed: number): Promise<L
       hero: heroOf(materials[surface]!, random),
     };
   });
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const answers = await askTable(device, layerTable(materials), questions);
-  device.destroy();
   const report = { ...newReport(), heaviest: 0 };
   questions.forEach((q, k) => {
     const answer = answers[k]!;
