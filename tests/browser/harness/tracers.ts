@@ -19,6 +19,18 @@ export function tracerBy(entry: Entry): Promise<GpuFilmTracer> {
   return tracer;
 }
 
+const ofAll = new Map<GpuBackend, Promise<GpuFilmTracer>>();
+
+/** With one program that has all features: nothing is compiled for a scene. On WebGPU it computes. */
+export function tracerOfAll(backend: GpuBackend): Promise<GpuFilmTracer> {
+  let tracer = ofAll.get(backend);
+  if (!tracer) {
+    const device = backend === 'webgpu' ? openWebGpu(null, { computes: true }) : probeDevice(backend);
+    ofAll.set(backend, (tracer = device.then((d) => GpuFilmTracer.create(d, 'one'))));
+  }
+  return tracer;
+}
+
 /** What a device that is opened without further wishes gives: in software it draws. */
 export const tracerOn = (backend: GpuBackend): Promise<GpuFilmTracer> =>
   tracerBy(backend === 'webgpu' ? 'webgpu, drawn' : 'webgl2');
