@@ -6,6 +6,7 @@ import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.
 import { seededRandom } from '../../../fixtures/random.ts';
 import { type Answer, ASKED, askTable, floatVector, type Question } from '../bsdf/questions.ts';
 import { type GpuBackend, probeDevice } from '../probe-device.ts';
+import { verdictOn } from '../verdict.ts';
 import { layerTable } from './materials.ts';
 import { NAMED } from './random-layers.ts';
 
@@ -91,10 +92,12 @@ export async function layersOverSphere(backend: GpuBackend, cosine: number, seed
     drawn.map((q) => ({ ...q, asked: ASKED.sampledWeight })),
   );
   const part = (all: readonly Answer[], i: number, n: number) => all.slice(i * n, (i + 1) * n);
-  return cases.map(({ name }, i) => ({
-    name,
-    ...reportOf(part(evaluated, i, MIDPOINTS.length), part(directions, i, SAMPLES), part(weights, i, SAMPLES)),
-  }));
+  return verdictOn(`sphere ${cosine} ${seed}`, [evaluated, directions, weights], () =>
+    cases.map(({ name }, i) => ({
+      name,
+      ...reportOf(part(evaluated, i, MIDPOINTS.length), part(directions, i, SAMPLES), part(weights, i, SAMPLES)),
+    })),
+  );
 }
 
 function reportOf(values: readonly Answer[], directions: readonly Answer[], weights: readonly Answer[]) {

@@ -11,6 +11,7 @@ import { between, inCube, pick, type Random, seededRandom } from '../../../fixtu
 import { randomNumbers } from '../bsdf/cases.ts';
 import { type Answer, ASKED, askTable, floatVector, type Question } from '../bsdf/questions.ts';
 import { type GpuBackend, probeDevice } from '../probe-device.ts';
+import { verdictOn } from '../verdict.ts';
 import { albedoOfSheen, layerTable, switchesOf } from './materials.ts';
 import { LAYER_KINDS, someLayers, withOnly } from './random-layers.ts';
 
@@ -107,12 +108,12 @@ const heroOf = (m: LayeredMaterial, random: Random) => (m.dispersion > 0 && m.so
 async function probe(
   device: Device,
   materials: readonly LayeredMaterial[],
-  report: LayersReport,
+  asked: number,
   random: Random,
   switches?: Record<string, boolean>,
-): Promise<void> {
+): Promise<LayersReport> {
   const table = layerTable(materials);
-  const first = Array.from({ length: report.asked }, (_, k): Question => {
+  const first = Array.from({ length: asked }, (_, k): Question => {
     const surface = k % materials.length;
     const hero = heroOf(materials[surface]!, random);
     return { surface, wo: randomDirection(random), second: randomNumbers(random), asked: ASKED.sampledDirection, hero };
@@ -124,19 +125,21 @@ async function probe(
     return { ...q, asked: ASKED.evaluation, second: takesSample ? [x, y, z] : randomDirection(random) };
   });
   const answers = await askTable(device, table, questions, switches);
-  questions.forEach((q, k) => {
-    const m = materials[q.surface]!;
-    complain(report, judge(report, m, q, q.second, answers[k]!, random), { m, wo: q.wo, wi: q.second, hero: q.hero });
+  return verdictOn(`layers ${JSON.stringify(switches)}`, [sampled, answers], () => {
+    const report = { ...newReport(), asked };
+    questions.forEach((q, k) => {
+      const m = materials[q.surface]!;
+      complain(report, judge(report, m, q, q.second, answers[k]!, random), { m, wo: q.wo, wi: q.second, hero: q.hero });
+    });
+    return report;
   });
 }
 
 /** Materials with all kinds of layers, by a program that knows all. */
 export async function probeLayers(backend: GpuBackend, seed: number): Promise<LayersReport> {
   const random = seededRandom(seed);
-  const report = newReport();
   const device = await probeDevice(backend);
-  await probe(device, someLayers(random, MATERIALS), report, random);
-  return report;
+  return probe(device, someLayers(random, MATERIALS), QUESTIONS, random);
 }
 
 /** Kinds of layer, each by the program that a scene with this kind alone is drawn by. */
@@ -148,9 +151,7 @@ export async function probeLayersAlone(backend: GpuBackend, seed: number): Promi
     const materials = someLayers(random, 40)
       .map((m) => withOnly(m, kind))
       .filter((m) => isLayered(materialOf(m)));
-    const report = { ...newReport(), asked: 512, examples: [] };
-    await probe(device, materials, report, random, switchesOf(materials));
-    reports.push(report);
+    reports.push(await probe(device, materials, 512, random, switchesOf(materials)));
   }
   return reports;
 }
