@@ -10,15 +10,15 @@ import {
 import { sceneNamed } from './scenes.ts';
 import { type Entry, tracerBy } from './tracers.ts';
 
-const [WIDTH, HEIGHT] = [27, 18];
+const [WIDTH, HEIGHT] = [19, 13];
 const WHOLE: FilmArea = { x: 0, y: 0, width: WIDTH, height: HEIGHT };
 /** Cuts at odd places, also through the tiles of compute passes, and one part of a single pixel. */
 const PARTS: readonly FilmArea[] = [
-  { x: 13, y: 0, width: 14, height: 5 },
-  { x: 0, y: 0, width: 13, height: 17 },
-  { x: 13, y: 5, width: 14, height: 13 },
-  { x: 1, y: 17, width: 12, height: 1 },
-  { x: 0, y: 17, width: 1, height: 1 },
+  { x: 9, y: 0, width: 10, height: 4 },
+  { x: 0, y: 0, width: 9, height: 12 },
+  { x: 9, y: 4, width: 10, height: 9 },
+  { x: 1, y: 12, width: 8, height: 1 },
+  { x: 0, y: 12, width: 1, height: 1 },
 ];
 
 /** Largest difference of two films' sums, relative to the second one's. */
