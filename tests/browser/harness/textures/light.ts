@@ -4,7 +4,7 @@ import { flat, sheet } from '../../../fixtures/meshes/sheet.ts';
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
 import type { GpuBackend } from '../parity.ts';
 import { renderBy, renderPath } from '../path.ts';
-import { tracerOfAll, tracerOn } from '../tracers.ts';
+import { tracerBy, tracerOfAll } from '../tracers.ts';
 
 /** All pixels look at one point, within a millimetre, unless it says otherwise. */
 export interface LightCase {
@@ -181,9 +181,9 @@ function questions(): Record<string, Question> {
   };
 }
 
-/** On WebGPU by a program that has all features, on WebGL2 by those that the scenes need. */
+/** On WebGPU by programs for what each scene needs, on WebGL2 by one that has all features. */
 export async function lightCases(backend: GpuBackend, seed: number): Promise<LightCase[]> {
-  const tracer = await (backend === 'webgpu' ? tracerOfAll(backend) : tracerOn(backend));
+  const tracer = await (backend === 'webgpu' ? tracerBy('webgpu, computed') : tracerOfAll(backend));
   const cases: LightCase[] = [];
   for (const [what, { scene: asked, most, chance }] of Object.entries(questions())) {
     const { sum } = await renderBy(tracer, asked, {
