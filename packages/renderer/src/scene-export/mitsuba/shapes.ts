@@ -5,6 +5,7 @@ import type { Mesh } from '../../scene/mesh.ts';
 import { meshMatrices } from '../../scene/placed.ts';
 import type { Box, MeshShape, Plane, Scene, Shape, Vec3 } from '../../scene/scene.ts';
 import { add, addScaled, cross, dot, length, normalize, rotate, scale } from '../../scene/vec3.ts';
+import type { PlannedFiles } from '../export-plan.ts';
 import type { ExportReport } from '../export-report.ts';
 import { boolean, type Element, float, plugin, point, reference, string, toWorld } from './xml.ts';
 
@@ -36,7 +37,7 @@ const PLANE_REACH = 1000;
 export class ShapeWriter {
   readonly #scene: Scene;
   readonly #name: string;
-  readonly #files: Record<string, Uint8Array>;
+  readonly #files: PlannedFiles;
   readonly #report: ExportReport;
   readonly #extent: number;
   /** Names of files, by mesh. */
@@ -46,7 +47,7 @@ export class ShapeWriter {
   #groups = 0;
 
   /** `extent`: the greatest coordinate of what has an end. */
-  constructor(scene: Scene, name: string, extent: number, files: Record<string, Uint8Array>, report: ExportReport) {
+  constructor(scene: Scene, name: string, extent: number, files: PlannedFiles, report: ExportReport) {
     this.#scene = scene;
     this.#name = name;
     this.#extent = extent;
@@ -113,14 +114,15 @@ export class ShapeWriter {
     const safe = name.replace(/[^\p{L}\p{N}]+/gu, '-').slice(0, 60);
     const file = `${this.#name}.${this.#written.size + this.#turned.size} ${safe}.ply`.replace(/ /g, '-');
     const { positions, normals, uvs, colors } = mesh;
-    const indices = isTurned ? turned(mesh.indices) : mesh.indices;
-    this.#files[file] = writePly({
-      positions,
-      indices,
-      ...(normals && { normals }),
-      ...(uvs && { uvs }),
-      ...(colors && { colors }),
-    });
+    this.#files.set(file, () => [
+      writePly({
+        positions,
+        indices: isTurned ? turned(mesh.indices) : mesh.indices,
+        ...(normals && { normals }),
+        ...(uvs && { uvs }),
+        ...(colors && { colors }),
+      }),
+    ]);
     files.set(mesh, file);
     return file;
   }

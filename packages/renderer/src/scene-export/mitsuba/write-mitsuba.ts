@@ -3,6 +3,7 @@ import { focusOf, wholeCamera } from '../../scene/camera.ts';
 import { posedSceneAt } from '../../scene/posed.ts';
 import type { Camera, Scene } from '../../scene/scene.ts';
 import { boundsAt } from '../../scene/scene-bounds.ts';
+import { carriedOut, type ExportPlan, type PlannedFiles } from '../export-plan.ts';
 import { type ExportedScene, ExportReport } from '../export-report.ts';
 import { writeSky } from './environment.ts';
 import { writeLight } from './lights.ts';
@@ -27,10 +28,14 @@ export interface MitsubaOptions {
  * The scene at a time as `NAME.xml`, with the meshes as PLY files, the sky's map as EXR, and `NAME.py`, which renders it and has the BSDFs
  * that Mitsuba lacks. Every mesh must have its data. Throws an Error for a camera that Mitsuba has not.
  */
-export function writeMitsuba(scene: Scene, options: MitsubaOptions = {}): ExportedScene {
+export const writeMitsuba = (scene: Scene, options: MitsubaOptions = {}): ExportedScene =>
+  carriedOut(planMitsuba(scene, options));
+
+/** The same one file at a time. */
+export function planMitsuba(scene: Scene, options: MitsubaOptions = {}): ExportPlan {
   const { name = 'scene', time = 0 } = options;
   const report = new ExportReport();
-  const files: Record<string, Uint8Array> = {};
+  const files: PlannedFiles = new Map();
   // It stands still from here on; its tracks would move nodes that are no more.
   const { clip: _, ...posed } = { ...posedSceneAt(scene, time), animation: [] };
   if (scene.animation.length > 0 || scene.clip !== undefined)
@@ -64,8 +69,9 @@ export function writeMitsuba(scene: Scene, options: MitsubaOptions = {}): Export
   const python = [...materials].filter(([, { needsPython }]) => needsPython).map(([key]) => key);
   for (const key of python)
     report.add('changed', `Mitsuba has no such BSDF of its own: ${name}.py adds it, so render by "python ${name}.py".`, `material "${key}"`); // biome-ignore format: one sentence
-  files[`${name}.xml`] = encode(`<!-- ${posed.name.replaceAll('--', '- -')}, by Mirrorball -->\n${textOf(file)}`);
-  files[`${name}.py`] = encode(pythonProgram(name));
+  const xml = `<!-- ${posed.name.replaceAll('--', '- -')}, by Mirrorball -->\n${textOf(file)}`;
+  files.set(`${name}.xml`, () => [encode(xml)]);
+  files.set(`${name}.py`, () => [encode(pythonProgram(name))]);
   return { files, report: report.list() };
 }
 
