@@ -172,7 +172,7 @@ test('broken files tell all that is wrong, the scene stays, and memory is back; 
   const broken: readonly (readonly [Files, string | RegExp])[] = [
     [{ 'cut.glb': triangleGlb().slice(0, 400) }, 'cut off'],
     [{ 'noise.glb': new Uint8Array(5000).fill(0xff) }, 'noise.glb'],
-    [{ 'alone.gltf': gltfFiles()['thing.gltf']! }, 'open my numbers.bin together with alone.gltf'],
+    [{ 'alone.gltf': gltfFiles()['thing.gltf']! }, 'my numbers.bin'],
     [{ 'bomb.zip': bomb }, /are read|are unpacked/],
     [{ 'no.zip': 'PK' }, 'no zip archive'],
     [{ 'x.fbx': 'x' }, 'What can be opened is this'],
@@ -367,7 +367,7 @@ test('from a file, a folder is opened, with nothing from the network; the panel 
     const [glbName, glb] = await saved('Model (.glb)');
     const again = await importGltf(glb);
     expect([glbName, again.ok && again.report.counts.triangles]).toEqual(['fox.glb', 1]);
-    await expect(page.locator('.notice')).toContainText('fox.glb is saved. What its format lacks:');
+    await expect(page.locator('.notice')).toContainText('fox.glb is saved. What its format lacks');
     const [, archive] = await saved('For Mitsuba 3 (.zip)');
     expect(
       Object.keys(unzipSync(archive))
