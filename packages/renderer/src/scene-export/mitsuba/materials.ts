@@ -188,8 +188,10 @@ export class MaterialWriter {
     // Mitsuba asks for the light of a place without saying which triangle it is on, which attributes need.
     const varies = (unlit && this.#carried.colors) || use?.uvSet === 1;
     if (varies) this.#lost('Light does not vary by colours of vertices, nor by a second set of coordinates.');
-    const light = this.#product('radiance', radiance, use?.uvSet === 1 ? undefined : use, false);
-    return plugin('emitter', 'area', [light ?? rgb('radiance', radiance)]);
+    const map = use && use.uvSet !== 1 ? [this.#texture('map', use, 'color')] : [];
+    // What varies Mitsuba samples by texture coordinates, which must cover the shape once; this one it samples by area.
+    const light = plugin('texture', 'mirrorball_product', [numbers('factor', radiance), ...map, boolean('sampled_by_area', true)], { name: 'radiance' }); // biome-ignore format: one expression
+    return plugin('emitter', 'area', [map.length > 0 ? light : rgb('radiance', radiance)]);
   }
 }
 

@@ -46,6 +46,7 @@ class Product(mi.Texture):
     def __init__(self, props):
         mi.Texture.__init__(self, props)
         self.factor, self.map, self.colors = color(props['factor']), given(props, 'map'), given(props, 'colors')
+        self.varies = not given(props, 'sampled_by_area', False)
 
     def eval(self, si, active=True):
         value = mi.Color3f(self.factor)
@@ -58,7 +59,7 @@ class Product(mi.Texture):
         return self.eval(si, active)
 
     def is_spatially_varying(self):
-        return True
+        return self.varies
 
     def to_string(self):
         return 'mirrorball_product[]'
