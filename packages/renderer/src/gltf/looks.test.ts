@@ -376,4 +376,29 @@ describe('lights and cameras', () => {
     const extensions = { KHR_materials_emissive_strength: { emissiveStrength: 5 } };
     expect((await imported(painted({ ...dial, extensions }))).scene.sky.map).toBeUndefined();
   });
+
+  test('so is one whose lights and lamps give next to no light, and these stay', async () => {
+    // Nobody has it; it has no surface; it is small.
+    const unused = triangleFile((f) => f.add('materials', { emissiveFactor: [1, 1, 1] }));
+    expect((await imported(unused)).scene.sky.map).toBeDefined();
+    const lamp = { emissiveFactor: [1, 1, 1] };
+    const shrunk = (scale: number[]) =>
+      painted(lamp, (f) => {
+        f.add('nodes', { mesh: f.add('meshes', { primitives: [{ ...f.json.meshes[0].primitives[0], material: undefined }] }) }); // biome-ignore format: one line
+        f.json.scenes[0].nodes.push(f.json.nodes.length - 1);
+        f.json.nodes[0].scale = scale;
+      });
+    expect((await imported(shrunk([1, 1, 1]))).scene.sky.map).toBeUndefined();
+    expect((await imported(shrunk([0.01, 1, 1]))).scene.sky.map).toBeDefined();
+    expect((await imported(shrunk([0, 1, 1]))).scene.sky.map).toBeDefined();
+    const lit = (intensity: number) =>
+      triangleFile((f) => {
+        f.json.extensions = { KHR_lights_punctual: { lights: [{ type: 'point', intensity }] } };
+        f.json.scenes[0].nodes.push(f.add('nodes', { extensions: { KHR_lights_punctual: { light: 0 } } }));
+      });
+    expect((await imported(lit(1))).scene.sky.map).toBeUndefined();
+    const dark = (await imported(lit(0))).scene;
+    expect(dark.sky.map).toBeDefined();
+    expect(Object.keys(dark.lights)).toHaveLength(1);
+  });
 });
