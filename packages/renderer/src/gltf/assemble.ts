@@ -7,7 +7,7 @@ import { placedCamera } from '../scene/placed.ts';
 import type { Camera, Light, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { addScaled, dot, length, subtract } from '../scene/vec3.ts';
 import type { Cameras } from './cameras.ts';
-import { hasLight } from './own-light.ts';
+import { exposureFor, isEnough, ownLight } from './own-light.ts';
 import type { NamedThings } from './reading.ts';
 import type { Shapes } from './shapes.ts';
 import type { TextureReader } from './textures.ts';
@@ -92,11 +92,11 @@ function doubled(clips: Readonly<Record<string, Clip>>, camera: string): Record<
   );
 }
 
-/** A file without light enough of its own is shown in a studio. */
+/** A file without light enough of its own is shown in a studio; of too much of it less is shown. */
 function withLight(scene: Scene, frame: Frame | null, { environment = 'auto' }: GltfOptions): Scene {
-  if (environment === 'none') return scene;
-  const isLit = hasLight(scene);
-  if (environment === 'auto' && isLit) return scene;
-  const lit = { ...scene, sky: studioSky() };
-  return isLit ? lit : { ...lit, lights: { ...scene.lights, ...roomLights(frame?.room ?? null) } };
+  const light = ownLight(scene);
+  const shown = { ...scene, render: { ...scene.render, exposure: exposureFor(light) } };
+  if (environment === 'none' || (environment === 'auto' && isEnough(light))) return shown;
+  const lit = { ...shown, sky: studioSky() };
+  return isEnough(light) ? lit : { ...lit, lights: { ...scene.lights, ...roomLights(frame?.room ?? null) } };
 }

@@ -324,6 +324,13 @@ describe('nodes', () => {
     expect(said(report)).toEqual(['unused KHR_node_visibility /nodes/1']);
   });
 
+  test('a root below a node that the scene does not have stands by itself', async () => {
+    const file = triangleFile((f) => f.json.nodes.push({ children: [0], translation: [5, 0, 0] }));
+    const { scene, report } = await imported(file);
+    expect(scene.nodes).toEqual({ thing: {} });
+    expect(said(report)).toEqual(['changed node /nodes/0']);
+  });
+
   test('a file without a scene shows all its trees', async () => {
     const file = triangleFile((f) => {
       delete f.json.scenes;

@@ -33,7 +33,9 @@ export function readNodes(reading: Reading): NodesInScene {
       for (let i = children.length - 1; i >= 0; i--) stack.push({ node: children[i]!, visible });
     }
   };
-  walk(rootsOf(reading, parents), true);
+  const roots = rootsOf(reading, parents);
+  setApart(reading, roots, parents);
+  walk(roots, true);
   for (const node of [...shown]) {
     const skin = json.nodes![node]!.skin;
     // A joint elsewhere comes with all that carries it, and with all that these carry, which is not shown.
@@ -44,6 +46,20 @@ export function readNodes(reading: Reading): NodesInScene {
       );
   }
   return { nodes: named(reading, order, parents), order, shown };
+}
+
+/** UniGLTF and others leave a node above those of the scene that the scene does not have: these stand by themselves. */
+function setApart({ report }: Reading, roots: readonly number[], parents: Int32Array): void {
+  for (const root of roots) {
+    if (parents[root]! >= 0)
+      report.add(
+        'changed',
+        'node',
+        ['nodes', root],
+        'A node of the scene is carried by one that is not in the scene; it stands by itself.',
+      );
+    parents[root] = -1;
+  }
 }
 
 function parentsOf({ nodes = [] }: Gltf): Int32Array {
