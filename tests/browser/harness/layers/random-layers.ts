@@ -42,7 +42,10 @@ function randomLayers(random: Random): LayeredMaterial {
   });
   // Metal lets nothing through and is no solid.
   const clear = some.metallic < 1 && some.transmission + some.diffuseTransmission > 0;
-  return { ...some, solid: some.solid && clear };
+  const solid = some.solid && clear;
+  // What stands for an endless index, which does not disperse: packed-scene/layer-values.ts.
+  const endless = some.ior === 1e6;
+  return { ...some, solid, ior: endless && solid ? 1e3 : some.ior, dispersion: endless ? 0 : some.dispersion };
 }
 
 /** All numbers as the table holds them. */
