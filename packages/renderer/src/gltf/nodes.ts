@@ -136,7 +136,22 @@ function partsOf(reading: Reading, index: number): SceneNode {
       ['nodes', index, 'rotation'],
       'A rotation is no unit quaternion; it is brought to length 1.',
     );
-  return { ...(translation && { translation }), ...(turn && { rotation: turn }), ...(scale && { scale }) };
+  return { ...(translation && { translation }), ...(turn && { rotation: turn }), ...(scale && { scale: thick(reading, index, scale) }) }; // biome-ignore format: one line
+}
+
+/** What is pressed quite flat, as painted shadows are, keeps this part of its extent: without any it has no normals. All zero: not there. */
+const THINNEST = 1e-4;
+
+function thick({ report }: Reading, index: number, scale: Vec3): Vec3 {
+  const least = THINNEST * Math.max(...scale.map(Math.abs));
+  if (least === 0 || !scale.includes(0)) return scale;
+  report.add(
+    'changed',
+    'scale',
+    ['nodes', index, 'scale'],
+    'A scale is 0 along some axes; it counts as a ten-thousandth of the greatest.',
+  );
+  return scale.map((x) => (x === 0 ? least : x)) as unknown as Vec3;
 }
 
 /** A node's own weights of its mesh's morph targets, or those of the mesh, or 0 for each. */
