@@ -70,8 +70,10 @@ export const LAYER_KINDS = ['none', 'clearcoat', 'sheenColor', 'anisotropy', 'tr
 /** The material without layers of other kinds. Diffuse transmission goes with transmission. */
 export function withOnly(m: LayeredMaterial, kind: (typeof LAYER_KINDS)[number]): LayeredMaterial {
   const clear = kind === 'transmission';
+  const solid = clear && m.solid;
   return {
     ...m,
+    ior: m.ior === 1e3 && !solid ? 1e6 : m.ior,
     clearcoat: kind === 'clearcoat' ? m.clearcoat : 0,
     // Bent with the base's; coats apart from it have a switch of their own.
     coatNormal: [0, 0, 1],
@@ -79,7 +81,7 @@ export function withOnly(m: LayeredMaterial, kind: (typeof LAYER_KINDS)[number])
     anisotropy: kind === 'anisotropy' ? m.anisotropy : 0,
     transmission: clear ? m.transmission : 0,
     diffuseTransmission: clear ? m.diffuseTransmission : 0,
-    solid: clear && m.solid,
+    solid,
     iridescence: kind === 'iridescence' ? m.iridescence : 0,
   };
 }
