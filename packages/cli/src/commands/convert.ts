@@ -1,4 +1,5 @@
 /** `mirrorball convert`: a scene in another format. */
+import { existsSync } from 'node:fs';
 import { mkdir } from 'node:fs/promises';
 import { basename, dirname, extname, join, relative, sep } from 'node:path';
 import { fromInterleaved, writeExr } from 'mirrorball/picture-files';
@@ -28,7 +29,8 @@ export async function convert(
 ): Promise<void> {
   const write = WRITERS[extname(output).toLowerCase()];
   if (write === undefined) throw usage(`${output}: a scene is written as .glb, .xml or .json.`);
-  await checkWritable(output);
+  // Files for Mitsuba are many: they may go into a folder of their own, which is made.
+  if (existsSync(dirname(output))) await checkWritable(output);
   const scene = await chosen(await requireSceneFile(file, terminal), options, terminal);
   const packing = startPreparation(terminal, output, 'images', 'packing images');
   const { files, report } = write(scene, { file, output, options, onProgress: (share) => packing.update(share) });
