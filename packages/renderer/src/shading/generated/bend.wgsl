@@ -6,7 +6,8 @@ const countShift = 28u;
 
 const placeMask = 0x0fffffffu;
 
-const manyThreads = 256u;
+// Of a workgroup that does all there is to do of a mesh: as many as the device allows, for all wait until the last is done.
+override manyThreads = 256u;
 
 // What a workgroup is to do. Those too many, which fill up the last row, get nothing.
 fn shareOf(group: vec3u, groups: vec3u) -> Share {
@@ -290,13 +291,13 @@ fn fitLevelsOf(mesh: BentMesh, first: u32, end: u32, thread: u32) {
 }
 
 // All levels from one on up to the root, which have few nodes each.
-@compute @workgroup_size(256) fn fitLevels(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(manyThreads) fn fitLevels(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
   fitLevelsOf(fetchBentMesh(share.mesh), share.first, share.end, thread);
 }
 
 // All of a small mesh.
-@compute @workgroup_size(256) fn bendMesh(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(manyThreads) fn bendMesh(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
   let mesh = fetchBentMesh(share.mesh);
   let vertices = select(0u, mesh.count, share.end > 0u);
@@ -316,7 +317,7 @@ fn fitLevelsOf(mesh: BentMesh, first: u32, end: u32, thread: u32) {
 // What bvh.ts takes for the cost of a node, 1, and of a triangle.
 const triangleCost = 1.25;
 
-var<workgroup> sums: array<f32, 256>;
+var<workgroup> sums: array<f32, manyThreads>;
 
 // Half the surface without the padding: packed-scene/tree-cost.ts.
 fn halfArea(box: Box, padding: f32) -> f32 {
@@ -325,7 +326,7 @@ fn halfArea(box: Box, padding: f32) -> f32 {
 }
 
 // What the tree costs by the surface area heuristic.
-@compute @workgroup_size(256) fn weighTree(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(manyThreads) fn weighTree(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
   let mesh = fetchBentMesh(share.mesh);
   let padding = bitcast<f32>(fetchBentPose(mesh.pose).padding);
