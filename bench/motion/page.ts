@@ -101,7 +101,11 @@ const countSubmits = (page: Page) =>
   page.addInitScript(() => {
     const counts = globalThis as unknown as { submits: number };
     counts.submits = 0;
-    for (const [of, name] of [[WebGL2RenderingContext.prototype, 'drawArrays'], [globalThis.GPUQueue?.prototype, 'submit']] as const) { // biome-ignore format: pairs
+    for (const [of, name] of [
+      [WebGL2RenderingContext.prototype, 'drawArrays'],
+      [globalThis.GPUQueue?.prototype, 'submit'],
+    ] as const) {
+      // biome-ignore format: pairs
       const methods = of as unknown as Record<string, (...values: unknown[]) => unknown> | undefined;
       const method = methods?.[name];
       if (!methods || !method) continue;
