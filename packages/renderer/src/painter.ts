@@ -8,6 +8,7 @@ import type { FrameController } from './frame-controller.ts';
 import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
 import { loadGeometryPacker } from './packed-scene/geometry-packer.ts';
 import { hasMeshes } from './packed-scene/refuse-meshes.ts';
+import { PosePace } from './pose-pace.ts';
 import { contentOf, isAov } from './programs.ts';
 import type { FrameStats } from './renderer-types.ts';
 import type { Moment } from './scene/motion.ts';
@@ -19,8 +20,6 @@ const MOST_IN_FLIGHT = 2;
 
 /** A film that shows an earlier time is by this much of no revision. */
 const LATE = 0.5;
-/** A pose that is this late, seconds, is not drawn if the device need not wait for a better one. */
-const LATEST = 0.05;
 
 /** Samples of one frame, where a call may add many. */
 const MOST_PER_FRAME = 64;
@@ -40,6 +39,7 @@ export class Painter {
   #inFlight = 0;
   /** What the film holds or is being given. */
   #record = NO_FILM;
+  readonly #pace = new PosePace();
   /** What the film was begun with. */
   #begun: { readonly moment: Moment; readonly timeless: number } | null = null;
   /** Of the picture's film, laid aside while another view is looked at. */
@@ -92,11 +92,14 @@ export class Painter {
     if (this.#needsSketch) return this.#waitForProgram();
     this.#turn();
     const size = this.#reserve(reduced);
-    const moment = this.#moment(late);
-    const outdated = this.#outdated(size, moment);
-    if (this.#awaitsPose(moment, outdated)) return;
-    if (outdated) this.#begin(size, moment);
-    else if (this.#enough()) return this.#rest();
+    const { moment, wanted } = this.#moments(late);
+    if (this.#outdated(size, moment)) {
+      this.#begin(size, moment);
+      if (moment === wanted) this.#askForNext();
+    } else if (moment !== wanted) {
+      // The picture shows this already, and there will be a better one in a moment.
+      return;
+    } else if (this.#enough()) return this.#rest();
     await this.#trace(unwanted);
     if (!this.#complete) await this.stages.ready(this.#easel.view.subject);
   }
@@ -133,18 +136,20 @@ export class Painter {
     this.#shownSize = { width: canvas.width, height: canvas.height };
   }
 
-  /** What the film is to show. */
-  #moment(late: boolean): Moment {
+  /** What is to be shown next, and what can be. */
+  #moments(late: boolean): { readonly moment: Moment; readonly wanted: Moment } {
     const { view } = this.#easel;
     const now = view.momentNow();
-    return late && this.#record.revision !== view.revision ? this.stages.posed(now) : now;
+    if (!late || this.#record.revision === view.revision) return { moment: now, wanted: now };
+    const wanted = this.#pace.wants(now, this.#inFlight > 0);
+    return { moment: this.stages.posed(wanted), wanted };
   }
 
-  /** Whether it is better to do nothing until meshes are bent: the picture shows this already, or the device has enough to do meanwhile. */
-  #awaitsPose(moment: Moment, outdated: boolean): boolean {
+  /** Has meshes bent for the next frame while the device draws this one, where they are bent elsewhere. */
+  #askForNext(): void {
     const now = this.#easel.view.momentNow();
-    if (moment === now) return false;
-    return !outdated || (this.#inFlight > 0 && Math.abs(now.time - moment.time) > LATEST);
+    if (!this.#pace.drawn(this.#inFlight > 0)) return;
+    if (this.#begun?.moment !== now && this.stages.posed(now) !== now) this.#pace.asked(now);
   }
 
   #outdated(size: { width: number; height: number }, moment: Moment): boolean {
