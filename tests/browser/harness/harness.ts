@@ -17,7 +17,7 @@ import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts'
 import { headlessFilms } from './headless.ts';
 import { layerFurnaces, layersFromBothEnds, layersOverSphere } from './layers/sphere.ts';
 import { probeLayerEdges, probeLayers, probeLayersAlone } from './layers/values.ts';
-import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
+import { playedFilms, playedLate, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
 import { pathFilms } from './path.ts';
@@ -56,6 +56,7 @@ export const harness = {
   pathFilms,
   pictureOf,
   playedFilms,
+  playedLate,
   playFrames,
   probeSampler,
   probeChoices,
