@@ -1442,12 +1442,13 @@ vec3 normalAt(RayPair p_7, float t_3, uint i_14) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
-        normal_1 = pick(_e47, (origin_10 + (t_3 * p_7.direction)), _e43);
+        vec3 outwards = (origin_10 + (t_3 * p_7.direction));
+        vec3 _e46 = normal_1;
+        bool _e53 = isSphere(i_14);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_7.direction), outwards), _e46);
     }
-    vec3 _e49 = normal_1;
-    return normalize(_e49);
+    vec3 _e55 = normal_1;
+    return normalize(_e55);
 }
 
 Surface fetchSurface(uint i_15) {

@@ -1690,12 +1690,13 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
-        normal_1 = pick(_e47, (origin_10 + (t_3 * p_8.direction)), _e43);
+        vec3 outwards = (origin_10 + (t_3 * p_8.direction));
+        vec3 _e46 = normal_1;
+        bool _e53 = isSphere(i_14);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_8.direction), outwards), _e46);
     }
-    vec3 _e49 = normal_1;
-    return normalize(_e49);
+    vec3 _e55 = normal_1;
+    return normalize(_e55);
 }
 
 Surface fetchSurface(uint i_15) {
@@ -2874,10 +2875,10 @@ LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_12) {
     BoxView _e3 = viewBox(e_19, point_15);
     vec4 _e4 = pointOnFaces(e_19, _e3, u_12);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
-    vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_19.u);
+    vec3 outwards_1 = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_19.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_23 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_23 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
     float pdf_4 = pick(_e3.inside, _e33, _e31);

@@ -882,7 +882,9 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
     normal = select(normal, turnedBack(e.a, face), isBox(i));
   }
   if (hasSpheres) {
-    normal = select(normal, origin + t * p.direction, isSphere(i));
+    // From so far away that its hits are rounded to its centre, a sphere faces the ray.
+    let outwards = origin + t * p.direction;
+    normal = select(normal, select(outwards, -p.direction, dot(outwards, outwards) == 0.0), isSphere(i));
   }
   return normalize(normal);
 }
