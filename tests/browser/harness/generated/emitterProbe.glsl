@@ -957,16 +957,16 @@ uint mixBits(uint x_4) {
 ChosenTriangle chooseTriangle(Emitter e_12, vec2 u_8) {
     uint _e4 = frame.lampTables;
     uint first = (_e4 + uint(e_12.table));
-    uint column_1 = min(uint((u_8.x * e_12.triangles)), (uint(e_12.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first + column_1));
+    uint column_2 = min(uint((u_8.x * e_12.triangles)), (uint(e_12.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_12.triangles);
-    float x_11 = clamp((((u_8.x * e_12.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
+    float x_11 = clamp((((u_8.x * e_12.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_2 = (x_11 < _e18.own);
     float rest_2 = pick(own_2, (x_11 / max(_e18.own, 1e-37)), ((x_11 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first + column_1) + place_4) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first + column_2) + place_4) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_4, density, vec2(min(rest_2, 1.0), u_8.y));
 }
@@ -1210,13 +1210,18 @@ LightSample sampleDirectional(Emitter e_16, vec2 u_11) {
     return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
 }
 
+vec4 environmentTexel(uint column_1, uint row_9) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_9)), 0);
+    return _e5;
+}
+
 vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_28 = (t_2.first + pair);
-    uint row_11 = (i_28 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_28 - (row_11 * width_2)), row_11)), 0);
-    return _e15;
+    uint row_12 = (i_28 / width_2);
+    vec4 _e12 = environmentTexel((i_28 - (row_12 * width_2)), row_12);
+    return _e12;
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
@@ -1235,7 +1240,7 @@ ChosenCell chooseCell(vec2 u_12) {
     uint high = 0u;
     uint step_ = 0u;
     vec2 ends = vec2(1.0);
-    Choice row_9 = Choice(0u, 0.0);
+    Choice row_10 = Choice(0u, 0.0);
     Choice chosen_1 = Choice(0u, 0.0);
     vec2 _e3 = frame.environmentSize;
     uvec2 size_1 = uvec2(_e3);
@@ -1315,8 +1320,8 @@ ChosenCell chooseCell(vec2 u_12) {
                 break;
             }
             Choice _e193 = chosen_1;
-            row_9 = _e193;
-            uint _e201 = row_9.entry;
+            row_10 = _e193;
+            uint _e201 = row_10.entry;
             t_3 = Table(((tables + ((size_1.y + 2u) / 2u)) + (_e201 * ((size_1.x + 1u) / 2u))), size_1.x);
             digits_1 = all_.x;
             fine_1 = (_e13 >> 20u);
@@ -1325,9 +1330,9 @@ ChosenCell chooseCell(vec2 u_12) {
         }
     }
     uint _e217 = chosen_1.entry;
-    uint _e219 = row_9.entry;
+    uint _e219 = row_10.entry;
     float _e222 = chosen_1.rest;
-    float _e224 = row_9.rest;
+    float _e224 = row_10.rest;
     return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
 }
 
@@ -1340,11 +1345,11 @@ Corners environmentCorners(uvec2 cell) {
     uint lower_1 = min(cell.y, (size_2.y - 1u));
     vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
-    return Corners((above_3 * _e52), (above_3 * _e57), (below_1 * _e62), (below_1 * _e67));
+    vec4 _e49 = environmentTexel(left_1, upper_1);
+    vec4 _e51 = environmentTexel(right, upper_1);
+    vec4 _e53 = environmentTexel(left_1, lower_1);
+    vec4 _e55 = environmentTexel(right, lower_1);
+    return Corners((above_3 * _e49), (above_3 * _e51), (below_1 * _e53), (below_1 * _e55));
 }
 
 float linearSample(float u_13, float a, float b_1) {
@@ -1594,8 +1599,8 @@ vec4 larger(vec4 a_1, vec4 b_2) {
     return intBitsToFloat(max(floatBitsToInt(a_1), floatBitsToInt(b_2)));
 }
 
-vec4 planes(uint row_10, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_10);
+vec4 planes(uint row_11, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_11);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
@@ -1662,12 +1667,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_12 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_12);
+    uint row_13 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_13);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity_1 = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_13 + materialTexturesRows));
         float _e43 = opacity_1;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity_1 = (_e43 * _e54.w);
@@ -2138,9 +2143,9 @@ float boxPdf(Emitter e_21, vec3 point_19, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_22, vec3 direction_11, float distance_4, vec3 normal_10, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
+    uint row_14 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
     float _e23 = areaPdf(e_22.area, (distance_4 * abs(dot(direction_11, normal_10))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_13);
+    LampTriangle _e24 = fetchLampTriangle(row_14);
     return (_e23 * _e24.density);
 }
 
@@ -2351,13 +2356,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_18) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_18.z, direction_18.y)), vec2(abs(direction_18.x), sine_5));
     float turn_2 = (pick((direction_18.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_18.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
+    float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_14 = floor(fromPole_1);
+    float row_15 = floor(fromPole_1);
     bool isLower_1 = (direction_18.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_14), row_14));
-    float within_2 = (fromPole_1 - row_14);
-    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_6.y - row_15), row_15));
+    float within_2 = (fromPole_1 - row_15);
+    vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
     return _e67;

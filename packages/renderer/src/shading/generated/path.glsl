@@ -1422,13 +1422,18 @@ LightSample sampleDirectional(Emitter e_16, vec2 u_11) {
     return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
 }
 
+vec4 environmentTexel(uint column_1, uint row_1) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_1)), 0);
+    return _e5;
+}
+
 vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_19 = (t_2.first + pair);
-    uint row_2 = (i_19 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_19 - (row_2 * width_2)), row_2)), 0);
-    return _e15;
+    uint row_3 = (i_19 / width_2);
+    vec4 _e12 = environmentTexel((i_19 - (row_3 * width_2)), row_3);
+    return _e12;
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
@@ -1447,7 +1452,7 @@ ChosenCell chooseCell(vec2 u_12) {
     uint high = 0u;
     uint step_ = 0u;
     vec2 ends = vec2(1.0);
-    Choice row_1 = Choice(0u, 0.0);
+    Choice row_2 = Choice(0u, 0.0);
     Choice chosen_1 = Choice(0u, 0.0);
     vec2 _e3 = frame.environmentSize;
     uvec2 size = uvec2(_e3);
@@ -1527,8 +1532,8 @@ ChosenCell chooseCell(vec2 u_12) {
                 break;
             }
             Choice _e193 = chosen_1;
-            row_1 = _e193;
-            uint _e201 = row_1.entry;
+            row_2 = _e193;
+            uint _e201 = row_2.entry;
             t_3 = Table(((tables + ((size.y + 2u) / 2u)) + (_e201 * ((size.x + 1u) / 2u))), size.x);
             digits_1 = all_.x;
             fine_1 = (_e13 >> 20u);
@@ -1537,9 +1542,9 @@ ChosenCell chooseCell(vec2 u_12) {
         }
     }
     uint _e217 = chosen_1.entry;
-    uint _e219 = row_1.entry;
+    uint _e219 = row_2.entry;
     float _e222 = chosen_1.rest;
-    float _e224 = row_1.rest;
+    float _e224 = row_2.rest;
     return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
 }
 
@@ -1552,11 +1557,11 @@ Corners environmentCorners(uvec2 cell) {
     uint lower = min(cell.y, (size_1.y - 1u));
     vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_1.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
-    return Corners((above_1 * _e52), (above_1 * _e57), (below * _e62), (below * _e67));
+    vec4 _e49 = environmentTexel(left, upper);
+    vec4 _e51 = environmentTexel(right, upper);
+    vec4 _e53 = environmentTexel(left, lower);
+    vec4 _e55 = environmentTexel(right, lower);
+    return Corners((above_1 * _e49), (above_1 * _e51), (below * _e53), (below * _e55));
 }
 
 float linearSample(float u_13, float a, float b_2) {
@@ -2217,13 +2222,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_6));
     float turn_1 = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
+    float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_3 = floor(fromPole_1);
+    float row_4 = floor(fromPole_1);
     bool isLower_1 = (direction_11.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_1), pick(isLower_1, (size_3.y - row_3), row_3));
-    float within_2 = (fromPole_1 - row_3);
-    vec2 at_2 = vec2((column_1 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
+    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_3.y - row_4), row_4));
+    float within_2 = (fromPole_1 - row_4);
+    vec2 at_2 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_6);
     return _e67;

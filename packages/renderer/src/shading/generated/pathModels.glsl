@@ -1265,12 +1265,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_11 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_11);
+    uint row_12 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_12);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
         float _e43 = opacity;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
@@ -1891,8 +1891,8 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     uint i_17 = 0u;
     vec2 place_2 = vec2(0.0);
     float _e4 = s_6.textures;
-    uint row_12 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_12);
+    uint row_13 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_13);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1901,7 +1901,7 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
-            TextureUse _e42 = fetchTextureUse(((row_12 + materialTexturesRows) + (_e38 * textureUseRows)));
+            TextureUse _e42 = fetchTextureUse(((row_13 + materialTexturesRows) + (_e38 * textureUseRows)));
             place_2 = uv_1.xy;
             const bool _e46 = hasVertexMore;
             if (_e46) {
@@ -2266,9 +2266,9 @@ LampTriangle fetchLampTriangle(uint row_8) {
 
 float meshPdf(Emitter e_7, vec3 direction_13, float distance_4, vec3 normal_5, uint place_3) {
     uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
+    uint row_14 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
     float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_13, normal_5))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_13);
+    LampTriangle _e24 = fetchLampTriangle(row_14);
     return (_e23 * _e24.density);
 }
 
@@ -2757,16 +2757,16 @@ LightSample sampleBox(Emitter e_16, vec3 point_15, vec2 u_12) {
 ChosenTriangle chooseTriangle(Emitter e_17, vec2 u_13) {
     uint _e4 = frame.lampTables;
     uint first_2 = (_e4 + uint(e_17.table));
-    uint column_1 = min(uint((u_13.x * e_17.triangles)), (uint(e_17.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first_2 + column_1));
+    uint column_2 = min(uint((u_13.x * e_17.triangles)), (uint(e_17.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_17.triangles);
-    float x_25 = clamp((((u_13.x * e_17.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
+    float x_25 = clamp((((u_13.x * e_17.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_10 = (x_25 < _e18.own);
     float rest_2 = pick(own_10, (x_25 / max(_e18.own, 1e-37)), ((x_25 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_8 = pick(own_10, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_1) + place_8) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
 }
@@ -2877,13 +2877,18 @@ LightSample sampleDirectional(Emitter e_21, vec2 u_16) {
     return LightSample(_e10.direction, 1e30, e_21.radiance, pick(delta, 1.0, (1.0 / max(e_21.area, 1e-31))), delta);
 }
 
+vec4 environmentTexel(uint column_1, uint row_10) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_10)), 0);
+    return _e5;
+}
+
 vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_27 = (t_5.first + pair);
-    uint row_14 = (i_27 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_27 - (row_14 * width_2)), row_14)), 0);
-    return _e15;
+    uint row_15 = (i_27 / width_2);
+    vec4 _e12 = environmentTexel((i_27 - (row_15 * width_2)), row_15);
+    return _e12;
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
@@ -2902,7 +2907,7 @@ ChosenCell chooseCell(vec2 u_17) {
     uint high = 0u;
     uint step_ = 0u;
     vec2 ends = vec2(1.0);
-    Choice row_10 = Choice(0u, 0.0);
+    Choice row_11 = Choice(0u, 0.0);
     Choice chosen_1 = Choice(0u, 0.0);
     vec2 _e3 = frame.environmentSize;
     uvec2 size_6 = uvec2(_e3);
@@ -2982,8 +2987,8 @@ ChosenCell chooseCell(vec2 u_17) {
                 break;
             }
             Choice _e193 = chosen_1;
-            row_10 = _e193;
-            uint _e201 = row_10.entry;
+            row_11 = _e193;
+            uint _e201 = row_11.entry;
             t_6 = Table(((tables + ((size_6.y + 2u) / 2u)) + (_e201 * ((size_6.x + 1u) / 2u))), size_6.x);
             digits_1 = all_.x;
             fine_1 = (_e13 >> 20u);
@@ -2992,9 +2997,9 @@ ChosenCell chooseCell(vec2 u_17) {
         }
     }
     uint _e217 = chosen_1.entry;
-    uint _e219 = row_10.entry;
+    uint _e219 = row_11.entry;
     float _e222 = chosen_1.rest;
-    float _e224 = row_10.rest;
+    float _e224 = row_11.rest;
     return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
 }
 
@@ -3007,11 +3012,11 @@ Corners environmentCorners(uvec2 cell) {
     uint lower_1 = min(cell.y, (size_7.y - 1u));
     vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_7.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
-    return Corners((above_3 * _e52), (above_3 * _e57), (below_1 * _e62), (below_1 * _e67));
+    vec4 _e49 = environmentTexel(left_1, upper_1);
+    vec4 _e51 = environmentTexel(right, upper_1);
+    vec4 _e53 = environmentTexel(left_1, lower_1);
+    vec4 _e55 = environmentTexel(right, lower_1);
+    return Corners((above_3 * _e49), (above_3 * _e51), (below_1 * _e53), (below_1 * _e55));
 }
 
 float linearSample(float u_18, float a_3, float b_5) {
@@ -4453,13 +4458,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_16) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_16.z, direction_16.y)), vec2(abs(direction_16.x), sine_8));
     float turn_2 = (pick((direction_16.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_16.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_9.x) + 0.5);
+    float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_9.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_9.y / 3.1415927)) + 0.5);
-    float row_15 = floor(fromPole_1);
+    float row_16 = floor(fromPole_1);
     bool isLower_1 = (direction_16.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_9.y - row_15), row_15));
-    float within_3 = (fromPole_1 - row_15);
-    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_9.y - row_16), row_16));
+    float within_3 = (fromPole_1 - row_16);
+    vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_8);
     return _e67;
