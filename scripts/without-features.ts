@@ -18,13 +18,14 @@ export function withoutFeatures(wgsl: string, off: readonly string[]): string {
  */
 function withoutSingleTurns(wgsl: string, off: ReadonlySet<string>): string {
   let text = wgsl;
-  for (const [whole, name] of wgsl.matchAll(/\bif \(!(\w+)\) \{\s*break;\s*\}/g)) {
-    const at = text.indexOf(whole);
-    if (!off.has(name!) || at < 0) continue;
-    const open = openingAround(text, at);
-    const before = text.slice(open + 1, at);
+  const end = /\bif \(!(\w+)\) \{\s*break;\s*\}/g;
+  for (let found = end.exec(text); found; found = end.exec(text)) {
+    if (!off.has(found[1]!)) continue;
+    const open = openingAround(text, found.index);
+    const before = text.slice(open + 1, found.index);
     if (!/\bloop $/.test(text.slice(0, open)) || leaves(before)) continue;
     text = `${text.slice(0, open - 'loop '.length)}{${before}}${text.slice(closing(text, open) + 1)}`;
+    end.lastIndex = open;
   }
   return text;
 }
