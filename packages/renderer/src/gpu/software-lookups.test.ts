@@ -31,16 +31,6 @@ describe('wgslForSoftware', () => {
     );
   });
 
-  it('leaves out the entries of compute passes, where no level can be left to a sampler', () => {
-    const text = (entry: string) => `fn f() { textureSample(t,n,x); }\n${entry}fn g() {}`;
-    const given = text(
-      '@compute @workgroup_size(8) fn many(@builtin(local_invocation_index) i: u32) { loop { f(); } }\n',
-    );
-    expect(wgslForSoftware(given.replace('Sample(t,n,x)', 'SampleLevel(t,n,x,0.0)'))).toBe(
-      `diagnostic(off,derivative_uniformity);\n${text('\n')}`,
-    );
-  });
-
   it('leaves a text without lookups alone', () => {
     expect(wgslForSoftware('fn f() {}')).toBe('fn f() {}');
   });

@@ -22,25 +22,12 @@ export function glslForSoftware(glsl: string, textures: readonly string[]): stri
   return text.replace(/^#version .*\n/, (line) => line + steps);
 }
 
-/** Of the entry of a fragment stage. That of a compute pass beside it may not leave the level to the sampler, so it is left out. */
+/** Of the entry of a fragment stage. */
 export function wgslForSoftware(wgsl: string): string {
-  const text = replaceCalls(withoutComputeEntries(wgsl), 'textureSampleLevel', ([texture, sampler, place]) => {
+  const text = replaceCalls(wgsl, 'textureSampleLevel', ([texture, sampler, place]) => {
     return `textureSample(${texture},${sampler},${place})`;
   });
   return text === wgsl ? wgsl : `diagnostic(off,derivative_uniformity);\n${text}`;
-}
-
-function withoutComputeEntries(wgsl: string): string {
-  const begin = wgsl.indexOf('@compute');
-  if (begin < 0) return wgsl;
-  let end = wgsl.indexOf('{', begin) + 1;
-  for (let depth = 1; depth > 0; end++) {
-    const letter = wgsl[end];
-    if (letter === undefined) throw new Error('A compute entry does not end.');
-    if (letter === '{') depth++;
-    else if (letter === '}') depth--;
-  }
-  return wgsl.slice(0, begin) + withoutComputeEntries(wgsl.slice(end));
 }
 
 /** Every call of a function by what `write` makes of its arguments, in which calls of it are replaced as well. */
