@@ -31,6 +31,11 @@ describe('wgslForSoftware', () => {
     );
   });
 
+  it('leaves a text alone that has a compute pass too, which must name the level', () => {
+    const wgsl = 'fn f() { textureSampleLevel(t, s, p, 0.0); } @compute @workgroup_size(1) fn g() { f(); }';
+    expect(wgslForSoftware(wgsl)).toBe(wgsl);
+  });
+
   it('leaves a text without lookups alone', () => {
     expect(wgslForSoftware('fn f() {}')).toBe('fn f() {}');
   });

@@ -22,8 +22,9 @@ export function glslForSoftware(glsl: string, textures: readonly string[]): stri
   return text.replace(/^#version .*\n/, (line) => line + steps);
 }
 
-/** Of the entry of a fragment stage. */
+/** Of the entry of a fragment stage. A module that has a compute pass too stays as it is: such passes must name the level. */
 export function wgslForSoftware(wgsl: string): string {
+  if (/@compute\b/.test(wgsl)) return wgsl;
   const text = replaceCalls(wgsl, 'textureSampleLevel', ([texture, sampler, place]) => {
     return `textureSample(${texture},${sampler},${place})`;
   });

@@ -209,6 +209,8 @@ const facets = (alpha: number) => [string('distribution', 'ggx'), float('alpha',
 function inside({ attenuationColor, attenuationDistance, thin }: Material): { medium?: Element } {
   if (thin || attenuationDistance === 0 || attenuationColor.every((x) => x === 1)) return {};
   const sigma = attenuationColor.map((x) => -Math.log(Math.max(x, 1e-6)) / attenuationDistance);
-  const medium = plugin('medium', 'homogeneous', [rgb('albedo', [0, 0, 0]), rgb('sigma_t', sigma), boolean('sample_emitters', true)], { name: 'interior' }); // biome-ignore format: one expression
+  // Mitsuba takes no colour above 1 here, and multiplies by `scale`.
+  const most = Math.max(...sigma, 1);
+  const medium = plugin('medium', 'homogeneous', [rgb('albedo', [0, 0, 0]), rgb('sigma_t', sigma.map((x) => x / most)), float('scale', most), boolean('sample_emitters', true)], { name: 'interior' }); // biome-ignore format: one expression
   return { medium };
 }

@@ -109,12 +109,17 @@ describe('materials', () => {
     expect(report.some(({ message }) => message.includes('scene.py adds it'))).toBe(python);
   });
   test('glass that absorbs has a medium, and an integrator that knows media', () => {
-    const xml = textIn(material({ type: 'dielectric', attenuationColor: [0.5, 1, 0.25], attenuationDistance: 2 }));
-    expect(xml).toContain('<integrator type="volpathmis">');
-    const sigma = /"sigma_t" value="([^"]*)"/.exec(xml)![1]!.split(', ').map(Number);
-    sigma.forEach((s, c) => {
-      expect(Math.exp(-2 * s)).toBeCloseTo([0.5, 1, 0.25][c]!, 9);
-    });
+    for (const distance of [2, 0.1]) {
+      const xml = textIn(material({ type: 'dielectric', attenuationColor: [0.5, 1, 0.25], attenuationDistance: distance })); // biome-ignore format: one line
+      expect(xml).toContain('<integrator type="volpathmis">');
+      const sigma = /"sigma_t" value="([^"]*)"/.exec(xml)![1]!.split(', ').map(Number);
+      const scale = Number(/"scale" value="([^"]*)"/.exec(xml)![1]);
+      // More it does not take.
+      expect(Math.max(...sigma)).toBeLessThanOrEqual(1);
+      sigma.forEach((s, c) => {
+        expect(Math.exp(-distance * s * scale)).toBeCloseTo([0.5, 1, 0.25][c]!, 9);
+      });
+    }
   });
   test('what is lost is named', () => {
     const { report } = writeMitsuba(
