@@ -42,10 +42,9 @@ var<private> ownSums: array<vec3f, 8>;
 
 var<private> ownSquares: array<vec3f, 8>;
 
-// All shares of one group.
-var<workgroup> sums: array<vec3f, 128>;
-
-var<workgroup> squares: array<vec3f, 128>;
+// Shares of one group, sum and squares one after the other, which a pixel's threads hand to the first of them. Not in shared memory: code
+// that sets it to zero element by element takes Windows' compiler (FXC) longer than all the rest.
+@group(0) @binding(10) var<storage, read_write> handed: array<vec4f>;
 
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let shares = frame.shares;
@@ -84,21 +83,25 @@ var<workgroup> squares: array<vec3f, 128>;
     square = textureLoad(previousSquares, texel, 0);
   }
   let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
+  let first = (inRegion.y * region.y + inRegion.x) * shares;
+  let own = 2u * (first + thread % shares);
   for (var g = 0u; g < groups; g++) {
-    sums[thread] = ownSums[g];
-    squares[thread] = ownSquares[g];
-    workgroupBarrier();
+    if (inside & !adds) {
+      handed[own] = vec4f(ownSums[g], 0.0);
+      handed[own + 1u] = vec4f(ownSquares[g], 0.0);
+    }
+    storageBarrier();
     if (adds) {
-      var groupSum = sums[thread];
-      var groupSquare = squares[thread];
-      for (var i = thread + 1u; i < thread + shares; i++) {
-        groupSum += sums[i];
-        groupSquare += squares[i];
+      var groupSum = ownSums[g];
+      var groupSquare = ownSquares[g];
+      for (var i = first + 1u; i < first + shares; i++) {
+        groupSum += handed[2u * i].xyz;
+        groupSquare += handed[2u * i + 1u].xyz;
       }
       sum += vec4f(groupSum, 0.0);
       square += vec4f(groupSquare, 0.0);
     }
-    workgroupBarrier();
+    storageBarrier();
   }
   if (!adds) {
     return;
