@@ -369,7 +369,11 @@ class WebGpuDevice implements Device {
     if (this.#handed && this.#handed.size >= bytes) return this.#handed;
     if (this.#handed) this.#handed.destroy();
     else this.counts.buffers++;
-    this.#handed = this.#device.createBuffer({ label: 'handed', size: Math.max(bytes, 16), usage: GPUBufferUsage.STORAGE });
+    this.#handed = this.#device.createBuffer({
+      label: 'handed',
+      size: Math.max(bytes, 16),
+      usage: GPUBufferUsage.STORAGE,
+    });
     return this.#handed;
   }
 
