@@ -339,7 +339,7 @@ class WebGpuDevice implements Device {
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
     const { width, firstRow, rowCount, tile = [8, 8], shares = 1 } = region;
-    const rowBytes = shares > 1 ? width * shares * pass.handedRows * 16 : 0;
+    const rowBytes = width * shares * pass.handedRows * 16;
     // Whole rows of workgroups.
     const most = Math.max(Math.floor(HANDED_BYTES / rowBytes / tile[1]), 1) * tile[1];
     for (let row = 0; row < rowCount; row += most) {
@@ -364,14 +364,14 @@ class WebGpuDevice implements Device {
     return this.#region;
   }
 
-  /** Grows with what is asked for; where a pixel has one thread it is not used. */
+  /** Grows with what is asked for. */
   #roomFor(bytes: number): GPUBuffer {
     if (this.#handed && this.#handed.size >= bytes) return this.#handed;
     if (this.#handed) this.#handed.destroy();
     else this.counts.buffers++;
     this.#handed = this.#device.createBuffer({
       label: 'handed',
-      size: Math.max(bytes, 16),
+      size: bytes,
       usage: GPUBufferUsage.STORAGE,
     });
     return this.#handed;
