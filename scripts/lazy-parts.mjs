@@ -31,8 +31,8 @@ const PARTS = [
   {
     name: 'saving',
     importer: join(studio, 'saving/load-written.ts'),
-    asked: './written.ts',
-    entry: join(studio, 'saving/written.ts'),
+    asked: './write-in-worker.ts',
+    entry: join(studio, 'saving/write-in-worker.ts'),
   },
   {
     name: 'scene-tools',

@@ -27,6 +27,8 @@ export const en = {
   folderUnreadable:
     'The browser does not let this page read the folder. Choose it with “Open a folder…”, or drop it as a zip.',
   skyWaits: 'The picture is the environment now. To see its light, choose “Path tracing” as the method.',
+  modelLost: (file: string) =>
+    `The page keeps no files when it is loaded again: open ${file} once more to go on with it.`,
   tooManyFiles: 'The folder holds more than 10,000 files. Choose the model’s own folder.',
 
   opening: (file: string) => `Opening ${file}`,
@@ -47,7 +49,6 @@ export const en = {
   factTextures: 'Textures',
   factMemory: 'Memory',
   count: (n: number) => n.toLocaleString('en'),
-  megabytes: (n: string) => `${n} MB`,
   camera: 'Camera',
   cameraFramed: 'Everything in view',
   clip: 'Animation',
@@ -70,7 +71,9 @@ export const en = {
   saving: 'A file is being made.',
   savePicture: 'A .png holds the picture alone: choose “Picture” above, or save an .exr.',
   saved: (file: string, report: readonly ExportEntry[]) =>
-    [`${file} is saved. What its format lacks:`, ...report.map(({ message }) => message)].join('\n'),
+    [`${file} is saved. What its format lacks or says otherwise:`, ...report.map(({ message }) => `• ${message}`)].join(
+      '\n',
+    ),
   notSaved: (reason: string) => `Nothing was saved: ${reason}`,
 
   environment: 'Environment',
@@ -181,6 +184,8 @@ export const en = {
 
   problemsTitle: (file: string) => `${file} could not be opened`,
   problemsIntro: 'This is what is wrong with it. The scene before keeps running.',
+  missingFiles:
+    'It names these files, which did not come with it. Choose them together with it, or open their folder or a zip of it. The scene before keeps running.',
   problem: ({ message }: Problem) => message,
   wholeFile: '(whole file)',
   copy: 'Copy',

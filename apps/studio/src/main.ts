@@ -6,6 +6,7 @@ import { builtInScene, sceneIds } from './built-in-scenes.ts';
 import { followScene } from './environment.ts';
 import { dictionary, startLanguage } from './i18n.ts';
 import { notify, reasonOf } from './notices.ts';
+import { followModel } from './opening/lost-model.ts';
 import { followPointers } from './pointer-gestures.ts';
 import { drawnImageSamples, followRenderer, followState, openSession } from './session.ts';
 import { followKeys } from './shortcuts.ts';
@@ -43,6 +44,7 @@ function start(): void {
   followState();
   followRenderer();
   followScene();
+  followModel();
   followKeys();
   followPointers(document.getElementById('stage')!);
   if (parameters.ui) mountAfter(session);

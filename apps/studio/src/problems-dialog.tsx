@@ -19,12 +19,18 @@ async function copyText(text: string): Promise<boolean> {
   }
 }
 
+/** What a file names and what did not come with it; a model may name dozens, and one sentence is enough for all. */
+const MISSING = /it is missing: open (.+) together with/;
+const missingFile = ({ message }: Problem): string | null => MISSING.exec(message)?.[1] ?? null;
+
 /** Everything that is wrong with a scene file that was refused. */
 export function ProblemsDialog() {
   const t = dictionary.value;
   const copied = useSignal(false);
   const file = refusedFile.value;
   const problems = file?.problems ?? [];
+  const missing = problems.map(missingFile).filter((name) => name !== null);
+  const others = problems.filter((problem) => missingFile(problem) === null);
   const close = (): void => {
     refusedFile.value = null;
     copied.value = false;
@@ -41,12 +47,26 @@ export function ProblemsDialog() {
   );
   return (
     <Dialog id="problems" title={t.problemsTitle(file?.name ?? '')} open={file} onClose={close} actions={copy}>
-      <p>{t.problemsIntro}</p>
-      <ol class="problems">
-        {problems.map((problem, i) => (
-          <ProblemItem key={i} {...problem} />
-        ))}
-      </ol>
+      {missing.length > 0 && (
+        <>
+          <p>{t.missingFiles}</p>
+          <ul class="problems missing">
+            {[...new Set(missing)].map((name) => (
+              <li key={name}>{name}</li>
+            ))}
+          </ul>
+        </>
+      )}
+      {others.length > 0 && (
+        <>
+          <p>{t.problemsIntro}</p>
+          <ol class="problems">
+            {others.map((problem, i) => (
+              <ProblemItem key={i} {...problem} />
+            ))}
+          </ol>
+        </>
+      )}
     </Dialog>
   );
 }

@@ -15,6 +15,9 @@ const forms: readonly Form[] = [
     /^A node says that it and all that it carries are not visible/,
     () => '有节点被标为不可见，连同其下的内容一并略去。',
   ],
+  [/^A node of the scene is carried by one that is not in the scene/, () => '场景的节点由不在场景中的节点承载，按独立节点处理。'], // biome-ignore format: one line each
+  [/^A scale is 0 along some axes/, () => '有缩放在某些轴上为 0，按最大分量的万分之一处理。'],
+  [/^Nothing in the file has a surface/, () => '文件中没有任何表面，因此没有可见的物体。'],
   [/^A rotation is no unit quaternion/, () => '有旋转不是单位四元数，已归一化。'],
   [/^The scene shown uses some of the file's (\w+) only\.$/, (list) => `当前场景只用到文件中的一部分 ${list}。`],
   [/^(\S+) is (\S+) where (\S+) to (\S+) is allowed; it counts as (\S+)\.$/, (what, value, least, most, kept) => `${what} 的值 ${value} 超出 ${least} 到 ${most} 的范围，按 ${kept} 处理。`], // biome-ignore format: one line each

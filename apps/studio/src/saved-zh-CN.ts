@@ -4,6 +4,17 @@ import type { ExportEntry } from 'mirrorball/scene-export';
 
 type Form = readonly [pattern: RegExp, say: (...parts: string[]) => string];
 
+/** Layers of materials. */
+const LAYERS: Readonly<Record<string, string>> = {
+  transmission: '透射',
+  'diffuse transmission': '漫透射',
+  clearcoat: '清漆',
+  sheen: '绒面光泽',
+  anisotropy: '各向异性',
+  iridescence: '薄膜虹彩',
+  dispersion: '色散',
+};
+
 const forms: readonly Form[] = [
   [/^Light of glTF comes from one direction/, () => 'glTF 的平行光没有角度大小，太阳不再有圆面。'],
   [/^glTF has no equirectangular camera/, () => 'glTF 没有全景相机。'],
@@ -32,14 +43,18 @@ const forms: readonly Form[] = [
   [/^What moves stands still as it is at (.*) s\.$/, (time) => `动画停在 ${time} 秒时的状态。`],
   [/^The classic integrator has other light/, () => 'Mitsuba 使用路径追踪，光照与经典光线追踪不同。'],
   [/^The file has linear light/, () => '文件中是线性光，曝光和色调映射由查看者决定。'],
-  [/^Mitsuba has no such BSDF of its own: (\S+) adds it/, (program) => `Mitsuba 没有这种材质，由 ${program} 补充，请运行 python ${program} 渲染。`], // biome-ignore format: one line each
+  [/^Mitsuba has not all of this by itself: (.+) adds it/, (program) => `Mitsuba 缺少的部分由 ${program} 补充，请运行 python ${program} 渲染。`], // biome-ignore format: one line each
   [/^It shines to its front side only/, () => '只有正面发光。'],
-  [/^Mitsuba's file has no (.*)\.$/, (layer) => `Mitsuba 文件不含 ${layer}。`],
+  [/^Mitsuba's file has no (.*)\.$/, (layer) => `Mitsuba 文件不含${LAYERS[layer] ?? layer}。`],
+  [/^Normal maps of meshes at several places/, () => '多处放置的网格，以及没有切线的网格，不含法线贴图。'],
+  [/^Glass has no textures there/, () => '玻璃不含贴图。'],
+  [/^A texture goes on beyond its edges/, () => '贴图在 v 方向的铺法与 u 方向相同。'],
+  [/^What is cut out of a lamp/, () => '发光物体被镂空的部分仍会发光。'],
+  [/^Light does not vary by colours of vertices/, () => '发光不随顶点颜色或第二组纹理坐标变化。'],
   [/^Light that single scattering loses/, () => '不含能量补偿（energyCompensation）。'],
   [/^Glass has no mirror layer/, () => '玻璃没有镜面层（reflectivity）。'],
   [/^A thin pane is smooth/, () => '薄板变为光滑表面。'],
   [/^Mitsuba warns of a rectangle/, () => '不是矩形的平行四边形，Mitsuba 会发出警告，光照可能不同。'],
-  [/^Colours of vertices/, () => '顶点颜色写在文件中，但不会被使用。'],
   [/^The edge of a spot/, () => '聚光灯的边缘随角度线性变暗。'],
   [/^The sun is a point/, () => '太阳是无穷远处的一点：阴影边缘清晰，本身不可见。'],
 ];

@@ -23,6 +23,7 @@ export const zhCN: Dictionary = {
   dropHere: '松开即可打开模型（连同用到的文件）、文件夹或 zip；.hdr、.exr 用作环境光',
   folderUnreadable: '浏览器不允许本页读取拖入的文件夹，请用“打开文件夹…”选择，或打包成 zip 再拖入。',
   skyWaits: '图片已设为环境光。要看到它的光照，请把渲染方法改为“路径追踪”。',
+  modelLost: (file) => `页面重新加载后不保留文件，请重新打开 ${file}。`,
   tooManyFiles: '该文件夹中的文件超过 10,000 个，请只选择模型所在的文件夹。',
 
   opening: (file) => `正在打开 ${file}`,
@@ -43,7 +44,6 @@ export const zhCN: Dictionary = {
   factTextures: '贴图',
   factMemory: '占用内存',
   count: (n) => n.toLocaleString('zh-CN'),
-  megabytes: (n) => `${n} MB`,
   camera: '相机',
   cameraFramed: '显示全部',
   clip: '动画片段',
@@ -65,7 +65,8 @@ export const zhCN: Dictionary = {
   },
   saving: '正在生成文件。',
   savePicture: '.png 只能保存画面，请先把“显示内容”改回“画面”，或保存为 .exr。',
-  saved: (file, report) => [`已保存 ${file}。该格式有以下不同：`, ...report.map(savedText)].join('\n'),
+  saved: (file, report) =>
+    [`已保存 ${file}。该格式有以下不同：`, ...report.map((entry) => `• ${savedText(entry)}`)].join('\n'),
   notSaved: (reason) => `保存失败：${reason}`,
 
   environment: '环境光',
@@ -175,6 +176,7 @@ export const zhCN: Dictionary = {
 
   problemsTitle: (file) => `无法打开 ${file}`,
   problemsIntro: '发现以下问题，原来的场景不受影响。',
+  missingFiles: '还缺少它引用的以下文件。请把这些文件和它一起选中，或打开它们所在的文件夹或 zip。原来的场景不受影响。',
   problem: problemText,
   wholeFile: '（整个文件）',
   copy: '复制',

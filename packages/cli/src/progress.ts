@@ -66,34 +66,41 @@ export function startProgress(terminal: Terminal, goal: Goal, now = () => perfor
   };
 }
 
-/** Work before the first sample of which the share that is done is known. */
+/** Work before the first sample, or before a file is written, of which the share that is done is known. */
 export interface Preparation {
   update(share: number): void;
   /** Takes the bar away. */
   stop(): void;
 }
 
-/** Trees over the meshes of a picture. Nothing is told where it takes no longer than a moment. */
-export function startTrees(terminal: Terminal, picture: string, now = () => performance.now() / 1000): Preparation {
+/** Nothing is told where it takes no longer than a moment. `doing`: for people. */
+export function startPreparation(
+  terminal: Terminal,
+  picture: string,
+  step: 'trees' | 'images',
+  doing: string,
+  now = () => performance.now() / 1000,
+): Preparation {
   const started = now();
   let told = started;
   let bar: SingleBar | null = null;
   const every = terminal.json ? OBJECT_EVERY : LINE_EVERY;
   return {
     update(share) {
-      if (terminal.live && now() - started >= MOMENT) bar ??= openTreeBar(picture);
+      if (terminal.live && now() - started >= MOMENT)
+        bar ??= startBar(`${basename(picture)} [{bar}] {percentage} %  ${doing}`, 100, 0);
       bar?.update(Math.floor(100 * share));
       if (bar || now() - told < every) return;
       told = now();
-      terminal.event('preparing', { picture, step: 'trees', done: share });
-      terminal.note(`${picture}: building trees, ${Math.floor(100 * share)} %`);
+      terminal.event('preparing', { picture, step, done: share });
+      terminal.note(`${picture}: ${doing}, ${Math.floor(100 * share)} %`);
     },
     stop: () => bar?.stop(),
   };
 }
 
-const openTreeBar = (picture: string): SingleBar =>
-  startBar(`${basename(picture)} [{bar}] {percentage} %  building trees`, 100, 0);
+export const startTrees = (terminal: Terminal, picture: string, now?: () => number): Preparation =>
+  startPreparation(terminal, picture, 'trees', 'building trees', now);
 
 function openBar({ picture, held, wanted }: Goal): SingleBar {
   const format = `${basename(picture)} [{bar}] {value}/{total} samples  error {error}  {left} left`;

@@ -160,7 +160,7 @@ describe('exit codes', () => {
     ['validate cube-room', 0],
     ['', 2],
     ['rendr', 2],
-    ['render cube-room', 2],
+    ['render cube-room --frames 0-1', 2],
     ['render cube-room -o x.tiff', 2],
     ['render cube-room -o none/x.exr', 2],
     ['render none.json -o x.exr', 2],

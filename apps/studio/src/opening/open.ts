@@ -35,11 +35,14 @@ export async function openFiles(coming: Promise<readonly PathFile[]> | readonly 
   }
 }
 
+/** Of files that come together the model's, not that of its numbers or textures. */
+const IS_MODEL = /\.(json|gl(b|tf)|obj|ply|stl|zip)$/i;
+
 /** The file's, or that of the folder in which all of them lie. */
 function nameOf(files: readonly PathFile[]): string {
-  const [first] = files;
-  const folder = first!.path.split('/')[0]!;
-  return files.length > 1 && files.every(({ path }) => path.startsWith(`${folder}/`)) ? folder : first!.file.name;
+  const first = files.find(({ path }) => IS_MODEL.test(path)) ?? files[0]!;
+  const folder = first.path.split('/')[0]!;
+  return files.length > 1 && files.every(({ path }) => path.startsWith(`${folder}/`)) ? folder : first.file.name;
 }
 
 const tell = (phase: Phase, share: number): void => {

@@ -34,6 +34,10 @@ export function ModelSection() {
   );
 }
 
+/** Megabytes, or of small things kilobytes. */
+const amount = (bytes: number): string =>
+  bytes < 1e5 ? `${Math.ceil(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+
 function Facts({ shown: { fileName, report, bytes = 0 } }: { shown: Shown }) {
   const t = dictionary.value;
   const { triangles = 0, materials = 0, images = 0 } = report?.counts ?? {};
@@ -42,7 +46,7 @@ function Facts({ shown: { fileName, report, bytes = 0 } }: { shown: Shown }) {
     [t.factTriangles, t.count(triangles)],
     [t.factMaterials, t.count(materials)],
     [t.factTextures, t.count(images)],
-    [t.factMemory, t.megabytes((bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0))],
+    [t.factMemory, amount(bytes)],
   ];
   return (
     <dl id="model-facts" class="facts">
@@ -104,9 +108,7 @@ function Report({ report }: { report: ImportReport }) {
       <ul>
         {report.entries.map((entry) => (
           <li key={`${entry.kind} ${entry.what} ${entry.message}`}>
-            <strong>
-              {t.reportKinds[entry.kind]}: {entry.what}
-            </strong>
+            <strong>{t.reportKinds[entry.kind]}</strong> <code>{entry.what}</code>
             <p>{t.reportEntry(entry)}</p>
           </li>
         ))}

@@ -1,3 +1,3 @@
-import type * as Files from './written.ts';
+import type * as Files from './write-in-worker.ts';
 
-export const loadWritten = (): Promise<typeof Files> => import('./written.ts');
+export const loadWritten = (): Promise<typeof Files> => import('./write-in-worker.ts');

@@ -4,61 +4,65 @@ import type { Renderer, Scene, ShownFilm } from 'mirrorball';
 import { readyToReport, sceneName } from '../i18n.ts';
 import { dismiss, notify, reasonOf } from '../notices.ts';
 import { exposure, openShares, playing, renderer, shown, toneMapping, viewMoved } from '../state.ts';
+import type { SavedAs, SavingJob } from './job.ts';
 import { loadWritten } from './load-written.ts';
-import type { OnShow, SavedAs } from './written.ts';
 
-/** What is being saved. */
-export const saving = signal<SavedAs | null>(null);
+/** Share of what is being saved that is done; null when nothing is. */
+export const saving = signal<number | null>(null);
+let current: AbortController | null = null;
+
+export const cancelSaving = (): void => current?.abort();
 
 /** A picture of what moves gets so many samples, as far as there is time, milliseconds. */
 const SAMPLES = 16;
 const PATIENCE_MS = 2000;
 
 export async function save(as: SavedAs): Promise<void> {
-  const current = renderer.peek();
+  const drawing = renderer.peek();
   const now = shown.peek();
-  if (saving.peek() !== null || !current?.scene || !now) return;
-  saving.value = as;
+  if (saving.peek() !== null || !drawing?.scene || !now) return;
+  saving.value = 0;
+  current = new AbortController();
+  const { signal } = current;
   dismiss('save');
   try {
-    const { written } = await loadWritten();
+    const { writeInWorker } = await loadWritten();
     const name = fileName(now.fileName ?? sceneName(now.id, now.scene.name));
-    const { ending, blob, report } = await written(as, name, onShow(current, current.scene));
+    const job = await jobFor(as, name, drawing, drawing.scene);
+    const { ending, blob, report } = await writeInWorker(job, (share) => (saving.value = share), signal);
     await readyToReport();
     download(`${name}${ending}`, blob);
     if (report.length > 0) notify('save', (t) => t.saved(`${name}${ending}`, report));
   } catch (error) {
-    notify('save', (t) => t.notSaved(reasonOf(error)));
+    if (!signal.aborted) notify('save', (t) => t.notSaved(reasonOf(error)));
   } finally {
     saving.value = null;
   }
 }
 
-function onShow(current: Renderer, scene: Scene): OnShow {
-  const { time, camera, canvas } = current;
+async function jobFor(as: SavedAs, name: string, drawing: Renderer, scene: Scene): Promise<SavingJob> {
+  const { time, camera, canvas } = drawing;
   const [across, down] = openShares.peek();
-  return {
-    // A view that was moved belongs to no node.
-    scene: viewMoved.peek() ? { ...scene, camera } : scene,
-    time,
-    width: Math.max(Math.round(canvas.width * across), 1),
-    height: Math.max(Math.round(canvas.height * down), 1),
-    exposure: exposure.peek(),
-    toneMapping: toneMapping.peek(),
-    film: async () => uncovered(await filmOf(current), across, down),
-  };
+  if (as === 'png' || as === 'exr') {
+    const film = uncovered(await filmOf(drawing), across, down);
+    return { as, film, exposure: exposure.peek(), toneMapping: toneMapping.peek() };
+  }
+  const width = Math.max(Math.round(canvas.width * across), 1);
+  const height = Math.max(Math.round(canvas.height * down), 1);
+  // A view that was moved belongs to no node.
+  return { as, name, scene: viewMoved.peek() ? { ...scene, camera } : scene, time, width, height };
 }
 
 /** Of all pixels: what plays rests for as long as that takes. */
-async function filmOf(current: Renderer): Promise<ShownFilm> {
-  if (current.backend === 'cpu') return current.readFilm();
+async function filmOf(drawing: Renderer): Promise<ShownFilm> {
+  if (drawing.backend === 'cpu') return drawing.readFilm();
   const played = playing.peek();
   playing.value = false;
   try {
     const end = performance.now() + PATIENCE_MS;
-    do await current.render();
-    while (current.stats.samples < SAMPLES && performance.now() < end);
-    return await current.readFilm();
+    do await drawing.render();
+    while (drawing.stats.samples < SAMPLES && performance.now() < end);
+    return await drawing.readFilm();
   } finally {
     playing.value = played;
   }

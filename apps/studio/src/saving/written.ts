@@ -1,52 +1,33 @@
-/** What is on show → files. Much code, which a page needs only when somebody saves: it comes with the first file. */
+/** What is on show → files. */
 import type { Scene, ShownFilm } from 'mirrorball';
 import { filmToSrgb, fromInterleaved, writeExr } from 'mirrorball/picture-files';
-import { type ExportEntry, writeGlb, writeMitsuba, zipped } from 'mirrorball/scene-export';
-
-export type SavedAs = 'png' | 'exr' | 'glb' | 'mitsuba';
-
-/** What a file is made of. `film` is asked for by pictures only; they have no more than can be seen beside the panel. */
-export interface OnShow {
-  readonly scene: Scene;
-  readonly time: number;
-  readonly width: number;
-  readonly height: number;
-  readonly exposure: number;
-  readonly toneMapping: Scene['render']['toneMapping'];
-  film(): Promise<ShownFilm>;
-}
-
-export interface Written {
-  /** Its ending, such as ".png". */
-  readonly ending: string;
-  readonly blob: Blob;
-  /** What the format lacks. */
-  readonly report: readonly ExportEntry[];
-}
+import { type OnExportProgress, planGlb, planMitsuba, zippedPlan } from 'mirrorball/scene-export';
+import type { SavingJob, Written } from './job.ts';
 
 /** Rejects with an Error that says why, when the format cannot hold it at all. */
-export async function written(as: SavedAs, name: string, shown: OnShow): Promise<Written> {
-  switch (as) {
+export async function written(job: SavingJob, onProgress?: OnExportProgress): Promise<Written> {
+  switch (job.as) {
     case 'png':
-      return { ending: '.png', blob: await png(await shown.film(), shown), report: [] };
+      return { ending: '.png', blob: await png(job.film, job.exposure, job.toneMapping), report: [] };
     case 'exr':
-      return { ending: '.exr', blob: new Blob([exr(await shown.film())]), report: [] };
+      return { ending: '.exr', blob: blobOf([exr(job.film)]), report: [] };
     case 'glb': {
-      const { files, report } = writeGlb(shown.scene, { name });
-      return { ending: '.glb', blob: blobOf(files[`${name}.glb`]!), report };
+      const { name, scene } = job;
+      const { files, report } = planGlb(scene, { name, onProgress });
+      return { ending: '.glb', blob: blobOf(files.get(`${name}.glb`)!()), report };
     }
     case 'mitsuba': {
-      const { time, width, height } = shown;
-      const { files, report } = writeMitsuba(shown.scene, { name, time, width, height });
-      return { ending: '.zip', blob: blobOf(zipped(files)), report };
+      const { name, scene, time, width, height } = job;
+      const plan = planMitsuba(scene, { name, time, width, height });
+      return { ending: '.zip', blob: blobOf(zippedPlan(plan, onProgress)), report: plan.report };
     }
   }
 }
 
-const blobOf = (bytes: Uint8Array): Blob => new Blob([bytes as Uint8Array<ArrayBuffer>]);
+const blobOf = (pieces: readonly Uint8Array[]): Blob => new Blob([...pieces] as Uint8Array<ArrayBuffer>[]);
 
 /** As it is seen: with exposure, tone mapping and the curve of screens. */
-async function png(film: ShownFilm, { exposure, toneMapping }: OnShow): Promise<Blob> {
+async function png(film: ShownFilm, exposure: number, toneMapping: Scene['render']['toneMapping']): Promise<Blob> {
   const canvas = new OffscreenCanvas(film.width, film.height);
   const picture = new ImageData(filmToSrgb(film.pixels, exposure, toneMapping), film.width, film.height);
   canvas.getContext('2d')!.putImageData(picture, 0, 0);

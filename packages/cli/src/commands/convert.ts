@@ -1,12 +1,21 @@
 /** `mirrorball convert`: a scene in another format. */
+import { existsSync } from 'node:fs';
 import { mkdir } from 'node:fs/promises';
 import { basename, dirname, extname, join, relative, sep } from 'node:path';
 import { fromInterleaved, writeExr } from 'mirrorball/picture-files';
 import { placedSceneAt, type Scene, type Sky } from 'mirrorball/scene';
-import { type ExportEntry, type ExportedScene, writeGlb, writeMitsuba } from 'mirrorball/scene-export';
+import {
+  type ExportEntry,
+  type ExportPlan,
+  type OnExportProgress,
+  type PlannedFiles,
+  planGlb,
+  planMitsuba,
+} from 'mirrorball/scene-export';
 import { writeScene } from 'mirrorball/scene-file';
 import type { ConvertOptions } from '../arguments.ts';
 import { usage } from '../exit-codes.ts';
+import { startPreparation } from '../progress.ts';
 import { chosen } from '../scene-choices.ts';
 import { isModel, requireSceneFile } from '../scene-source.ts';
 import type { Terminal } from '../terminal.ts';
@@ -20,12 +29,16 @@ export async function convert(
 ): Promise<void> {
   const write = WRITERS[extname(output).toLowerCase()];
   if (write === undefined) throw usage(`${output}: a scene is written as .glb, .xml or .json.`);
-  await checkWritable(output);
+  // Files for Mitsuba are many: they may go into a folder of their own, which is made.
+  if (existsSync(dirname(output))) await checkWritable(output);
   const scene = await chosen(await requireSceneFile(file, terminal), options, terminal);
-  const { files, report } = write(scene, { file, output, options });
+  const packing = startPreparation(terminal, output, 'images', 'packing images');
+  const { files, report } = write(scene, { file, output, options, onProgress: (share) => packing.update(share) });
+  packing.stop();
   await mkdir(dirname(output), { recursive: true });
-  const written = Object.keys(files).map((name) => join(dirname(output), name));
-  for (const [name, bytes] of Object.entries(files)) await writeAtomically(join(dirname(output), name), [bytes]);
+  const written = [...files.keys()].map((name) => join(dirname(output), name));
+  // One after the other, so that no more than one of them takes memory.
+  for (const [name, pieces] of files) await writeAtomically(join(dirname(output), name), pieces());
   terminal.event('converted', { output, files: written, report });
   for (const entry of report) terminal.note(told(entry));
   terminal.result(written.join('\n'));
@@ -43,14 +56,15 @@ interface Request {
   readonly file: string;
   readonly output: string;
   readonly options: ConvertOptions;
+  readonly onProgress: OnExportProgress;
 }
 
 const nameOf = (output: string): string => basename(output, extname(output));
 
-const WRITERS: Readonly<Record<string, (scene: Scene, request: Request) => ExportedScene>> = {
-  '.glb': (scene, { output }) => writeGlb(scene, { name: nameOf(output) }),
+const WRITERS: Readonly<Record<string, (scene: Scene, request: Request) => ExportPlan>> = {
+  '.glb': (scene, { output, onProgress }) => planGlb(scene, { name: nameOf(output), onProgress }),
   '.xml': (scene, { output, options: { time, size, spp } }) =>
-    asUsage(() => writeMitsuba(scene, { name: nameOf(output), time, ...size, samples: spp })),
+    asUsage(() => planMitsuba(scene, { name: nameOf(output), time, ...size, samples: spp })),
   '.json': asJson,
 };
 
@@ -64,8 +78,8 @@ function asUsage<Result>(act: () => Result): Result {
 }
 
 /** A scene file; a model is named by it and stays in its own file. */
-function asJson(scene: Scene, { file, output, options }: Request): ExportedScene {
-  const files: Record<string, Uint8Array> = {};
+function asJson(scene: Scene, { file, output, options }: Request): ExportPlan {
+  const files: PlannedFiles = new Map();
   const beside = (name: string): string =>
     relative(dirname(output), join(dirname(file), name))
       .split(sep)
@@ -86,7 +100,7 @@ function asJson(scene: Scene, { file, output, options }: Request): ExportedScene
     ? { version, name, description, camera, sky, models: { model }, materials: {}, shapes: {}, lights: {}, animation: [], render, ...(scene.clip !== undefined && { clip: `model/${scene.clip}` }) } // biome-ignore format: one thought
     : { ...withFiles(scene, beside), sky };
   const text = asUsage(() => writeScene(whole));
-  files[basename(output)] = new TextEncoder().encode(text);
+  files.set(basename(output), () => [new TextEncoder().encode(text)]);
   const report: ExportEntry[] = [];
   if (isModel(file) && scene.camera.node !== undefined)
     report.push({ kind: 'changed', message: 'The camera of a node counts from the world there.', things: ['camera'] });
@@ -94,10 +108,10 @@ function asJson(scene: Scene, { file, output, options }: Request): ExportedScene
 }
 
 /** A sky without a file gets one. */
-function writtenSky(sky: Sky, name: string, files: Record<string, Uint8Array>): Sky {
+function writtenSky(sky: Sky, name: string, files: PlannedFiles): Sky {
   const { map, image } = sky;
   if (!map || image !== undefined) return sky;
-  files[name] = writeExr(fromInterleaved(map.width, map.height, ['R', 'G', 'B'], map.data));
+  files.set(name, () => [writeExr(fromInterleaved(map.width, map.height, ['R', 'G', 'B'], map.data))]);
   return { ...sky, image: name };
 }
 

@@ -10,6 +10,7 @@ import { type AovFilms, aovSamples, traceAovs } from '../aov-films.ts';
 import { checkAovs, checkErrorKnown, type WithAovs } from '../aov-pictures.ts';
 import type { RenderOptions } from '../arguments.ts';
 import { type Backend, openBackend } from '../backends/open-backend.ts';
+import { defaultOutput } from '../default-output.ts';
 import { CommandError, EXIT, usage } from '../exit-codes.ts';
 import { differences, identityOf } from '../film-identity.ts';
 import { checkFinished } from '../finished-picture.ts';
@@ -44,7 +45,8 @@ interface Run {
   readonly finished: ReadonlyMap<string, string>;
 }
 
-export async function render(file: string, options: RenderOptions, terminal: Terminal): Promise<void> {
+export async function render(file: string, given: RenderOptions, terminal: Terminal): Promise<void> {
+  const options = given.output === undefined && !needsName(given) ? { ...given, output: defaultOutput(file, existsSync) } : given; // biome-ignore format: one choice
   const area = areaOf(options);
   const frames = framesOf(options);
   await checkOutput(options, frames);
@@ -81,6 +83,9 @@ async function open(options: RenderOptions, terminal: Terminal): Promise<Backend
   terminal.note(`Tracing with ${backend.name}: ${backend.tracer.description}`);
   return backend;
 }
+
+/** Where a name is wanted, or no picture at all. */
+const needsName = ({ pixel, resume, frames }: RenderOptions): boolean => Boolean(pixel || resume || frames);
 
 async function checkOutput({ output, pixel, resume, aov }: RenderOptions, frames: readonly Frame[]): Promise<void> {
   if (resume && output === undefined) throw usage('--resume needs -o: what was saved lies beside it.');

@@ -7,6 +7,7 @@ import { placedCamera } from '../scene/placed.ts';
 import type { Camera, Light, Scene, Sky, Vec3 } from '../scene/scene.ts';
 import { addScaled, dot, length, subtract } from '../scene/vec3.ts';
 import type { Cameras } from './cameras.ts';
+import { exposureFor, isEnough, ownLight } from './own-light.ts';
 import type { NamedThings } from './reading.ts';
 import type { Shapes } from './shapes.ts';
 import type { TextureReader } from './textures.ts';
@@ -91,13 +92,11 @@ function doubled(clips: Readonly<Record<string, Clip>>, camera: string): Record<
   );
 }
 
-/** A file without any light is shown in a studio. What glows by a texture, such as a dial, is no lamp unless its strength says so. */
+/** A file without light enough of its own is shown in a studio; of too much of it less is shown. */
 function withLight(scene: Scene, frame: Frame | null, { environment = 'auto' }: GltfOptions): Scene {
-  const isLit = Object.keys(scene.lights).length > 0 || Object.values(scene.materials).some(shines);
-  if (environment === 'none' || (environment === 'auto' && isLit)) return scene;
-  const lit = { ...scene, sky: studioSky() };
-  return isLit ? lit : { ...lit, lights: roomLights(frame?.room ?? null) };
+  const light = ownLight(scene);
+  const shown = { ...scene, render: { ...scene.render, exposure: exposureFor(light) } };
+  if (environment === 'none' || (environment === 'auto' && isEnough(light))) return shown;
+  const lit = { ...shown, sky: studioSky() };
+  return isEnough(light) ? lit : { ...lit, lights: { ...scene.lights, ...roomLights(frame?.room ?? null) } };
 }
-
-const shines = ({ emission, emissionStrength = 1, emissionTexture }: Scene['materials'][string]): boolean =>
-  emissionStrength * Math.max(...emission) > 0 && (emissionTexture === undefined || emissionStrength > 1);

@@ -64,7 +64,15 @@ const BROKEN: readonly (readonly [string, (file: GltfFile) => void, string, stri
     '/nodes/2/children/0',
     'which node 1 carries already',
   ],
-  ['a root that is carried', (f) => f.json.nodes.push({ children: [0] }), '/scenes/0/nodes/0', 'carries'],
+  [
+    'a root that the scene carries already',
+    (f) => {
+      f.json.nodes.push({ children: [0] }, { children: [1] });
+      f.json.scenes[0].nodes.push(2);
+    },
+    '/scenes/0/nodes/0',
+    'which node 2 of the scene carries',
+  ],
   [
     'an index of a vertex beyond',
     (f) => Object.assign(primitive(f), { indices: f.accessor(Uint16Array.of(0, 1, 3)) }),

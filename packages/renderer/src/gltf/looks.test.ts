@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { type Draft, type GltfFile, triangleFile } from '../../../../tests/fixtures/gltf.ts';
 import { fromInterleaved } from '../export/float-picture.ts';
 import { writePng } from '../export/png.ts';
+import { refuseUndrawn } from '../packed-scene/refuse-undrawn.ts';
 import type { Material, Scene } from '../scene/scene.ts';
 import { withVariant } from '../scene/variants.ts';
 import { pngDecoder } from './images/decoder.ts';
@@ -365,6 +366,30 @@ describe('lights and cameras', () => {
     expect(framed.scene.camera.target).toEqual([0.5, 0.5, 0]);
   });
 
+  test('maps of directions are left out where a mesh has no coordinates for them', async () => {
+    const maps = {
+      normalTexture: { index: 0, texCoord: 1 },
+      extensions: {
+        KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatNormalTexture: { index: 0 } },
+        KHR_materials_anisotropy: { anisotropyStrength: 0.5, anisotropyTexture: { index: 0 } },
+      },
+    };
+    const file = painted(maps, (f) => {
+      const { TEXCOORD_1: _, ...attributes } = primitive(f).attributes;
+      f.json.meshes[0].primitives.push({ ...primitive(f), attributes });
+    });
+    const { scene, report } = await imported(file);
+    const materials = Object.values(scene.shapes).map(({ material }) => scene.materials[material]!);
+    const maybe = materials.map((m) => [m.normalTexture, m.clearcoat!.normalTexture, m.anisotropy!.texture]);
+    expect(maybe.map((list) => list.map((map) => map !== undefined))).toEqual([
+      [true, true, true],
+      [false, false, false],
+    ]);
+    expect(materials.map((m) => [m.clearcoat!.weight, m.anisotropy!.strength])).toEqual([[1, 0.5], [1, 0.5]]); // biome-ignore format: short
+    expect(said(report)).toContain('changed normalTexture /meshes/0/primitives/1');
+    refuseUndrawn(scene);
+  });
+
   test('a file without light is shown in a studio, unless one wants otherwise', async () => {
     expect((await imported(triangleFile())).scene.sky.map).toBeDefined();
     expect((await imported(triangleFile(), { environment: 'none' })).scene.sky.map).toBeUndefined();
@@ -375,5 +400,35 @@ describe('lights and cameras', () => {
     expect((await imported(painted(dial))).scene.sky.map).toBeDefined();
     const extensions = { KHR_materials_emissive_strength: { emissiveStrength: 5 } };
     expect((await imported(painted({ ...dial, extensions }))).scene.sky.map).toBeUndefined();
+  });
+
+  test('so is one whose lights and lamps give next to no light, and these stay', async () => {
+    // Nobody has it; it has no surface; it is small.
+    const unused = triangleFile((f) => f.add('materials', { emissiveFactor: [1, 1, 1] }));
+    expect((await imported(unused)).scene.sky.map).toBeDefined();
+    const lamp = { emissiveFactor: [1, 1, 1] };
+    const shrunk = (scale: number[]) =>
+      painted(lamp, (f) => {
+        f.add('nodes', { mesh: f.add('meshes', { primitives: [{ ...f.json.meshes[0].primitives[0], material: undefined }] }) }); // biome-ignore format: one line
+        f.json.scenes[0].nodes.push(f.json.nodes.length - 1);
+        f.json.nodes[0].scale = scale;
+      });
+    expect((await imported(shrunk([1, 1, 1]))).scene.sky.map).toBeUndefined();
+    expect((await imported(shrunk([0.01, 1, 1]))).scene.sky.map).toBeDefined();
+    expect((await imported(shrunk([0, 1, 1]))).scene.sky.map).toBeDefined();
+    const lit = (intensity: number) =>
+      triangleFile((f) => {
+        f.json.extensions = { KHR_lights_punctual: { lights: [{ type: 'point', intensity }] } };
+        f.json.scenes[0].nodes.push(f.add('nodes', { extensions: { KHR_lights_punctual: { light: 0 } } }));
+      });
+    expect((await imported(lit(1))).scene.sky.map).toBeUndefined();
+    const dark = (await imported(lit(0))).scene;
+    expect(dark.sky.map).toBeDefined();
+    expect(Object.keys(dark.lights)).toHaveLength(1);
+    // Other programs' lights may be a thousand times too strong; the picture is darkened, and the light stays.
+    expect((await imported(lit(1))).scene.render.exposure).toBe(0);
+    const strong = (await imported(lit(54_000))).scene;
+    expect(strong.render.exposure).toBeLessThan(-10);
+    expect(Object.values(strong.lights)).toMatchObject([{ intensity: 54_000 }]);
   });
 });

@@ -293,3 +293,17 @@ export function tangentUse({
   if (grain && grain.strength > 0) return grain.texture ?? 'any';
   return null;
 }
+
+/** Whether images of it hold directions, which count from tangents. */
+export const hasDirections = ({ normalTexture, clearcoat, anisotropy, unlit }: Material): boolean =>
+  !unlit && (normalTexture ?? clearcoat?.normalTexture ?? anisotropy?.texture) !== undefined;
+
+export function withoutDirections({ normalTexture: _, clearcoat, anisotropy, ...material }: Material): Material {
+  const { normalTexture: __, ...coat } = clearcoat ?? {};
+  const { texture: ___, ...grain } = anisotropy ?? {};
+  return {
+    ...material,
+    ...(clearcoat && { clearcoat: coat as typeof clearcoat }),
+    ...(anisotropy && { anisotropy: grain as typeof anisotropy }),
+  };
+}

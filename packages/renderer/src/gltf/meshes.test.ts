@@ -290,6 +290,22 @@ describe('nodes', () => {
     expect(said(report)).toEqual(['unused scene /scenes/1', 'changed rotation /nodes/3/rotation']);
   });
 
+  test('what is pressed flat keeps a little of its extent; what has none is not there', async () => {
+    const file = triangleFile((f) => {
+      f.json.nodes[0].scale = [-3, 0, 1];
+      f.json.scenes[0].nodes.push(f.add('nodes', { mesh: 0, scale: [0, 0, 0] }));
+    });
+    const { scene, report } = await imported(file);
+    close(scene.nodes!.thing!.scale, [-3, 3e-4, 1]);
+    expect(scene.nodes!['node 1']!.scale).toEqual([0, 0, 0]);
+    expect(said(report)).toEqual(['changed scale /nodes/0/scale']);
+  });
+
+  test('a file without a surface says so', async () => {
+    const file = triangleFile((f) => delete f.json.nodes[0].mesh);
+    expect(said((await imported(file)).report)).toContain('unused scene ');
+  });
+
   test('instances (EXT_mesh_gpu_instancing)', async () => {
     const file = triangleFile((f) => {
       f.json.extensionsUsed = ['EXT_mesh_gpu_instancing'];
@@ -322,6 +338,13 @@ describe('nodes', () => {
     const { scene, report } = await imported(file);
     expect(Object.keys(scene.shapes)).toEqual(['thing']);
     expect(said(report)).toEqual(['unused KHR_node_visibility /nodes/1']);
+  });
+
+  test('a root below a node that the scene does not have stands by itself', async () => {
+    const file = triangleFile((f) => f.json.nodes.push({ children: [0], translation: [5, 0, 0] }));
+    const { scene, report } = await imported(file);
+    expect(scene.nodes).toEqual({ thing: {} });
+    expect(said(report)).toEqual(['changed node /nodes/0']);
   });
 
   test('a file without a scene shows all its trees', async () => {

@@ -33,7 +33,9 @@ export function readNodes(reading: Reading): NodesInScene {
       for (let i = children.length - 1; i >= 0; i--) stack.push({ node: children[i]!, visible });
     }
   };
-  walk(rootsOf(reading, parents), true);
+  const roots = rootsOf(reading, parents);
+  setApart(reading, roots, parents);
+  walk(roots, true);
   for (const node of [...shown]) {
     const skin = json.nodes![node]!.skin;
     // A joint elsewhere comes with all that carries it, and with all that these carry, which is not shown.
@@ -44,6 +46,20 @@ export function readNodes(reading: Reading): NodesInScene {
       );
   }
   return { nodes: named(reading, order, parents), order, shown };
+}
+
+/** UniGLTF and others leave a node above those of the scene that the scene does not have: these stand by themselves. */
+function setApart({ report }: Reading, roots: readonly number[], parents: Int32Array): void {
+  for (const root of roots) {
+    if (parents[root]! >= 0)
+      report.add(
+        'changed',
+        'node',
+        ['nodes', root],
+        'A node of the scene is carried by one that is not in the scene; it stands by itself.',
+      );
+    parents[root] = -1;
+  }
 }
 
 function parentsOf({ nodes = [] }: Gltf): Int32Array {
@@ -120,7 +136,22 @@ function partsOf(reading: Reading, index: number): SceneNode {
       ['nodes', index, 'rotation'],
       'A rotation is no unit quaternion; it is brought to length 1.',
     );
-  return { ...(translation && { translation }), ...(turn && { rotation: turn }), ...(scale && { scale }) };
+  return { ...(translation && { translation }), ...(turn && { rotation: turn }), ...(scale && { scale: thick(reading, index, scale) }) }; // biome-ignore format: one line
+}
+
+/** What is pressed quite flat, as painted shadows are, keeps this part of its extent: without any it has no normals. All zero: not there. */
+const THINNEST = 1e-4;
+
+function thick({ report }: Reading, index: number, scale: Vec3): Vec3 {
+  const least = THINNEST * Math.max(...scale.map(Math.abs));
+  if (least === 0 || !scale.includes(0)) return scale;
+  report.add(
+    'changed',
+    'scale',
+    ['nodes', index, 'scale'],
+    'A scale is 0 along some axes; it counts as a ten-thousandth of the greatest.',
+  );
+  return scale.map((x) => (x === 0 ? least : x)) as unknown as Vec3;
 }
 
 /** A node's own weights of its mesh's morph targets, or those of the mesh, or 0 for each. */

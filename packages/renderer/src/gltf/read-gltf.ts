@@ -85,6 +85,8 @@ async function read(
   const shapes = sure(
     await new ShapeReader(reading, textures, nodes, skins).read((done, total) => go('meshes', done, total)),
   );
+  if (shapes.shapes.count === 0)
+    report.add('unused', 'scene', [], 'Nothing in the file has a surface: there is nothing to be seen but light.');
   const lights = readLights(reading, nodes);
   const cameras = readCameras(reading, nodes);
   const clips = sure(

@@ -4,7 +4,7 @@ import type { Skin, Variant } from '../scene/nodes.ts';
 import type { Material, MeshShape } from '../scene/scene.ts';
 import { readInstances } from './instances.ts';
 import { extensionOf, type PrimitiveJson, variantsOf } from './json.ts';
-import { defaultMaterial, readMaterial, tangentUse } from './materials.ts';
+import { defaultMaterial, hasDirections, readMaterial, tangentUse, withoutDirections } from './materials.ts';
 import { PrimitiveReader } from './mesh/primitives.ts';
 import { loadTangentMaker, type TangentMaker, withTangents } from './mesh/tangents.ts';
 import type { NodesInScene } from './nodes.ts';
@@ -55,6 +55,8 @@ export class ShapeReader {
   readonly #variants: readonly Record<string, string>[];
   /** Names of meshes, by what they are made of. */
   readonly #made = new Map<string, string>();
+  /** Names of materials without their maps of directions, by those with. */
+  readonly #plain = new Map<string, string>();
   #tangents: TangentMaker | null = null;
 
   constructor(reading: Reading, textures: TextureReader, nodes: NodesInScene, skins: NamedThings<Skin>) {
@@ -91,7 +93,8 @@ export class ShapeReader {
       const source = await this.#mesh(primitive, path);
       if (source === null) continue;
       const bends = skin !== undefined && this.#checkJoints(source.mesh, skin, index, path);
-      const own = this.#material(primitive.material ?? NO_MATERIAL);
+      const on = (material: number) => this.#materialOn(source.mesh, material);
+      const own = on(primitive.material ?? NO_MATERIAL);
       const shape: MeshShape = {
         type: 'mesh',
         mesh: source.name,
@@ -105,7 +108,7 @@ export class ShapeReader {
       };
       const name = this.#shapes.add(shape, node, node);
       for (const { material, variants } of mappingsOf(primitive))
-        for (const variant of variants) this.#variants[variant]![name] = this.#material(material);
+        for (const variant of variants) this.#variants[variant]![name] = on(material);
     }
   }
 
@@ -144,6 +147,18 @@ export class ShapeReader {
       `material ${index}`,
       index,
     );
+  }
+
+  /** Without its maps of directions on a mesh that has nothing to lay them along, as is told when the mesh is read. */
+  #materialOn(mesh: Mesh, index: number): string {
+    const name = this.#material(index);
+    const material = this.#materials.things[name]!;
+    if (mesh.tangents || !hasDirections(material)) return name;
+    const known = this.#plain.get(name);
+    if (known !== undefined) return known;
+    const plain = this.#materials.add(withoutDirections(material), `${name} without directions`, '');
+    this.#plain.set(name, plain);
+    return plain;
   }
 
   /** With tangents when one of its materials needs them; without when none does. */

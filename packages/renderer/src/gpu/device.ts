@@ -31,7 +31,7 @@ export interface ComputeSource {
 
 /**
  * What a pass reads. `nearest`: number of the binding of a sampler that takes the texel nearest to a point, when WGSL reads the texture
- * through one, or, in software, the data; GLSL never does.
+ * through one, or, in software, the data; GLSL has none of its own.
  */
 export type PassBinding =
   | { readonly block: string }

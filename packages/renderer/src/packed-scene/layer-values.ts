@@ -5,6 +5,8 @@ import type { StructValues } from './write-struct.ts';
 
 /** Stands for an endless index: what it reflects of light that comes straight, 0.999996, is 1 to the eye. */
 const ENDLESS = 1e6;
+/** Of a solid: reflects 0.996. Light that is bent by a greater one has a direction without digits in 32-bit floats, and no length 1. */
+const ENDLESS_SOLID = 1e3;
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 export function layerValues(m: Material): StructValues<'Layers'> {
@@ -22,7 +24,7 @@ export function layerValues(m: Material): StructValues<'Layers'> {
     transmission: clear ? (m.transmission?.weight ?? 0) : 0,
     coat: m.clearcoat?.weight ?? 0,
     coatRoughness: m.clearcoat?.roughness ?? 0,
-    ior: m.ior === 0 ? ENDLESS : m.ior,
+    ior: m.ior > 0 ? m.ior : isSolid(m) ? ENDLESS_SOLID : ENDLESS,
     solid: isSolid(m) ? 1 : 0,
     film: m.iridescence?.weight ?? 0,
     filmIor: m.iridescence?.ior ?? 1.3,

@@ -2,22 +2,21 @@
 import type { MaterialLayers } from '../scene/material-layers.ts';
 import type { Material } from '../scene/scene.ts';
 
-const TEXTURES = 'textures';
 /** Null: it makes no difference by itself. */
 const WORDS: { readonly [Key in keyof MaterialLayers]-?: string | null | ((m: Material) => string | null) } = {
-  baseColorTexture: TEXTURES,
-  metallicRoughnessTexture: TEXTURES,
-  normalTexture: TEXTURES,
-  emissionTexture: ({ emission }) => (emission.some((x) => x > 0) ? TEXTURES : null),
+  baseColorTexture: null,
+  metallicRoughnessTexture: null,
+  normalTexture: null,
+  emissionTexture: null,
   occlusionTexture: null,
   opacity: null,
-  alphaMode: ({ alphaMode }) => (alphaMode === 'mask' || alphaMode === 'blend' ? 'opacity' : null),
+  alphaMode: null,
   alphaCutoff: null,
-  doubleSided: ({ doubleSided }) => (doubleSided === false ? 'materials of one side' : null),
-  unlit: ({ unlit }) => (unlit ? 'materials without light ("unlit")' : null),
+  doubleSided: null,
+  unlit: null,
   emissionStrength: null,
   dispersion: ({ dispersion = 0 }) => (dispersion > 0 ? 'dispersion' : null),
-  specularLobe: 'specular lobe',
+  specularLobe: null,
   transmission: ({ transmission }) => (transmission!.weight > 0 ? 'transmission' : null),
   volume: null,
   diffuseTransmission: ({ diffuseTransmission }) => (diffuseTransmission!.weight > 0 ? 'diffuse transmission' : null),

@@ -952,16 +952,16 @@ uint mixBits(uint x_3) {
 ChosenTriangle chooseTriangle(Emitter e_12, vec2 u_8) {
     uint _e4 = frame.lampTables;
     uint first = (_e4 + uint(e_12.table));
-    uint column_1 = min(uint((u_8.x * e_12.triangles)), (uint(e_12.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first + column_1));
+    uint column_2 = min(uint((u_8.x * e_12.triangles)), (uint(e_12.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_12.triangles);
-    float x_10 = clamp((((u_8.x * e_12.triangles) - float(column_1)) + fine_2), 0.0, 0.99999994);
+    float x_10 = clamp((((u_8.x * e_12.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
     bool own_2 = (x_10 < _e18.own);
     float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first + column_1) + place_4) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first + column_2) + place_4) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_4, density, vec2(min(rest_2, 1.0), u_8.y));
 }
@@ -1205,13 +1205,18 @@ LightSample sampleDirectional(Emitter e_16, vec2 u_11) {
     return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
 }
 
+vec4 environmentTexel(uint column_1, uint row_9) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_9)), 0);
+    return _e5;
+}
+
 vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_28 = (t_2.first + pair);
-    uint row_10 = (i_28 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_28 - (row_10 * width_2)), row_10)), 0);
-    return _e15;
+    uint row_11 = (i_28 / width_2);
+    vec4 _e12 = environmentTexel((i_28 - (row_11 * width_2)), row_11);
+    return _e12;
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
@@ -1290,11 +1295,11 @@ Corners environmentCorners(uvec2 cell) {
     uint lower_1 = min(cell.y, (size_2.y - 1u));
     vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_2.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
-    return Corners((above_3 * _e52), (above_3 * _e57), (below_1 * _e62), (below_1 * _e67));
+    vec4 _e49 = environmentTexel(left_1, upper_1);
+    vec4 _e51 = environmentTexel(right, upper_1);
+    vec4 _e53 = environmentTexel(left_1, lower_1);
+    vec4 _e55 = environmentTexel(right, lower_1);
+    return Corners((above_3 * _e49), (above_3 * _e51), (below_1 * _e53), (below_1 * _e55));
 }
 
 float linearSample(float u_13, float a, float b_1) {
@@ -1544,8 +1549,8 @@ vec4 larger(vec4 a_1, vec4 b_2) {
     return intBitsToFloat(max(floatBitsToInt(a_1), floatBitsToInt(b_2)));
 }
 
-vec4 planes(uint row_9, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_9);
+vec4 planes(uint row_10, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_10);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
@@ -1612,12 +1617,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_11 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_11);
+    uint row_12 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_12);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity_1 = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
         float _e43 = opacity_1;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity_1 = (_e43 * _e54.w);
@@ -2088,9 +2093,9 @@ float boxPdf(Emitter e_21, vec3 point_19, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_22, vec3 direction_11, float distance_4, vec3 normal_10, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_12 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
+    uint row_13 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
     float _e23 = areaPdf(e_22.area, (distance_4 * abs(dot(direction_11, normal_10))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_12);
+    LampTriangle _e24 = fetchLampTriangle(row_13);
     return (_e23 * _e24.density);
 }
 
@@ -2301,13 +2306,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_18) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_18.z, direction_18.y)), vec2(abs(direction_18.x), sine_5));
     float turn_2 = (pick((direction_18.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_18.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_2 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
+    float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_13 = floor(fromPole_1);
+    float row_14 = floor(fromPole_1);
     bool isLower_1 = (direction_18.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_6.y - row_13), row_13));
-    float within_2 = (fromPole_1 - row_13);
-    vec2 at_4 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_6.y - row_14), row_14));
+    float within_2 = (fromPole_1 - row_14);
+    vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);
     return _e67;

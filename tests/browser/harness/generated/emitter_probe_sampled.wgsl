@@ -378,7 +378,7 @@ fn shareOfTree(total: f32, far: f32) -> f32 {
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
 }
 
 struct LightNode {
@@ -2230,7 +2230,7 @@ fn environmentCorners(cell: vec2u) -> Corners {
   let lower = min(cell.y, size.y - 1u);
   let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
   let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
-  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
 }
 
 // Where in [0, 1] a number of a density that goes from a to b in a line lies.
@@ -2294,7 +2294,7 @@ fn fetchEntries(t: Table, pair: u32) -> vec4f {
   let width = u32(frame.environmentSize.x);
   let i = t.first + pair;
   let row = i / width;
-  return textureLoad(environment, vec2u(i - row * width, row), 0);
+  return environmentTexel(i - row * width, row);
 }
 
 // The entry that was chosen, and where in its share the number lies, in [0, 1].
@@ -2308,6 +2308,11 @@ struct Choice {
 fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
   let further = vec2u(pair.yw) & vec2u(4095u);
   return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
+}
+
+fn environmentTexel(column: u32, row: u32) -> vec4f {
+  let place = vec2f(f32(i32(column)), f32(i32(row))) + 0.5;
+  return textureSampleLevel(environment, nearest, place / vec2f(textureDimensions(environment)), 0.0);
 }
 
 // Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.

@@ -42,7 +42,10 @@ function randomLayers(random: Random): LayeredMaterial {
   });
   // Metal lets nothing through and is no solid.
   const clear = some.metallic < 1 && some.transmission + some.diffuseTransmission > 0;
-  return { ...some, solid: some.solid && clear };
+  const solid = some.solid && clear;
+  // What stands for an endless index, which does not disperse: packed-scene/layer-values.ts.
+  const endless = some.ior === 1e6;
+  return { ...some, solid, ior: endless && solid ? 1e3 : some.ior, dispersion: endless ? 0 : some.dispersion };
 }
 
 /** All numbers as the table holds them. */
@@ -67,8 +70,10 @@ export const LAYER_KINDS = ['none', 'clearcoat', 'sheenColor', 'anisotropy', 'tr
 /** The material without layers of other kinds. Diffuse transmission goes with transmission. */
 export function withOnly(m: LayeredMaterial, kind: (typeof LAYER_KINDS)[number]): LayeredMaterial {
   const clear = kind === 'transmission';
+  const solid = clear && m.solid;
   return {
     ...m,
+    ior: m.ior === 1e3 && !solid ? 1e6 : m.ior,
     clearcoat: kind === 'clearcoat' ? m.clearcoat : 0,
     // Bent with the base's; coats apart from it have a switch of their own.
     coatNormal: [0, 0, 1],
@@ -76,7 +81,7 @@ export function withOnly(m: LayeredMaterial, kind: (typeof LAYER_KINDS)[number])
     anisotropy: kind === 'anisotropy' ? m.anisotropy : 0,
     transmission: clear ? m.transmission : 0,
     diffuseTransmission: clear ? m.diffuseTransmission : 0,
-    solid: clear && m.solid,
+    solid,
     iridescence: kind === 'iridescence' ? m.iridescence : 0,
   };
 }

@@ -20,17 +20,21 @@ export function checkHierarchy({ nodes = [], scenes = [] }: Gltf, problems: Prob
       else parents[child] = parent;
     });
   });
-  for (const node of ringsOf(parents))
+  const rings = ringsOf(parents);
+  for (const node of rings)
     addProblem(
       problems,
       ['nodes', node, 'children'],
       'a way back to the node itself',
       'nodes that do not carry each other in a ring',
     );
+  if (rings.length > 0) return parents;
   scenes.forEach(({ nodes: roots = [] }, scene) => {
+    const inScene = new Set(roots);
     roots.forEach((node, i) => {
-      const parent = parents[node]!;
-      if (parent >= 0) addProblem(problems, ['scenes', scene, 'nodes', i], `the node ${node}, which node ${parent} carries`, 'a node that nothing carries'); // biome-ignore format: short
+      let above = parents[node]!;
+      while (above >= 0 && !inScene.has(above)) above = parents[above]!;
+      if (above >= 0) addProblem(problems, ['scenes', scene, 'nodes', i], `the node ${node}, which node ${above} of the scene carries already`, 'a node that nothing else carries'); // biome-ignore format: short
     });
   });
   return parents;

@@ -2,6 +2,7 @@
 import type { ImagePixels } from '../../scene/textures.ts';
 import type { ImageDecoder } from './decoder.ts';
 import { readImageHead } from './image-head.ts';
+import { unturned } from './unturned.ts';
 
 const TYPES = ['image/png', 'image/jpeg', 'image/webp', 'image/avif'];
 
@@ -12,7 +13,7 @@ export function browserDecoder(): ImageDecoder | null {
 }
 
 async function decode(bytes: Uint8Array, type: string): Promise<ImagePixels> {
-  const blob = new Blob([bytes as Uint8Array<ArrayBuffer>], { type });
+  const blob = new Blob([unturned(bytes) as Uint8Array<ArrayBuffer>], { type });
   const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' } as const;
   const bitmap = await createImageBitmap(blob, options).catch(() => {
     throw new Error('this browser cannot decode it');

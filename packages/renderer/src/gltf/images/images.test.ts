@@ -7,6 +7,7 @@ import { type Chunk, joinChunks, readChunks } from '../../export/png/chunks.ts';
 import { defaultDecoder, pngDecoder } from './decoder.ts';
 import { readImageHead } from './image-head.ts';
 import { decodePng } from './png-pixels.ts';
+import { unturned } from './unturned.ts';
 
 const bytesOf = (base64: string): Uint8Array => Uint8Array.from(Buffer.from(base64, 'base64'));
 
@@ -113,6 +114,19 @@ describe('heads of other images', () => {
     });
     expect(readImageHead(Uint8Array.from(head.slice(0, 12)))).toBeNull();
     expect(readImageHead(Uint8Array.of(0xff, 0xd8, 0xff, 0xda, 0, 4))).toBeNull();
+  });
+
+  test('JPEG: what would turn the picture is made unknown, and nothing else', () => {
+    const exif = [0xff, 0xe1, 0, 10, 0x45, 0x78, 0x69, 0x66, 0, 0, 7, 7];
+    const other = [0xff, 0xe1, 0, 4, 1, 2];
+    const rest = [0xff, 0xda, 0, 2, ...exif];
+    const file = (...segments: number[][]) => Uint8Array.from([0xff, 0xd8, ...segments.flat(), ...rest]);
+    const blank = exif.map((byte, i) => (i >= 4 && i < 8 ? 0 : byte));
+    expect(unturned(file(other, exif))).toEqual(file(other, blank));
+    const plain = file(other);
+    expect(unturned(plain)).toBe(plain);
+    const cut = file(other, exif).subarray(0, 9);
+    expect(unturned(cut)).toBe(cut);
   });
 
   test('WebP: lossless, lossy, extended', () => {

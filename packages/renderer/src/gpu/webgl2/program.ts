@@ -1,12 +1,19 @@
 import { DeviceError, type PassSource } from '../device.ts';
 
-/** Compiles and links without blocking where KHR_parallel_shader_compile is there. Its `DeviceError` carries the compiler's log. */
-export async function compileProgram(gl: WebGL2RenderingContext, source: PassSource): Promise<WebGLProgram> {
+/**
+ * Compiles and links without blocking where KHR_parallel_shader_compile is there. Its `DeviceError` carries the compiler's log. `fragment`: the
+ * text of that stage.
+ */
+export async function compileProgram(
+  gl: WebGL2RenderingContext,
+  source: PassSource,
+  fragment: string,
+): Promise<WebGLProgram> {
   const parallel = gl.getExtension('KHR_parallel_shader_compile');
   const program = gl.createProgram();
   const shaders = [
     shader(gl, gl.VERTEX_SHADER, source.glsl.vertex),
-    shader(gl, gl.FRAGMENT_SHADER, withSwitches(source.glsl.fragment, source.switches ?? {})),
+    shader(gl, gl.FRAGMENT_SHADER, withSwitches(fragment, source.switches ?? {})),
   ];
   for (const s of shaders) gl.attachShader(program, s);
   gl.linkProgram(program);

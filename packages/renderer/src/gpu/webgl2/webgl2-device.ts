@@ -16,6 +16,7 @@ import {
   type UniformBuffer,
   writeLines,
 } from '../device.ts';
+import { glslForSoftware, stepOf } from '../software-lookups.ts';
 import { compileProgram } from './program.ts';
 
 /** How long a lost context may take to come back before the device counts as gone. */
@@ -24,9 +25,13 @@ const RESTORE_PAUSE_MS = 50;
 
 interface GlPass extends Pass {
   readonly program: WebGLProgram;
+  /** Of each binding: where its texels' step goes; null where the program does not ask. */
+  readonly steps: readonly (WebGLUniformLocation | null)[];
 }
 interface GlTexture {
   readonly texture: WebGLTexture;
+  readonly width: number;
+  readonly height: number;
 }
 interface GlFilm extends FilmTexture {
   readonly framebuffer: WebGLFramebuffer;
@@ -108,6 +113,7 @@ class WebGl2Device implements Device {
   readonly #gl: WebGL2RenderingContext;
   readonly #canvas: HTMLCanvasElement;
   readonly #filmFormat: number;
+  readonly #isSoftware: boolean;
   readonly #onLost: (event: Event) => void;
   #closed = false;
 
@@ -117,6 +123,7 @@ class WebGl2Device implements Device {
     this.#filmFormat = filmFormat;
     const info = gl.getExtension('WEBGL_debug_renderer_info');
     this.description = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    this.#isSoftware = this.description.includes('SwiftShader');
     this.maxTextureSize = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     this.maxFilmSamples = filmFormat === gl.RGBA32F ? 2 ** 24 : MOST_HALF_FLOAT_SAMPLES;
     const losing = gl.getExtension('WEBGL_lose_context');
@@ -137,15 +144,18 @@ class WebGl2Device implements Device {
   async createPass(source: PassSource): Promise<Pass> {
     const gl = this.#gl;
     this.counts.programsMade++;
-    const program = await compileProgram(gl, source);
+    const textures = source.bindings.map((b) => ('block' in b ? '' : 'data' in b ? b.data : b.texture));
+    const { fragment } = source.glsl;
+    const program = await compileProgram(gl, source, this.#isSoftware ? glslForSoftware(fragment, textures) : fragment);
     gl.useProgram(program);
     source.bindings.forEach((b, binding) => {
       if ('block' in b) {
         const index = gl.getUniformBlockIndex(program, `${b.block}Block`);
         if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, index, binding);
-      } else gl.uniform1i(gl.getUniformLocation(program, 'data' in b ? b.data : b.texture), binding);
+      } else gl.uniform1i(gl.getUniformLocation(program, textures[binding]!), binding);
     });
-    return { label: source.label, addsMany: false, program } as GlPass;
+    const steps = textures.map((texture) => gl.getUniformLocation(program, stepOf(texture)));
+    return { label: source.label, addsMany: false, program, steps } as GlPass;
   }
 
   /** The context was the canvas's from the start. */
@@ -179,6 +189,7 @@ class WebGl2Device implements Device {
     gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
     for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
       gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
     this.counts.textures++;
     return { texture, width, height };
   }
@@ -208,8 +219,8 @@ class WebGl2Device implements Device {
     const lines = Math.ceil(rows / DATA_COLUMNS);
     const base = this.#texture(DATA_COLUMNS, lines, gl.RGBA32UI);
     const data: DataBuffer & GlTexture = {
+      ...base,
       rows,
-      texture: base.texture,
       write: (firstRow, words) => {
         gl.bindTexture(gl.TEXTURE_2D, base.texture);
         writeLines(firstRow, words, (x, y, width, height, part) =>
@@ -250,7 +261,7 @@ class WebGl2Device implements Device {
 
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void {
     const gl = this.#gl;
-    const { program } = pass as GlPass;
+    const { program, steps } = pass as GlPass;
     const { width, height } = region ?? (target === 'canvas' ? this.#canvas : target);
     gl.bindFramebuffer(gl.FRAMEBUFFER, target === 'canvas' ? null : (target as GlFilm).framebuffer);
     gl.viewport(0, 0, width, height);
@@ -258,8 +269,11 @@ class WebGl2Device implements Device {
     resources.forEach((r, binding) => {
       if ('buffer' in r) gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, (r as GlUniforms).buffer);
       else {
+        const { texture, width: columns, height: rows } = r as unknown as GlTexture;
         gl.activeTexture(gl.TEXTURE0 + binding);
-        gl.bindTexture(gl.TEXTURE_2D, (r as unknown as GlTexture).texture);
+        gl.bindTexture(gl.TEXTURE_2D, texture);
+        const step = steps[binding];
+        if (step) gl.uniform2f(step, 1 / columns, 1 / rows);
       }
     });
     if (region) {

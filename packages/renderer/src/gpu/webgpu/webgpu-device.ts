@@ -17,6 +17,7 @@ import {
   type UniformBuffer,
   writeLines,
 } from '../device.ts';
+import { wgslForSoftware } from '../software-lookups.ts';
 import { WebGpuCompute } from './webgpu-compute.ts';
 
 const FILM_FORMAT = 'rgba32float';
@@ -114,7 +115,7 @@ const viewsOf = (film: FilmTexture): GPUTextureView[] =>
 
 const asSampled = (source: PassSource): PassSource => ({
   ...source,
-  wgsl: { ...source.wgsl, fragment: source.wgsl.sampled ?? source.wgsl.fragment },
+  wgsl: { ...source.wgsl, fragment: wgslForSoftware(source.wgsl.sampled ?? source.wgsl.fragment) },
 });
 
 class WebGpuDevice implements Device {

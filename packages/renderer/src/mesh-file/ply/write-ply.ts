@@ -1,15 +1,23 @@
 import { type Mesh, triangleCount, vertexCount } from '../../scene/mesh.ts';
 
+/** So many numbers a vertex, and what they are called. */
+export interface PlyColumn {
+  readonly names: readonly string[];
+  readonly numbers: Float32Array;
+}
+
 /**
  * A mesh as a binary PLY file, little endian: positions, normals, the first texture coordinates and colours, all as 32-bit floats, so that
- * `readPly` gives back the very same numbers (of v, which such files count from below, to the last bit or so). The rest stays out.
+ * `readPly` gives back the very same numbers (of v, which such files count from below, to the last bit or so). The rest stays out, but for columns that are
+ * given beside.
  */
-export function writePly(mesh: Mesh): Uint8Array<ArrayBuffer> {
+export function writePly(mesh: Mesh, more: readonly PlyColumn[] = []): Uint8Array<ArrayBuffer> {
   const { positions, indices, normals, uvs, colors } = mesh;
-  const columns: { names: string[]; numbers: Float32Array }[] = [{ names: ['x', 'y', 'z'], numbers: positions }];
+  const columns: PlyColumn[] = [{ names: ['x', 'y', 'z'], numbers: positions }];
   if (normals) columns.push({ names: ['nx', 'ny', 'nz'], numbers: normals });
   if (uvs?.[0]) columns.push({ names: ['s', 't'], numbers: uvs[0].map((x, k) => (k % 2 ? 1 - x : x)) });
   if (colors) columns.push({ names: ['red', 'green', 'blue', 'alpha'], numbers: colors });
+  columns.push(...more);
   const [vertices, triangles] = [vertexCount(mesh), triangleCount(mesh)];
   const properties = columns.flatMap(({ names }) => names);
   const head = new TextEncoder().encode(

@@ -8,6 +8,9 @@ const WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 } as const;
 const componentOf = (numbers: Numbers): number =>
   numbers instanceof Float32Array ? 5126 : numbers instanceof Uint16Array ? 5123 : 5125;
 
+/** The file says its length in 32 bits. */
+const MOST_BYTES = 2 ** 32 - 1;
+
 export class GltfFile {
   readonly #lists: Record<string, Json[]> = {};
   readonly #chunks: Uint8Array[] = [];
@@ -36,11 +39,15 @@ export class GltfFile {
 
   view(bytes: Uint8Array, more: object = {}): number {
     const place = this.add('bufferViews', { buffer: 0, byteOffset: this.#length, byteLength: bytes.length, ...more });
-    const padded = new Uint8Array((bytes.length + 3) & ~3);
-    padded.set(bytes);
-    this.#chunks.push(padded);
-    this.#length += padded.length;
+    this.#append(bytes);
     return place;
+  }
+
+  /** Without a copy; the next begins at a multiple of four. */
+  #append(bytes: Uint8Array): void {
+    const missing = -bytes.length & 3;
+    this.#chunks.push(bytes, ...(missing > 0 ? [new Uint8Array(missing)] : []));
+    this.#length += bytes.length + missing;
   }
 
   /** The same array is in the file once. */
@@ -54,8 +61,8 @@ export class GltfFile {
     return place;
   }
 
-  /** The whole file. `root`: what stands beside the lists. */
-  glb(root: Json): Uint8Array<ArrayBuffer> {
+  /** The whole file in pieces, of which some are arrays of the scene. `root`: what stands beside the lists. */
+  glb(root: Json): readonly Uint8Array[] {
     const used = [...this.#extensions].sort();
     const json = {
       asset: { version: '2.0', generator: 'Mirrorball' },
@@ -66,22 +73,20 @@ export class GltfFile {
     };
     const text = new TextEncoder().encode(JSON.stringify(json));
     const jsonLength = (text.length + 3) & ~3;
-    const length = 12 + 8 + jsonLength + (this.#length > 0 ? 8 + this.#length : 0);
-    const file = new Uint8Array(length);
-    const words = new DataView(file.buffer);
+    const hasNumbers = this.#length > 0;
+    const length = 12 + 8 + jsonLength + (hasNumbers ? 8 + this.#length : 0);
+    if (length > MOST_BYTES)
+      throw new Error(`The scene takes ${length} bytes, and a .glb file holds ${MOST_BYTES} at most.`);
+    const head = new Uint8Array(20 + jsonLength + (hasNumbers ? 8 : 0));
+    const words = new DataView(head.buffer);
     [0x46546c67, 2, length, jsonLength, 0x4e4f534a].forEach((word, i) => {
       words.setUint32(4 * i, word, true);
     });
-    file.fill(32, 20, 20 + jsonLength);
-    file.set(text, 20);
-    if (this.#length === 0) return file;
+    head.fill(32, 20, 20 + jsonLength);
+    head.set(text, 20);
+    if (!hasNumbers) return [head];
     words.setUint32(20 + jsonLength, this.#length, true);
     words.setUint32(24 + jsonLength, 0x004e4942, true);
-    let at = 28 + jsonLength;
-    for (const chunk of this.#chunks) {
-      file.set(chunk, at);
-      at += chunk.length;
-    }
-    return file;
+    return [head, ...this.#chunks];
   }
 }

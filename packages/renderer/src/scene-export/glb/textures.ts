@@ -1,6 +1,7 @@
 /** Textures and images: pixels as PNG in the file itself. */
-import { encode } from 'fast-png';
 import type { Scene } from '../../scene/scene.ts';
+import type { OnExportProgress } from '../export-plan.ts';
+import { pngOf } from '../png-of-image.ts';
 import type { GltfFile } from './gltf-file.ts';
 
 const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648 } as const;
@@ -11,10 +12,13 @@ export class TextureWriter {
   readonly #textures = new Map<string, number>();
   readonly #images = new Map<string, number>();
   readonly #samplers = new Map<string, number>();
+  readonly #onProgress: OnExportProgress | undefined;
+  #pixels = 0;
 
-  constructor(file: GltfFile, scene: Scene) {
+  constructor(file: GltfFile, scene: Scene, onProgress?: OnExportProgress) {
     this.#file = file;
     this.#scene = scene;
+    this.#onProgress = onProgress;
   }
 
   place(name: string): number {
@@ -51,10 +55,16 @@ export class TextureWriter {
     if (known !== undefined) return known;
     const data = this.#scene.images![name]?.data;
     if (data === undefined) throw new TypeError(`The image "${name}" has not been loaded.`);
-    const { width, height, rgba } = data;
-    const png = encode({ width, height, channels: 4, depth: 8, data: rgba });
+    const png = pngOf(data);
     const place = this.#file.add('images', { name, bufferView: this.#file.view(png), mimeType: 'image/png' });
     this.#images.set(name, place);
+    this.#pixels += data.rgba.length;
+    this.#onProgress?.(this.#pixels / this.#allPixels());
     return place;
+  }
+
+  /** Of all images of the scene, though a few may be used by nothing. */
+  #allPixels(): number {
+    return Object.values(this.#scene.images ?? {}).reduce((sum, { data }) => sum + (data?.rgba.length ?? 0), 0);
   }
 }

@@ -2,6 +2,7 @@
 import { frameScene } from '../../scene/framing.ts';
 import type { Scene } from '../../scene/scene.ts';
 import { boundsAt } from '../../scene/scene-bounds.ts';
+import { carriedOut, type ExportPlan, type OnExportProgress } from '../export-plan.ts';
 import { type ExportedScene, ExportReport } from '../export-report.ts';
 import { writeClips } from './clips.ts';
 import { GltfFile, type Json } from './gltf-file.ts';
@@ -14,17 +15,21 @@ import { LightWriter, writeCamera } from './views.ts';
 export interface GlbOptions {
   /** What the file is called, without ending. Default: "scene". */
   readonly name?: string;
+  readonly onProgress?: OnExportProgress;
 }
 
 /**
  * The scene as `NAME.glb`: hierarchy, meshes with all they have, skins, clips, materials with their layers, textures as PNG, variants,
  * cameras, lights. What glTF has otherwise or not at all is in the report. Everything must have its data.
  */
-export function writeGlb(scene: Scene, { name = 'scene' }: GlbOptions = {}): ExportedScene {
+export const writeGlb = (scene: Scene, options: GlbOptions = {}): ExportedScene => carriedOut(planGlb(scene, options));
+
+/** The same in pieces: numbers of meshes are not copied. Images are packed at once, as the file begins with where they lie. */
+export function planGlb(scene: Scene, { name = 'scene', onProgress }: GlbOptions = {}): ExportPlan {
   const file = new GltfFile();
   const report = new ExportReport();
   const nodes = new NodeWriter(file, scene);
-  const materials = new MaterialWriter(file, scene, new TextureWriter(file, scene), report);
+  const materials = new MaterialWriter(file, scene, new TextureWriter(file, scene, onProgress), report);
   const bounds = boundsAt(scene, 0);
   const extent = bounds ? Math.max(...[...bounds.min, ...bounds.max].map(Math.abs)) : 1;
   const shapes = new ShapeWriter(file, scene, nodes, materials, extent, report);
@@ -40,7 +45,8 @@ export function writeGlb(scene: Scene, { name = 'scene' }: GlbOptions = {}): Exp
   if (variants.length > 0)
     file.extend(root, 'KHR_materials_variants').variants = variants.map((one) => ({ name: one }));
   file.add('scenes', { name: scene.name, nodes: nodes.roots() });
-  return { files: { [`${name}.glb`]: file.glb(root) }, report: report.list() };
+  const pieces = file.glb(root);
+  return { files: new Map([[`${name}.glb`, () => pieces]]), report: report.list() };
 }
 
 function writeLights(

@@ -3,28 +3,31 @@ import { writeExr } from '../../export/exr.ts';
 import { fromInterleaved } from '../../export/float-picture.ts';
 import type { EnvironmentMap } from '../../scene/environment.ts';
 import type { Sky } from '../../scene/scene.ts';
+import type { PlannedFiles } from '../export-plan.ts';
 import type { ExportReport } from '../export-report.ts';
 import { type Element, float, plugin, rgb, string, toWorld } from './xml.ts';
 
 /** Rows of the picture of a sky of two colours. */
 const ROWS_OF_BLEND = 1024;
 
-export function writeSky(sky: Sky, name: string, files: Record<string, Uint8Array>, report: ExportReport): Element[] {
+export function writeSky(sky: Sky, name: string, files: PlannedFiles, report: ExportReport): Element[] {
   const { horizon, zenith, map, scale = 1, rotation = 0 } = sky;
-  const picture = (content: EnvironmentMap, factor: number): Element[] => {
+  const picture = (content: () => EnvironmentMap, factor: number): Element[] => {
     const file = `${name}.sky.exr`;
-    const { width, height, data } = content;
-    files[file] = writeExr(fromInterleaved(width, height, ['R', 'G', 'B'], data));
+    files.set(file, () => {
+      const { width, height, data } = content();
+      return [writeExr(fromInterleaved(width, height, ['R', 'G', 'B'], data))];
+    });
     const angle = (rotation * Math.PI) / 180;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     const turn = rotation === 0 ? [] : [toWorld([c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0])];
     return [plugin('emitter', 'envmap', [string('filename', file), float('scale', factor), ...turn])];
   };
-  if (map) return picture(onMitsubasGrid(map), scale);
+  if (map) return picture(() => onMitsubasGrid(map), scale);
   if (horizon.every((x, c) => x === zenith[c]))
     return horizon.some((x) => x > 0) ? [plugin('emitter', 'constant', [rgb('radiance', horizon)])] : [];
   report.add('changed', `A sky of two colours is a picture of ${ROWS_OF_BLEND} rows there.`, 'sky');
-  return picture(blend(horizon, zenith), 1);
+  return picture(() => blend(horizon, zenith), 1);
 }
 
 /** Rows lie at j / (rows − 1) there, so the poles have rows of their own. */

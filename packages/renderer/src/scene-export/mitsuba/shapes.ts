@@ -5,7 +5,9 @@ import type { Mesh } from '../../scene/mesh.ts';
 import { meshMatrices } from '../../scene/placed.ts';
 import type { Box, MeshShape, Plane, Scene, Shape, Vec3 } from '../../scene/scene.ts';
 import { add, addScaled, cross, dot, length, normalize, rotate, scale } from '../../scene/vec3.ts';
+import type { PlannedFiles } from '../export-plan.ts';
 import type { ExportReport } from '../export-report.ts';
+import { type Carried, columnsOf } from './carried.ts';
 import { boolean, type Element, float, plugin, point, reference, string, toWorld } from './xml.ts';
 
 /** Columns of a matrix: x, y, z and where the origin goes. */
@@ -36,17 +38,16 @@ const PLANE_REACH = 1000;
 export class ShapeWriter {
   readonly #scene: Scene;
   readonly #name: string;
-  readonly #files: Record<string, Uint8Array>;
+  readonly #files: PlannedFiles;
   readonly #report: ExportReport;
   readonly #extent: number;
-  /** Names of files, by mesh. */
-  readonly #written = new Map<Mesh, string>();
-  /** The same for those whose triangles are written the other way round. */
-  readonly #turned = new Map<Mesh, string>();
+  /** Names of files, by mesh and what else is in them. */
+  readonly #written = new Map<Mesh, Map<string, string>>();
+  #count = 0;
   #groups = 0;
 
   /** `extent`: the greatest coordinate of what has an end. */
-  constructor(scene: Scene, name: string, extent: number, files: Record<string, Uint8Array>, report: ExportReport) {
+  constructor(scene: Scene, name: string, extent: number, files: PlannedFiles, report: ExportReport) {
     this.#scene = scene;
     this.#name = name;
     this.#extent = extent;
@@ -54,8 +55,8 @@ export class ShapeWriter {
     this.#report = report;
   }
 
-  /** `content`: what it is made of, and the emitter if it shines. */
-  write(name: string, shape: Shape, content: readonly Element[]): Element[] {
+  /** `carried`: what a mesh gives its material. `content`: what it is made of, and the emitter if it shines. */
+  write(name: string, shape: Shape, carried: Carried, content: readonly Element[]): Element[] {
     const thing = `shape "${name}"`;
     switch (shape.type) {
       case 'sphere':
@@ -72,7 +73,7 @@ export class ShapeWriter {
         );
         return [plugin('shape', 'rectangle', [toWorld(this.#planeMatrix(shape)), ...content])];
       case 'mesh':
-        return this.#mesh(shape, content);
+        return this.#mesh(shape, carried, content);
     }
   }
 
@@ -83,17 +84,16 @@ export class ShapeWriter {
     return fromColumns(scale(x, reach), scale(cross(z, x), reach), z, at);
   }
 
-  #mesh(shape: MeshShape, content: readonly Element[]): Element[] {
-    const mesh = this.#scene.meshes?.[shape.mesh]?.data;
-    if (mesh === undefined) throw new TypeError(`The mesh "${shape.mesh}" has not been loaded.`);
-    const thing = `mesh "${shape.mesh}"`;
-    if (mesh.colors) this.#report.add('lost', 'Colours of vertices are in the file beside it, but not used.', thing);
+  #mesh(shape: MeshShape, carried: Carried, content: readonly Element[]): Element[] {
+    const mesh = loadedMesh(this.#scene, shape);
     const matrices = meshMatrices(shape, IDENTITY);
     // Mitsuba takes the outside of a placed mesh from the order of its corners in the world, which a mirror image turns round; that of an
     // instance from the mesh's own.
     const isTurned = matrices.length === AFFINE_LENGTH && determinant(matrices) < 0;
     const parts = [
-      string('filename', this.#fileOf(mesh, shape.mesh, isTurned)),
+      string('filename', this.#fileOf(mesh, shape.mesh, isTurned, carried)),
+      // Such files count v from below.
+      boolean('flip_tex_coords', true),
       boolean('face_normals', mesh.normals === undefined),
     ];
     const at = (i: number) => toWorld(matrices.subarray(i, i + AFFINE_LENGTH));
@@ -106,24 +106,31 @@ export class ShapeWriter {
     return [group, ...places];
   }
 
-  #fileOf(mesh: Mesh, name: string, isTurned: boolean): string {
-    const files = isTurned ? this.#turned : this.#written;
-    const known = files.get(mesh);
+  #fileOf(mesh: Mesh, name: string, isTurned: boolean, carried: Carried): string {
+    const files = this.#written.get(mesh) ?? new Map<string, string>();
+    this.#written.set(mesh, files);
+    const key = JSON.stringify([isTurned, { ...carried, frame: carried.frame !== null }]);
+    const known = files.get(key);
     if (known !== undefined) return known;
     const safe = name.replace(/[^\p{L}\p{N}]+/gu, '-').slice(0, 60);
-    const file = `${this.#name}.${this.#written.size + this.#turned.size} ${safe}.ply`.replace(/ /g, '-');
-    const { positions, normals, uvs, colors } = mesh;
-    const indices = isTurned ? turned(mesh.indices) : mesh.indices;
-    this.#files[file] = writePly({
-      positions,
-      indices,
-      ...(normals && { normals }),
-      ...(uvs && { uvs }),
-      ...(colors && { colors }),
+    const file = `${this.#name}.${this.#count++} ${safe}.ply`.replace(/ /g, '-');
+    const { positions, normals, uvs } = mesh;
+    this.#files.set(file, () => {
+      const indices = isTurned ? turned(mesh.indices) : mesh.indices;
+      // Without any Mitsuba takes the place in each triangle.
+      const coordinates = uvs?.[0] ? uvs : [new Float32Array((positions.length / 3) * 2)];
+      const plain = { positions, indices, ...(normals && { normals }), uvs: coordinates };
+      return [writePly(plain, columnsOf(mesh, carried))];
     });
-    files.set(mesh, file);
+    files.set(key, file);
     return file;
   }
+}
+
+export function loadedMesh(scene: Scene, shape: MeshShape): Mesh {
+  const mesh = scene.meshes?.[shape.mesh]?.data;
+  if (mesh === undefined) throw new TypeError(`The mesh "${shape.mesh}" has not been loaded.`);
+  return mesh;
 }
 
 const turned = (indices: Uint32Array): Uint32Array => indices.map((_, i) => indices[i - (i % 3) + [0, 2, 1][i % 3]!]!);

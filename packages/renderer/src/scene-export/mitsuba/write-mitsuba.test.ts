@@ -1,3 +1,4 @@
+import { decode } from 'fast-png';
 import { describe, expect, test } from 'vitest';
 import { cubeMesh } from '../../../../../tests/fixtures/meshes/solids.ts';
 import { seededRandom } from '../../../../../tests/fixtures/random.ts';
@@ -5,8 +6,10 @@ import { referenceNames, referenceScene } from '../../../../../tests/reference/r
 import { readMeshFile } from '../../mesh-file/mesh-file.ts';
 import { builtInScenes } from '../../scene/built-in/index.ts';
 import type { EnvironmentMap } from '../../scene/environment.ts';
+import type { Mesh } from '../../scene/mesh.ts';
 import type { Scene } from '../../scene/scene.ts';
 import { requireScene } from '../../scene-file/require-scene.ts';
+import type { ExportedScene } from '../export-report.ts';
 import { onMitsubasGrid } from './environment.ts';
 import { writeMitsuba } from './write-mitsuba.ts';
 import { plugin, string, textOf } from './xml.ts';
@@ -53,8 +56,8 @@ test.each(
   for (const [, id] of xml.matchAll(/<ref id="([^"]*)"/g))
     expect([...ids, ...[...xml.matchAll(/shapegroup" id="([^"]*)"/g)].map(([, g]) => g)]).toContain(id);
   const python = new TextDecoder().decode(files['scene.py']);
-  for (const [, type] of xml.matchAll(/type="(mirrorball_\w+)"/g))
-    expect(python).toContain(`mi.register_bsdf('${type}'`);
+  for (const [, kind, type] of xml.matchAll(/<(\w+) type="(mirrorball_\w+)"/g))
+    expect(python).toContain(`mi.register_${kind}('${type}'`);
 });
 
 test('camera, film, depth', () => {
@@ -106,12 +109,17 @@ describe('materials', () => {
     expect(report.some(({ message }) => message.includes('scene.py adds it'))).toBe(python);
   });
   test('glass that absorbs has a medium, and an integrator that knows media', () => {
-    const xml = textIn(material({ type: 'dielectric', attenuationColor: [0.5, 1, 0.25], attenuationDistance: 2 }));
-    expect(xml).toContain('<integrator type="volpathmis">');
-    const sigma = /"sigma_t" value="([^"]*)"/.exec(xml)![1]!.split(', ').map(Number);
-    sigma.forEach((s, c) => {
-      expect(Math.exp(-2 * s)).toBeCloseTo([0.5, 1, 0.25][c]!, 9);
-    });
+    for (const distance of [2, 0.1]) {
+      const xml = textIn(material({ type: 'dielectric', attenuationColor: [0.5, 1, 0.25], attenuationDistance: distance })); // biome-ignore format: one line
+      expect(xml).toContain('<integrator type="volpathmis">');
+      const sigma = /"sigma_t" value="([^"]*)"/.exec(xml)![1]!.split(', ').map(Number);
+      const scale = Number(/"scale" value="([^"]*)"/.exec(xml)![1]);
+      // More it does not take.
+      expect(Math.max(...sigma)).toBeLessThanOrEqual(1);
+      sigma.forEach((s, c) => {
+        expect(Math.exp(-distance * s * scale)).toBeCloseTo([0.5, 1, 0.25][c]!, 9);
+      });
+    }
   });
   test('what is lost is named', () => {
     const { report } = writeMitsuba(
@@ -160,6 +168,82 @@ test('meshes are PLY files; many places are instances of one', () => {
   const xml = textIn(scene({ meshes, shapes: places }));
   expect(xml.match(/<shape type="instance">/g)).toHaveLength(3);
   expect(xml.match(/<shape type="ply">/g)).toHaveLength(1);
+});
+
+describe('what a mesh gives its material', () => {
+  const { positions, indices } = cubeMesh();
+  const count = positions.length / 3;
+  const each = (...numbers: number[]) => Float32Array.from({ length: count * numbers.length }, (_, i) => numbers[i % numbers.length]!); // biome-ignore format: one expression
+  const data: Mesh = { positions, indices, normals: each(0, 1, 0), tangents: each(1, 0, 0, -1), uvs: [each(0.25, 0.5), each(0.5, 0.75)], colors: each(0.5, 1, 1, 0.25) }; // biome-ignore format: one mesh
+  const rgba = Uint8Array.from([10, 20, 30, 40, 50, 60, 70, 80]);
+  const of = (m: object, shape: object = {}, mesh: Mesh = data) =>
+    writeMitsuba(
+      scene({
+        images: { 'a/b.png': { data: { width: 2, height: 1, rgba } } },
+        textures: { t: { image: 'a/b.png', wrapU: 'mirror', wrapV: 'mirror', filter: 'nearest' } },
+        materials: { m: { type: 'metallicRoughness', ...m } },
+        meshes: { cube: { data: mesh } },
+        shapes: { cube: { type: 'mesh', mesh: 'cube', material: 'm', ...shape } },
+      }),
+    );
+  const xmlOf = (files: ExportedScene['files']) => new TextDecoder().decode(files['scene.xml']);
+  const plain: Mesh = { positions, indices, uvs: data.uvs! };
+
+  test('a texture is a picture beside it, with its wrap, filter, transform and meaning', () => {
+    const use = { texture: 't', offset: [0.5, 0.25], rotation: 90, scale: [2, 3] };
+    const { files } = of({ baseColor: [1, 1, 1], baseColorTexture: use, metallicRoughnessTexture: { texture: 't' } }, {}, plain); // biome-ignore format: one call
+    const xml = xmlOf(files);
+    expectWellFormed(xml);
+    expect(xml).toMatch(
+      /<texture type="bitmap" name="base_color">\s*<string name="filename" value="scene.0-a-b-png.png"\/>\s*<boolean name="raw" value="false"\/>[\s\S]*?"mirror"[\s\S]*?"nearest"[\s\S]*?<matrix value="\S+ 3 0 0.5 -2 \S+ 0 0.25 0 0 1 0 0 0 0 1"/,
+    );
+    expect(xml).toMatch(/name="metallic_roughness">\s*<string name="filename" value="scene.0-a-b-png.png"\/>\s*<boolean name="raw" value="true"/); // biome-ignore format: one form
+    expect([...decode(files['scene.0-a-b-png.png']!).data]).toEqual([10, 20, 30, 50, 60, 70]);
+  });
+
+  test('colours of vertices are an attribute, alone or times a colour', () => {
+    const { files } = of({ type: 'diffuse', baseColor: [1, 1, 1] });
+    expect(xmlOf(files)).toMatch(/<bsdf type="diffuse">\s*<texture type="mesh_attribute" name="reflectance">\s*<string name="name" value="vertex_color"/); // biome-ignore format: one form
+    expect(new TextDecoder().decode(files['scene.0-cube.ply'])).toContain('property float red');
+    expect(xmlOf(of({ baseColor: [0.5, 1, 1] }).files)).toMatch(
+      /mirrorball_product[\s\S]*"factor" value="0.5, 1, 1"[\s\S]*vertex_color/,
+    );
+  });
+
+  test('what is cut out is masked, and light goes through it', () => {
+    const veil = of({ alphaMode: 'blend', baseColorTexture: { texture: 't' } }, {}, plain);
+    expect(xmlOf(veil.files)).toMatch(/type="volpath"[\s\S]*<bsdf type="mask" id="material 0">\s*<texture type="bitmap" name="opacity">/); // biome-ignore format: one form
+    expect([...decode(veil.files['scene.1-a-b-png-opacity.png']!).data]).toEqual([40, 80]);
+    const holes = xmlOf(of({ alphaMode: 'mask', alphaCutoff: 0.3 }).files);
+    expect(holes).toMatch(/mirrorball_presence[\s\S]*"cutoff" value="0.3"[\s\S]*vertex_opacity/);
+    expect(xmlOf(of({ doubleSided: false }).files)).toMatch(/mirrorball_presence[\s\S]*"one_sided" value="true"/);
+    expect(xmlOf(of({}).files)).toContain('<integrator type="path">');
+  });
+
+  test('a normal map has its frame; that of many places is lost, and told', () => {
+    const m = { normalTexture: { texture: 't', normalScale: 0.5, uvSet: 1 } };
+    const { files, report } = of(m, { scale: [1, 2, 1] });
+    expect(xmlOf(files)).toMatch(/mirrorball_second_set" name="normal_map"[\s\S]*vertex_uv1[\s\S]*"normal_scale" value="0.5"/); // biome-ignore format: one form
+    const rows = /"normals_into_world" value="([^"]*)"/.exec(xmlOf(files))![1]!.split(', ').map(Number);
+    expect(rows[4]! / rows[0]!).toBeCloseTo(0.5, 9);
+    const ply = new TextDecoder().decode(files['scene.0-cube.ply']);
+    for (const column of ['own_normal_z', 'own_tangent_x', 'own_hand_x', 'uv1_y']) expect(ply).toContain(column);
+    expect(report.some(({ message }) => message.startsWith('Normal maps'))).toBe(false);
+    const places = of(m, { instances: [{ translation: [1, 0, 0] }, {}] });
+    expect(places.report.map(({ message }) => message).join()).toContain('Normal maps of meshes at several places');
+    expect(xmlOf(places.files)).not.toContain('normal_map');
+  });
+
+  test('light is that of a texture, or of what needs none', () => {
+    expect(xmlOf(of({ emission: [2, 1, 1], emissionTexture: { texture: 't' } }).files)).toMatch(
+      /<emitter type="area">\s*<texture type="mirrorball_product" name="radiance">/,
+    );
+    const poster = of({ unlit: true, baseColor: [1, 1, 1], baseColorTexture: { texture: 't' } });
+    expect(xmlOf(poster.files)).toMatch(
+      /<emitter type="area">\s*<texture type="mirrorball_product" name="radiance">[\s\S]*"sampled_by_area" value="true"/,
+    );
+    expect(poster.report.map(({ message }) => message).join()).toContain('Light does not vary by colours of vertices');
+  });
 });
 
 test('a mirrored mesh has its corners the other way round, so that its outside stays out', () => {

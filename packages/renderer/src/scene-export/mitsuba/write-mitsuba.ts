@@ -1,15 +1,18 @@
 /** A scene as Mitsuba 3 reads it, for a second opinion. */
 import { focusOf, wholeCamera } from '../../scene/camera.ts';
 import { posedSceneAt } from '../../scene/posed.ts';
-import type { Camera, Scene } from '../../scene/scene.ts';
+import type { Camera, Scene, Shape } from '../../scene/scene.ts';
 import { boundsAt } from '../../scene/scene-bounds.ts';
+import { carriedOut, type ExportPlan, type PlannedFiles } from '../export-plan.ts';
 import { type ExportedScene, ExportReport } from '../export-report.ts';
+import { type Carried, carriedBy, NOTHING } from './carried.ts';
 import { writeSky } from './environment.ts';
 import { writeLight } from './lights.ts';
-import { type WrittenMaterial, writeMaterial } from './materials.ts';
+import { MaterialWriter, type WrittenMaterial } from './materials.ts';
 import { pythonProgram } from './python.ts';
-import { ShapeWriter } from './shapes.ts';
-import { boolean, type Element, float, integer, lookAt, plugin, reference, rgb, scene as sceneElement, string, textOf } from './xml.ts'; // biome-ignore format: one list
+import { loadedMesh, ShapeWriter } from './shapes.ts';
+import { TextureWriter } from './textures.ts';
+import { boolean, type Element, float, integer, lookAt, plugin, reference, scene as sceneElement, string, textOf } from './xml.ts'; // biome-ignore format: one list
 
 export interface MitsubaOptions {
   /** What the files are called, without ending. Default: "scene". */
@@ -27,10 +30,14 @@ export interface MitsubaOptions {
  * The scene at a time as `NAME.xml`, with the meshes as PLY files, the sky's map as EXR, and `NAME.py`, which renders it and has the BSDFs
  * that Mitsuba lacks. Every mesh must have its data. Throws an Error for a camera that Mitsuba has not.
  */
-export function writeMitsuba(scene: Scene, options: MitsubaOptions = {}): ExportedScene {
+export const writeMitsuba = (scene: Scene, options: MitsubaOptions = {}): ExportedScene =>
+  carriedOut(planMitsuba(scene, options));
+
+/** The same one file at a time. */
+export function planMitsuba(scene: Scene, options: MitsubaOptions = {}): ExportPlan {
   const { name = 'scene', time = 0 } = options;
   const report = new ExportReport();
-  const files: Record<string, Uint8Array> = {};
+  const files: PlannedFiles = new Map();
   // It stands still from here on; its tracks would move nodes that are no more.
   const { clip: _, ...posed } = { ...posedSceneAt(scene, time), animation: [] };
   if (scene.animation.length > 0 || scene.clip !== undefined)
@@ -43,54 +50,73 @@ export function writeMitsuba(scene: Scene, options: MitsubaOptions = {}): Export
       'The file has linear light: exposure and tone mapping are left to who shows it.',
       'render settings',
     );
-  const materials = writeMaterials(posed, report);
   const { min, max } = boundsAt(posed, 0) ?? { min: [1, 1, 1], max: [1, 1, 1] };
   const extent = Math.max(...[...min, ...max].map(Math.abs));
   const shapes = new ShapeWriter(posed, name, extent, files, report);
-  const content = Object.entries(posed.shapes).flatMap(([key, shape]) =>
-    shapes.write(key, shape, contentOf(posed, key, shape.material, materials, report)),
-  );
+  const materials = new Materials(posed, new TextureWriter(posed, name, files, report), report);
+  const content = Object.entries(posed.shapes).flatMap(([key, shape]) => {
+    const carried = shape.type === 'mesh' ? carriedBy(shape, loadedMesh(posed, shape), posed.materials[shape.material]!) : NOTHING; // biome-ignore format: one choice
+    return shapes.write(key, shape, carried, contentOf(key, shape, materials.of(shape.material, carried), report));
+  });
   const lights = Object.entries(posed.lights).map(([key, light]) => writeLight(key, light, report));
-  const absorbs = [...materials.values()].some(({ medium }) => medium !== undefined);
   const file = sceneElement([
-    plugin('integrator', absorbs ? 'volpathmis' : 'path', [integer('max_depth', posed.render.maxDepth)]),
+    plugin('integrator', integratorFor(materials.all()), [integer('max_depth', posed.render.maxDepth)]),
     sensor(posed.camera, options),
-    ...[...materials.values()].map(({ bsdf }) => bsdf),
+    ...materials.all().map(({ bsdf }) => bsdf),
     ...content,
     ...lights,
     ...writeSky(posed.sky, name, files, report),
   ]);
   const encode = (text: string) => new TextEncoder().encode(text);
-  const python = [...materials].filter(([, { needsPython }]) => needsPython).map(([key]) => key);
-  for (const key of python)
-    report.add('changed', `Mitsuba has no such BSDF of its own: ${name}.py adds it, so render by "python ${name}.py".`, `material "${key}"`); // biome-ignore format: one sentence
-  files[`${name}.xml`] = encode(`<!-- ${posed.name.replaceAll('--', '- -')}, by Mirrorball -->\n${textOf(file)}`);
-  files[`${name}.py`] = encode(pythonProgram(name));
+  const text = textOf(file);
+  if (text.includes('type="mirrorball_'))
+    report.add('changed', `Mitsuba has not all of this by itself: ${name}.py adds it, so render by "python ${name}.py".`, 'materials'); // biome-ignore format: one sentence
+  const xml = `<!-- ${posed.name.replaceAll('--', '- -')}, by Mirrorball -->\n${text}`;
+  files.set(`${name}.xml`, () => [encode(xml)]);
+  files.set(`${name}.py`, () => [encode(pythonProgram(name))]);
   return { files, report: report.list() };
 }
 
-function writeMaterials({ materials, shapes }: Scene, report: ExportReport): Map<string, WrittenMaterial> {
-  const used = [...new Set(Object.values(shapes).map(({ material }) => material))];
-  return new Map(used.map((name, i) => [name, writeMaterial(name, materials[name]!, `material ${i}`, report)]));
+/** Each material once for all meshes that give it the same. */
+class Materials {
+  readonly #scene: Scene;
+  readonly #textures: TextureWriter;
+  readonly #report: ExportReport;
+  readonly #written = new Map<string, WrittenMaterial>();
+
+  constructor(scene: Scene, textures: TextureWriter, report: ExportReport) {
+    this.#scene = scene;
+    this.#textures = textures;
+    this.#report = report;
+  }
+
+  of(name: string, carried: Carried): WrittenMaterial {
+    const key = JSON.stringify([name, carried]);
+    const known = this.#written.get(key);
+    if (known !== undefined) return known;
+    const writer = new MaterialWriter(name, this.#scene.materials[name]!, carried, this.#textures, this.#report);
+    const written = writer.write(`material ${this.#written.size}`);
+    this.#written.set(key, written);
+    return written;
+  }
+
+  all(): WrittenMaterial[] {
+    return [...this.#written.values()];
+  }
+}
+
+/** Only paths that know media see light through what is cut out, and do not count it as a segment. */
+function integratorFor(materials: readonly WrittenMaterial[]): string {
+  if (materials.some(({ medium }) => medium !== undefined)) return 'volpathmis';
+  return materials.some(({ isCut }) => isCut) ? 'volpath' : 'path';
 }
 
 /** What a shape has in it: its BSDF, what is inside of it, and its light. */
-function contentOf(
-  scene: Scene,
-  shape: string,
-  material: string,
-  materials: ReadonlyMap<string, WrittenMaterial>,
-  report: ExportReport,
-): Element[] {
-  const { bsdf, medium } = materials.get(material)!;
-  const { emission, emissionStrength = 1 } = scene.materials[material]!;
-  const content = [reference(bsdf.attributes.id!), ...(medium ? [medium] : [])];
-  if (emission.every((x) => x * emissionStrength === 0)) return content;
-  const { type } = scene.shapes[shape]!;
-  if (type === 'quad' || type === 'mesh')
-    report.add('changed', 'It shines to its front side only there.', `shape "${shape}"`);
-  const radiance = emission.map((x) => x * emissionStrength);
-  return [...content, plugin('emitter', 'area', [rgb('radiance', radiance)])];
+function contentOf(name: string, { type }: Shape, written: WrittenMaterial, report: ExportReport): Element[] {
+  const { bsdf, medium, emitter } = written;
+  if (emitter && (type === 'quad' || type === 'mesh'))
+    report.add('changed', 'It shines to its front side only there.', `shape "${name}"`);
+  return [reference(bsdf.attributes.id!), ...(medium ? [medium] : []), ...(emitter ? [emitter] : [])];
 }
 
 function sensor(given: Camera, { width = 1280, height = 720, samples = 64 }: MitsubaOptions): Element {

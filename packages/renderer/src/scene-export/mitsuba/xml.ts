@@ -36,6 +36,10 @@ export const toWorld = (matrix: ArrayLike<number>): Element =>
     element('matrix', { value: [...Array.from(matrix).slice(0, 12), 0, 0, 0, 1].map(digits).join(' ') }),
   );
 
+/** Of texture coordinates, u and v and 1, row by row; Mitsuba takes it for a matrix of space, whose third row and column it leaves out. */
+export const toUv = ([a, b, x, c, d, y]: readonly number[]): Element =>
+  element('transform', { name: 'to_uv' }, element('matrix', { value: [a!, b!, 0, x!, c!, d!, 0, y!, 0, 0, 1, 0, 0, 0, 0, 1].map(digits).join(' ') })); // biome-ignore format: one expression
+
 export const lookAt = (origin: readonly number[], target: readonly number[], up: readonly number[], scale?: number): Element => element('transform', { name: 'to_world' }, ...(scale === undefined ? [] : [element('scale', { x: digits(scale), y: digits(scale) })]), element('lookat', { origin: list(origin), target: list(target), up: list(up) })); // biome-ignore format: one expression
 
 const escaped = (text: string): string =>

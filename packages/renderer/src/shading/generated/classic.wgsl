@@ -370,7 +370,7 @@ struct Bounds {
 
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
 }
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;

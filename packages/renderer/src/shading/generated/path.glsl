@@ -993,6 +993,11 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
 }
 
+vec4 environmentTexel(uint column_1, uint row_1) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_1)), 0);
+    return _e5;
+}
+
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size = uvec2(_e3);
@@ -1002,11 +1007,11 @@ Corners environmentCorners(uvec2 cell) {
     uint lower = min(cell.y, (size.y - 1u));
     vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left, upper)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left, lower)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower)), 0);
-    return Corners((above * _e52), (above * _e57), (below * _e62), (below * _e67));
+    vec4 _e49 = environmentTexel(left, upper);
+    vec4 _e51 = environmentTexel(right, upper);
+    vec4 _e53 = environmentTexel(left, lower);
+    vec4 _e55 = environmentTexel(right, lower);
+    return Corners((above * _e49), (above * _e51), (below * _e53), (below * _e55));
 }
 
 EnvironmentLight lookUpEnvironment(vec3 direction_7) {
@@ -1015,13 +1020,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_7) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_7.z, direction_7.y)), vec2(abs(direction_7.x), sine_1));
     float turn = (pick((direction_7.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_7.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
+    float column_2 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
     float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
-    float row_1 = floor(fromPole);
+    float row_2 = floor(fromPole);
     bool isLower = (direction_7.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_1.y - row_1), row_1));
-    float within_1 = (fromPole - row_1);
-    vec2 at_1 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    vec2 cell_1 = vec2(floor(column_2), pick(isLower, (size_1.y - row_2), row_2));
+    float within_1 = (fromPole - row_2);
+    vec2 at_1 = vec2((column_2 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
     return _e67;
@@ -1548,9 +1553,9 @@ vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_18 = (t_2.first + pair);
-    uint row_2 = (i_18 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_18 - (row_2 * width_2)), row_2)), 0);
-    return _e15;
+    uint row_3 = (i_18 / width_2);
+    vec4 _e12 = environmentTexel((i_18 - (row_3 * width_2)), row_3);
+    return _e12;
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {

@@ -749,7 +749,7 @@ fn isLayered(code: u32) -> bool {
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
 }
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
@@ -1169,7 +1169,7 @@ fn environmentCorners(cell: vec2u) -> Corners {
   let lower = min(cell.y, size.y - 1u);
   let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
   let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
-  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
 }
 
 struct EnvironmentLight {
@@ -1188,6 +1188,11 @@ struct Corners {
   d: vec4f,
 }
 
+
+// As in table_texel.wesl.
+fn environmentTexel(column: u32, row: u32) -> vec4f {
+  return textureLoad(environment, vec2u(column, row), 0);
+}
 
 // Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
 @group(0) @binding(4) var environment: texture_2d<f32>;
@@ -1673,7 +1678,7 @@ fn fetchEntries(t: Table, pair: u32) -> vec4f {
   let width = u32(frame.environmentSize.x);
   let i = t.first + pair;
   let row = i / width;
-  return textureLoad(environment, vec2u(i - row * width, row), 0);
+  return environmentTexel(i - row * width, row);
 }
 
 // The entry that was chosen, and where in its share the number lies, in [0, 1].

@@ -1256,12 +1256,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_10 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_10);
+    uint row_11 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_11);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_10 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
         float _e43 = opacity;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
@@ -1882,8 +1882,8 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     uint i_17 = 0u;
     vec2 place_2 = vec2(0.0);
     float _e4 = s_6.textures;
-    uint row_11 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_11);
+    uint row_12 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_12);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1892,7 +1892,7 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
-            TextureUse _e42 = fetchTextureUse(((row_11 + materialTexturesRows) + (_e38 * textureUseRows)));
+            TextureUse _e42 = fetchTextureUse(((row_12 + materialTexturesRows) + (_e38 * textureUseRows)));
             place_2 = uv_1.xy;
             const bool _e46 = hasVertexMore;
             if (_e46) {
@@ -2173,6 +2173,11 @@ EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
     return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
 }
 
+vec4 environmentTexel(uint column_1, uint row_8) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_8)), 0);
+    return _e5;
+}
+
 Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
     uvec2 size_6 = uvec2(_e3);
@@ -2182,11 +2187,11 @@ Corners environmentCorners(uvec2 cell) {
     uint lower_1 = min(cell.y, (size_6.y - 1u));
     vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
     vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_6.y), -1.0, 1.0));
-    vec4 _e52 = texelFetch(environment, ivec2(uvec2(left_1, upper_1)), 0);
-    vec4 _e57 = texelFetch(environment, ivec2(uvec2(right, upper_1)), 0);
-    vec4 _e62 = texelFetch(environment, ivec2(uvec2(left_1, lower_1)), 0);
-    vec4 _e67 = texelFetch(environment, ivec2(uvec2(right, lower_1)), 0);
-    return Corners((above_1 * _e52), (above_1 * _e57), (below_1 * _e62), (below_1 * _e67));
+    vec4 _e49 = environmentTexel(left_1, upper_1);
+    vec4 _e51 = environmentTexel(right, upper_1);
+    vec4 _e53 = environmentTexel(left_1, lower_1);
+    vec4 _e55 = environmentTexel(right, lower_1);
+    return Corners((above_1 * _e49), (above_1 * _e51), (below_1 * _e53), (below_1 * _e55));
 }
 
 EnvironmentLight lookUpEnvironment(vec3 direction_11) {
@@ -2195,13 +2200,13 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_1));
     float turn_1 = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
     float _e35 = frame.environmentTurn;
-    float column_1 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
+    float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
     float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
-    float row_12 = floor(fromPole);
+    float row_13 = floor(fromPole);
     bool isLower = (direction_11.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_1), pick(isLower, (size_7.y - row_12), row_12));
-    float within_1 = (fromPole - row_12);
-    vec2 at_2 = vec2((column_1 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
+    vec2 cell_1 = vec2(floor(column_2), pick(isLower, (size_7.y - row_13), row_13));
+    float within_1 = (fromPole - row_13);
+    vec2 at_2 = vec2((column_2 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
     Corners _e66 = environmentCorners(uvec2(cell_1));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
     return _e67;
@@ -2330,16 +2335,16 @@ float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_16, float distance_3, vec
     return pick(_e5.inside, _e12, _e10);
 }
 
-LampTriangle fetchLampTriangle(uint row_8) {
-    uvec4 _e3 = geometryRow((row_8 + 0u));
+LampTriangle fetchLampTriangle(uint row_9) {
+    uvec4 _e3 = geometryRow((row_9 + 0u));
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
 float meshPdf(Emitter e_7, vec3 direction_17, float distance_4, vec3 normal_5, uint place_3) {
     uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
+    uint row_14 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
     float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_17, normal_5))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_13);
+    LampTriangle _e24 = fetchLampTriangle(row_14);
     return (_e23 * _e24.density);
 }
 
@@ -2883,16 +2888,16 @@ LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_12) {
 ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_13) {
     uint _e4 = frame.lampTables;
     uint first_2 = (_e4 + uint(e_20.table));
-    uint column_2 = min(uint((u_13.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
+    uint column_3 = min(uint((u_13.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_2 + column_3));
     uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
-    float x_24 = clamp((((u_13.x * e_20.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    float x_24 = clamp((((u_13.x * e_20.triangles) - float(column_3)) + fine_2), 0.0, 0.99999994);
     bool own_10 = (x_24 < _e18.own);
     float rest_2 = pick(own_10, (x_24 / max(_e18.own, 1e-37)), ((x_24 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_8 = pick(own_10, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_3) + place_8) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
 }
@@ -2911,18 +2916,18 @@ vec3 outOfMesh(Instance i_23, vec3 p_11) {
     return ((((q_7.x * x_25) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_25)));
 }
 
-vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
+vec3 radianceShare(uint row_10, Cover c_2, bool missing) {
     vec3 share = vec3(1.0);
     float opacity_1 = 0.0;
     uint i_24 = 0u;
-    MaterialTextures _e3 = fetchMaterialTextures(row_9);
+    MaterialTextures _e3 = fetchMaterialTextures(row_10);
     bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
     uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
     opacity_1 = (_e3.opacity * c_2.opacity);
     if ((wanted > 0u)) {
         while(true) {
             uint _e27 = i_24;
-            TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
+            TextureUse _e31 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e27 * textureUseRows)));
             vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
             vec3 _e43 = share;
             share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
@@ -3007,9 +3012,9 @@ vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_26 = (t_5.first + pair);
-    uint row_14 = (i_26 / width_2);
-    vec4 _e15 = texelFetch(environment, ivec2(uvec2((i_26 - (row_14 * width_2)), row_14)), 0);
-    return _e15;
+    uint row_15 = (i_26 / width_2);
+    vec4 _e12 = environmentTexel((i_26 - (row_15 * width_2)), row_15);
+    return _e12;
 }
 
 vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {

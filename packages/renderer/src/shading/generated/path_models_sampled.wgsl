@@ -858,7 +858,7 @@ fn fetchLayers(i: u32) -> Layers {
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
 }
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
@@ -1936,7 +1936,7 @@ fn environmentCorners(cell: vec2u) -> Corners {
   let lower = min(cell.y, size.y - 1u);
   let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
   let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
-  return Corners(above * textureLoad(environment, vec2u(left, upper), 0), above * textureLoad(environment, vec2u(right, upper), 0), below * textureLoad(environment, vec2u(left, lower), 0), below * textureLoad(environment, vec2u(right, lower), 0));
+  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
 }
 
 struct EnvironmentLight {
@@ -1955,6 +1955,11 @@ struct Corners {
   d: vec4f,
 }
 
+
+fn environmentTexel(column: u32, row: u32) -> vec4f {
+  let place = vec2f(f32(i32(column)), f32(i32(row))) + 0.5;
+  return textureSampleLevel(environment, nearest, place / vec2f(textureDimensions(environment)), 0.0);
+}
 
 // Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
 @group(0) @binding(4) var environment: texture_2d<f32>;
@@ -2584,7 +2589,7 @@ fn fetchEntries(t: Table, pair: u32) -> vec4f {
   let width = u32(frame.environmentSize.x);
   let i = t.first + pair;
   let row = i / width;
-  return textureLoad(environment, vec2u(i - row * width, row), 0);
+  return environmentTexel(i - row * width, row);
 }
 
 // The entry that was chosen, and where in its share the number lies, in [0, 1].

@@ -184,7 +184,7 @@ fn rotateBack(q: vec4f, v: vec3f) -> vec3f {
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(column) + 0.5) / tableWidth, (f32(row) + 0.5) * frame.rowHeight), 0.0);
+  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
 }
 
 struct Bounds {
