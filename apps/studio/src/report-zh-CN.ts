@@ -62,7 +62,11 @@ const forms: readonly Form[] = [
     (file) => `材质取自与模型同名的文件 ${file}。`,
   ],
   [/^No file describes the material (".*"); it is grey\.$/, (name) => `没有文件描述材质 ${name}，显示为灰色。`],
-  [/^Nothing is made of (.*) of the material (".*")\.$/, (words, name) => `材质 ${name} 的 ${words} 未被采用。`],
+  [
+    /^Nothing is made of (.*) of the material (".*")\.$/,
+    (words, name) =>
+      `材质 ${name} 的 ${words.replaceAll(/\(("[^"]*") is no image of a kind that is read\)/g, '（$1 的图片格式不受支持）')} 未被采用。`,
+  ],
   [/^The image (".*") cannot be read, so that what it covers is plain: .*$/, (file) => `无法读取图像 ${file}，用到它的表面没有贴图。请确认它完好，并和模型一起打开。`], // biome-ignore format: one line each
   [/^The material (".*") has textures, and its triangles have no texture coordinates\.$/, (name) => `材质 ${name} 有贴图，但它的三角形没有纹理坐标。`], // biome-ignore format: one line each
   [/^The same is true of (\d+) more materials\.$/, (count) => `还有 ${count} 种材质也是如此。`],

@@ -108,7 +108,7 @@ function Report({ report }: { report: ImportReport }) {
       <ul>
         {report.entries.map((entry) => (
           <li key={`${entry.kind} ${entry.what} ${entry.message}`}>
-            <strong>{t.reportKinds[entry.kind]}</strong> <code>{entry.what}</code>
+            <strong>{t.reportKinds[entry.kind]}</strong> {entry.what !== 'file' && <code>{entry.what}</code>}
             <p>{t.reportEntry(entry)}</p>
           </li>
         ))}
