@@ -1,8 +1,11 @@
 /** Meshes bent by one device: what it is told of them once, and of each pose. The geometry stays where it is and is written over there. */
 import type { Compute, DataBuffer, Device, Kernels, Work } from './gpu/device.ts';
 import type { Bending } from './packed-scene/bending.ts';
+import { MANY_THREADS } from './packed-scene/bent-layout.ts';
 import bendWgsl from './shading/generated/bend.wgsl?raw';
 
+/** Threads of the workgroups that do all of a mesh: what devices have, the most first. */
+const THREADS = [1024, 512, MANY_THREADS];
 const ENTRIES = ['bendMesh', 'bendVertices', 'fitLeaves', 'fitLevel', 'fitLevels', 'weighTree'];
 /** Poses from one weighing of the trees to the next: they are slow to become bad ones, and the answer takes some frames. */
 const WEIGHED_EVERY = 64;
@@ -29,12 +32,17 @@ export class Bender {
 
   /** Rejects with `DeviceError` when the device cannot. */
   static async create(device: Device, compute: Compute): Promise<Bender> {
-    const kernels = await compute.createKernels({
-      label: 'bend',
-      wgsl: bendWgsl,
-      entries: ENTRIES,
-      data: ['write', 'read', 'read', 'write'],
-    });
+    const kernelsOf = (manyThreads: number) =>
+      compute.createKernels({
+        label: 'bend',
+        wgsl: bendWgsl,
+        entries: ENTRIES,
+        constants: { manyThreads },
+        data: ['write', 'read', 'read', 'write'],
+      });
+    const most = THREADS.find((threads) => threads <= compute.maxThreads) ?? MANY_THREADS;
+    // Some drivers have fewer for a kernel than they say for all.
+    const kernels = await kernelsOf(most).catch(() => kernelsOf(MANY_THREADS));
     return new Bender(device, compute, kernels);
   }
 

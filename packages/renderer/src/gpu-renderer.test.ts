@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { cubeMesh } from '../../../tests/fixtures/meshes/solids.ts';
 import { arm } from '../../../tests/fixtures/motion.ts';
+import { PoseWorker } from '../../../tests/fixtures/pose-worker.ts';
 import { testScene } from '../../../tests/fixtures/scenes.ts';
 import {
   type Compute,
@@ -300,6 +301,7 @@ describe('models', () => {
   function computing(device: FakeDevice, refuses: boolean): void {
     device.compute = {
       maxRows: 1e6,
+      maxThreads: 256,
       createKernels: async ({ label }) => {
         if (refuses) throw new DeviceError('refused');
         return { label };
@@ -339,6 +341,58 @@ describe('models', () => {
     await settled(renderer, arm(8, 6));
     expect(device.count('path')).toBe(1);
     expect(device.count('bend')).toBe(0);
+  });
+
+  test('a worker bends large meshes that move; pictures are of a time that it has come to, stills of theirs; it is ended with its scene', async () => {
+    PoseWorker.all.length = 0;
+    vi.stubGlobal('Worker', PoseWorker);
+    const device = new FakeDevice();
+    device.next = new FakeDevice();
+    const renderer = await started(device);
+    const model = arm(64, 36);
+    await settled(renderer, model);
+    renderer.playing = true;
+    await pass(100);
+    const [worker] = PoseWorker.all as [PoseWorker];
+    // Until it is up, pictures are not held up, and what it was asked for first is too old.
+    expect(renderer.time - renderer.stats.time).toBeLessThan(0.05);
+    worker.work();
+    await pass(100);
+    for (let i = 0; i < 5; i++) {
+      const { time } = renderer.stats;
+      worker.work();
+      await pass(100);
+      expect(renderer.stats.time).toBeGreaterThan(time);
+      expect(renderer.stats.time).toBeLessThan(renderer.time);
+    }
+    renderer.playing = false;
+    const { time } = renderer;
+    await pass(100);
+    expect(renderer.stats.time).toBeLessThan(time);
+    for (let i = 0; i < 2; i++) {
+      worker.work();
+      await pass(100);
+    }
+    expect(renderer.stats).toMatchObject({ time, samples: 3 });
+    // Nothing waits for the worker that is asked for by hand.
+    renderer.stop();
+    renderer.time = 1.5;
+    await Promise.all([renderer.render(), pass(50)]);
+    expect(renderer.stats.time).toBe(1.5);
+    // The device is lost while the worker is at something, the scene is another one, the end comes.
+    renderer.playing = true;
+    renderer.start();
+    await pass(100);
+    device.lose('test');
+    await pass(500);
+    expect(PoseWorker.all.map(({ ended }) => ended)).toEqual([true, false]);
+    await settled(renderer, cubes(1));
+    expect(PoseWorker.all.map(({ ended }) => ended)).toEqual([true, true]);
+    await settled(renderer, { ...model });
+    await pass(100);
+    renderer.dispose();
+    await pass(100);
+    expect(PoseWorker.all.map(({ ended }) => ended)).toEqual([true, true, true]);
   });
 
   test('more shapes than its tables have rows for are refused, and the scene before stays', async () => {

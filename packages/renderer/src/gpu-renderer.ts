@@ -204,7 +204,7 @@ export class GpuRenderer implements Renderer {
     const reduced = view.settings.adaptive && moving;
     const changed = painter.changesByHand();
     painter
-      .draw(reduced, () => !this.running || (!reduced && changed()))
+      .draw(reduced, () => !this.running || (!reduced && changed()), true)
       .catch((error: unknown) => this.#report(painter, error));
   };
 
@@ -244,7 +244,7 @@ export class GpuRenderer implements Renderer {
     if (!painter.free) painter.refresh();
     while (!painter.free && painter === this.#painter) await pause(4);
     if (painter !== this.#painter) return false;
-    await painter.draw(this.running && this.#view.moves && this.#view.settings.adaptive, () => false);
+    await painter.draw(this.running && this.#view.moves && this.#view.settings.adaptive, () => false, false);
     return painter === this.#painter;
   }
 
@@ -292,7 +292,7 @@ export class GpuRenderer implements Renderer {
 
   /** A lost device keeps scene, view and time; the film is traced again. */
   async #recover(reason: string): Promise<void> {
-    this.#painter = null;
+    this.#putAwayPainter();
     this.#options.onDevice?.('lost', reason);
     let failure = reason;
     for (let attempt = 0; attempt < REOPEN_TRIES && this.#gone === null; attempt++) {
@@ -319,8 +319,13 @@ export class GpuRenderer implements Renderer {
   dispose(): void {
     this.stop();
     this.#gone ??= 'The renderer was disposed of.';
-    this.#painter = null;
+    this.#putAwayPainter();
     this.#device.destroy();
+  }
+
+  #putAwayPainter(): void {
+    this.#painter?.stages.end();
+    this.#painter = null;
   }
 }
 

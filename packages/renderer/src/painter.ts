@@ -8,13 +8,18 @@ import type { FrameController } from './frame-controller.ts';
 import type { DrawnFrame, FrameFigures } from './frame-figures.ts';
 import { loadGeometryPacker } from './packed-scene/geometry-packer.ts';
 import { hasMeshes } from './packed-scene/refuse-meshes.ts';
+import { PosePace } from './pose-pace.ts';
 import { contentOf, isAov } from './programs.ts';
 import type { FrameStats } from './renderer-types.ts';
+import type { Moment } from './scene/motion.ts';
 import type { Shot, Stages } from './stages.ts';
 import type { View } from './view.ts';
 
 /** Frames that may be on the device at once: one being worked on, one waiting, so that it never idles and never lags. */
 const MOST_IN_FLIGHT = 2;
+
+/** A film that shows an earlier time is by this much of no revision. */
+const LATE = 0.5;
 
 /** Samples of one frame, where a call may add many. */
 const MOST_PER_FRAME = 64;
@@ -34,6 +39,9 @@ export class Painter {
   #inFlight = 0;
   /** What the film holds or is being given. */
   #record = NO_FILM;
+  readonly #pace = new PosePace();
+  /** What the film was begun with. */
+  #begun: { readonly moment: Moment; readonly timeless: number } | null = null;
   /** Of the picture's film, laid aside while another view is looked at. */
   #parked: FilmRecord | null = null;
   #showsPicture = true;
@@ -73,9 +81,10 @@ export class Painter {
 
   /**
    * One frame, or nothing when the film is good and shown. Resolves when the device has finished it; what fits into one submit is
-   * submitted before this returns. `unwanted` is asked between two submits whether the sample may be given up.
+   * submitted before this returns. `unwanted` is asked between two submits whether the sample may be given up. `late`: whether the picture
+   * may be of an earlier time while meshes are bent for this one.
    */
-  async draw(reduced: boolean, unwanted: () => boolean): Promise<void> {
+  async draw(reduced: boolean, unwanted: () => boolean, late: boolean): Promise<void> {
     const { canvas } = this.#easel;
     if (canvas.width === 0 || canvas.height === 0) return;
     this.#keepPicture();
@@ -83,8 +92,14 @@ export class Painter {
     if (this.#needsSketch) return this.#waitForProgram();
     this.#turn();
     const size = this.#reserve(reduced);
-    if (this.#outdated(size)) this.#begin(size);
-    else if (this.#enough()) return this.#rest();
+    const { moment, wanted } = this.#moments(late);
+    if (this.#outdated(size, moment)) {
+      this.#begin(size, moment);
+      if (moment === wanted) this.#askForNext();
+    } else if (moment !== wanted) {
+      // The picture shows this already, and there will be a better one in a moment.
+      return;
+    } else if (this.#enough()) return this.#rest();
     await this.#trace(unwanted);
     if (!this.#complete) await this.stages.ready(this.#easel.view.subject);
   }
@@ -121,18 +136,40 @@ export class Painter {
     this.#shownSize = { width: canvas.width, height: canvas.height };
   }
 
-  #outdated(size: { width: number; height: number }): boolean {
+  /** What is to be shown next, and what can be. */
+  #moments(late: boolean): { readonly moment: Moment; readonly wanted: Moment } {
+    const { view } = this.#easel;
+    const now = view.momentNow();
+    if (!late || this.#record.revision === view.revision) return { moment: now, wanted: now };
+    const wanted = this.#pace.wants(now, this.#inFlight > 0);
+    return { moment: this.stages.posed(wanted), wanted };
+  }
+
+  /** Has meshes bent for the next frame while the device draws this one, where they are bent elsewhere. */
+  #askForNext(): void {
+    const now = this.#easel.view.momentNow();
+    if (!this.#pace.drawn(this.#inFlight > 0)) return;
+    if (this.#begun?.moment !== now && this.stages.posed(now) !== now) this.#pace.asked(now);
+  }
+
+  #outdated(size: { width: number; height: number }, moment: Moment): boolean {
     const { film } = this.stages;
-    if (this.#record.revision !== this.#easel.view.revision) return true;
+    const { revision, timelessRevision } = this.#easel.view;
+    const isSame = this.#begun?.moment === moment && this.#begun.timeless === timelessRevision;
+    if (this.#record.revision !== revision && !isSame) return true;
     if (this.#complete && !this.#record.complete) return true;
     return size.width !== film.width || size.height !== film.height;
   }
 
-  #begin({ width, height }: { width: number; height: number }): void {
-    const { revision, worldRevision: world, time } = this.#easel.view;
+  #begin({ width, height }: { width: number; height: number }, moment: Moment): void {
+    const { view } = this.#easel;
+    const { revision, worldRevision: world, timelessRevision: timeless } = view;
     if (this.#parked && this.#parked.world !== world) this.#discardParked();
-    this.stages.begin(this.#shot(), width, height);
-    this.#record = new FilmRecord({ revision, world, complete: this.#complete, time });
+    this.stages.begin(this.#shot(moment), width, height);
+    const late = moment === view.momentNow() ? 0 : LATE;
+    const { time } = moment;
+    this.#record = new FilmRecord({ revision: revision - late, world: world - late, complete: this.#complete, time });
+    this.#begun = { moment, timeless };
   }
 
   get #needsSketch(): boolean {
@@ -160,10 +197,9 @@ export class Painter {
     if (this.stages.sketch(`${view.revision} ${width} ${height}`, wish)) this.#show();
   }
 
-  #shot(): Shot {
+  #shot(moment: Moment): Shot {
     const { view } = this.#easel;
-    const { settings, camera } = view;
-    return { ...view.momentNow(), camera, settings, raysPerPixel: view.raysPerPixel() };
+    return { ...moment, camera: view.cameraAt(moment), settings: view.settings, raysPerPixel: view.raysPerPixel() };
   }
 
   /** From the picture to another view its film is laid aside, and gone on with later if the world is still the same. */
@@ -188,7 +224,7 @@ export class Painter {
     this.#record = record;
     this.#parked = null;
     record.revision = this.#easel.view.revision;
-    this.stages.takeParked(this.#shot());
+    this.stages.takeParked(this.#shot(this.#easel.view.momentNow()));
     this.#show();
     this.#shownFilm = record.revision;
     this.#note(record);
@@ -264,8 +300,13 @@ export class Painter {
     } finally {
       this.#inFlight--;
     }
-    if (this.#dropped) this.#record.revision = -1;
+    if (this.#dropped) this.#forget();
     if (frame) onFrame(figures.count({ ...(frame as Omit<DrawnFrame, 'finished'>), finished: performance.now() }));
+  }
+
+  #forget(): void {
+    this.#record.revision = -1;
+    this.#begun = null;
   }
 
   /** Now and then asks how far the film has come. The answer comes later, and no frame waits for it. */

@@ -31,11 +31,13 @@ import { structSize, TABLE_WIDTH } from './packed-scene/layout.ts';
 import { packFrame, viewReach } from './packed-scene/pack-frame.ts';
 import { needsPacker, packPathScene } from './packed-scene/pack-path-scene.ts';
 import { type PackedScene, packScene } from './packed-scene/pack-scene.ts';
+import type { WorkerPoses } from './packed-scene/worker-poses.ts';
 import { workgroupOf } from './packed-scene/workgroup.ts';
 import { createBlock, writeStruct } from './packed-scene/write-struct.ts';
 import { type Content, contentOfSubject, isAov, layersOf, Programs, type Subject } from './programs.ts';
 import { hasDeformables } from './scene/deform.ts';
 import type { Moment } from './scene/motion.ts';
+import type { Scene } from './scene/scene.ts';
 import { sceneSeenBy } from './scene/seen-by.ts';
 import { Sketcher, type SketchWish } from './sketcher.ts';
 import { TexelBuffer } from './texel-buffer.ts';
@@ -78,6 +80,9 @@ export class Stages {
   #bender: Bender | null = null;
   #openingBender: Promise<void> | null = null;
   #benderOpened = false;
+  /** Where a worker bends meshes, and of which scene it was asked whether one should; undefined: of none, or never again. */
+  #poses: WorkerPoses | null = null;
+  #posesFor: Scene | null | undefined = null;
   #shot: Shot | null = null;
   /** Pixels of the shot's whole picture. */
   #picture = { width: 0, height: 0 };
@@ -237,6 +242,8 @@ export class Stages {
    */
   leaveModel(): void {
     this.#packer = null;
+    this.#endPoses();
+    this.#posesFor = null;
     if (this.#pending) return;
     this.#environment.release();
     this.#bender?.release();
@@ -246,9 +253,42 @@ export class Stages {
     this.#packed = undefined;
   }
 
+  /**
+   * For a picture that moves: the moment to draw when this one is wanted. Where a worker bends meshes it may be an earlier one, of which all
+   * are bent. Who begins with another moment than what this gives waits while this thread bends them.
+   */
+  posed(moment: Moment): Moment {
+    this.#play(moment.played);
+    return this.#poses?.at(moment) ?? moment;
+  }
+
+  #play(scene: Scene): void {
+    if (this.#posesFor === scene || this.#posesFor === undefined) return;
+    this.#posesFor = scene;
+    const packer = hasDeformables(scene) ? geometryPacker() : null;
+    if (packer) this.#poses = packer.workerPoses(scene, this.#deviceRows, this.#poses);
+    else this.#endPoses();
+  }
+
+  #endPoses(): void {
+    this.#poses?.end();
+    this.#poses = null;
+  }
+
+  /** Ends what goes on beside the device. Call it when nothing more will be drawn. */
+  end(): void {
+    this.#endPoses();
+    this.#posesFor = undefined;
+  }
+
+  get #deviceRows(): number {
+    return this.#bender ? this.device.compute!.maxRows : 0;
+  }
+
   /** Makes ready what the next samples need. */
   #aim(shot: Shot, width: number, height: number): void {
     this.#shot = shot;
+    if (this.#poses) this.#play(shot.played);
     this.#picture = { width, height };
     const { integrator } = shot.settings;
     const program = this.#programs.get(shot);
@@ -257,7 +297,7 @@ export class Stages {
     const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
     const reach = viewReach(camera, width / height, shot.settings.framing);
-    const options = { reuse: this.#packed, reach, deviceRows: this.#bender ? this.device.compute!.maxRows : 0 };
+    const options = { reuse: this.#packed, reach, deviceRows: this.#deviceRows, poses: this.#poses };
     const packed =
       this.#content === 'path' || isAov(this.#content)
         ? packPathScene({ ...shot, scene }, camera.eye, options)

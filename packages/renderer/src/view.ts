@@ -132,6 +132,8 @@ export class View {
   worldRevision = 0;
   /** Grows whenever anything that is shown would change. */
   shownRevision = 0;
+  /** Grows whenever the film's content would change for another reason than the time. */
+  timelessRevision = 0;
   /** Grows whenever somebody changes the world, not when its own time passes. */
   changesByHand = 0;
   playing = true;
@@ -207,7 +209,8 @@ export class View {
     if (seconds === this.#time) return;
     this.#time = seconds;
     this.#moment = null;
-    this.#changedByHand();
+    this.changesByHand++;
+    this.#filmChanged();
   }
 
   get speed(): number {
@@ -236,7 +239,11 @@ export class View {
   }
 
   get camera(): Camera {
-    return this.#camera ?? this.momentNow().scene.camera;
+    return this.cameraAt(this.momentNow());
+  }
+  /** At another moment: one that is set stays as it is. */
+  cameraAt({ scene }: Moment): Camera {
+    return this.#camera ?? scene.camera;
   }
   set camera(camera: Camera | null) {
     if (camera !== null) checkCamera(camera);
@@ -246,6 +253,7 @@ export class View {
 
   #changedByHand(world = true): void {
     this.changesByHand++;
+    this.timelessRevision++;
     this.#filmChanged(world);
   }
 

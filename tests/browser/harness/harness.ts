@@ -17,10 +17,10 @@ import { hardNames, hardPicture, leaks, movedPicture } from './hard-pictures.ts'
 import { headlessFilms } from './headless.ts';
 import { layerFurnaces, layersFromBothEnds, layersOverSphere } from './layers/sphere.ts';
 import { probeLayerEdges, probeLayers, probeLayersAlone } from './layers/values.ts';
-import { playedFilms, playFrames, switchMovingScenes } from './motion.ts';
+import { playedFilms, playedLate, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
-import { pathFilm } from './path.ts';
+import { pathFilms } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
@@ -53,9 +53,10 @@ export const harness = {
   movedPicture,
   orderAndParts,
   parity,
-  pathFilm,
+  pathFilms,
   pictureOf,
   playedFilms,
+  playedLate,
   playFrames,
   probeSampler,
   probeChoices,

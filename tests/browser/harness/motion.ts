@@ -100,6 +100,65 @@ export async function playFrames(backend: GpuBackend, name: string, frames: numb
   return times;
 }
 
+/** Counts the workers of the page while `work` goes on. */
+async function countingWorkers<T>(
+  work: () => Promise<T>,
+): Promise<T & { readonly workers: number; readonly ended: number }> {
+  const Plain = Worker;
+  let [workers, ended] = [0, 0];
+  globalThis.Worker = class extends Plain {
+    constructor(...how: ConstructorParameters<typeof Worker>) {
+      super(...how);
+      workers++;
+    }
+    override terminate(): void {
+      ended++;
+      super.terminate();
+    }
+  };
+  try {
+    return { ...(await work()), workers, ended };
+  } finally {
+    globalThis.Worker = Plain;
+  }
+}
+
+/**
+ * Plays a scene that a worker bends until the picture is of an earlier time than the world. The values of its film that are others than
+ * those of a film of that time, and workers before and after another scene comes.
+ */
+export const playedLate = (backend: GpuBackend) =>
+  countingWorkers(async () => {
+    const renderer = await rendererOn(backend);
+    const scene = arm(64, 36);
+    await show(renderer, scene);
+    await renderer.render();
+    renderer.playing = true;
+    renderer.start();
+    let time: number;
+    do {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      ({ time } = renderer.stats);
+    } while (time === 0 || time === renderer.time);
+    renderer.stop();
+    // What has been submitted is told of.
+    for (let i = 0; i < 2; i++) {
+      await renderer.device.finished();
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    const { samples } = renderer.stats;
+    ({ time } = renderer.stats);
+    const played = (await renderer.readFilm()).pixels;
+    renderer.playing = false;
+    renderer.time = -1;
+    renderer.time = time;
+    for (let i = 0; i < samples; i++) await renderer.render();
+    const wanted = (await renderer.readFilm()).pixels;
+    await show(renderer, scenes.swarm!);
+    await renderer.render();
+    return { unlike: differing(played, wanted) };
+  });
+
 /** Shows one scene after the other, each for two frames. */
 export async function switchMovingScenes(backend: GpuBackend, times: number): Promise<DeviceCounts> {
   const renderer = await rendererOn(backend);

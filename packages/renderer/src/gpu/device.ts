@@ -146,6 +146,8 @@ export interface KernelSource {
   readonly label: string;
   readonly wgsl: string;
   readonly entries: readonly string[];
+  /** Values of what the text leaves open. */
+  readonly constants?: Readonly<Record<string, number>>;
   readonly data: readonly ('read' | 'write')[];
 }
 export interface Kernels {
@@ -164,6 +166,8 @@ export interface Work {
 export interface Compute {
   /** Rows of the largest data. */
   readonly maxRows: number;
+  /** Of a workgroup. */
+  readonly maxThreads: number;
   /** Rejects with `DeviceError` when the driver refuses. */
   createKernels(source: KernelSource): Promise<Kernels>;
   /** Once for many runs. The data must outlive it. */

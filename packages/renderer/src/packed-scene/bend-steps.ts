@@ -6,7 +6,6 @@
 import { vertexCount } from '../scene/mesh.ts';
 import { MANY_THREADS, SHARE_WORD, SHARE_WORDS, THREADS } from './bent-layout.ts';
 import type { BentMesh } from './bent-mesh.ts';
-import { NODE_WORDS, WIDTH } from './encode-wide-bvh.ts';
 
 /** Workgroups of one entry, one behind the other. */
 export interface BendStep {
@@ -22,8 +21,8 @@ interface Share {
   readonly end: number;
 }
 
-/** Nodes of the largest level that one workgroup does beside others: each thread has a child of four nodes. */
-const MOST_AT_ONCE = MANY_THREADS;
+/** Children in the largest level that one workgroup does beside others: each thread has four. */
+const MOST_AT_ONCE = 4 * MANY_THREADS;
 
 /** Vertices of a mesh that one workgroup bends alone, which saves steps. */
 const MOST_IN_SMALL = 2048;
@@ -35,11 +34,11 @@ function cut(mesh: number, begin: number, end: number): Share[] {
   return Array.from({ length: count }, (_, i) => ({ mesh, first: begin + i * THREADS, end }));
 }
 
-/** Levels from the lowest on that are too large for one workgroup; some above may be small and count too. */
+/** Levels, leaves not among them, that are too large for one workgroup; some above these may be small and count too. */
 function largeLevels({ levels: { begins } }: BentMesh): number {
   let count = 0;
-  for (let level = 0; level + 1 < begins.length; level++)
-    if (begins[level + 1]! - begins[level]! > MOST_AT_ONCE) count = level + 1;
+  for (let level = 1; level + 1 < begins.length; level++)
+    if (begins[level + 1]! - begins[level]! > MOST_AT_ONCE) count = level;
   return count;
 }
 
@@ -53,13 +52,13 @@ export function bendSteps(meshes: readonly BentMesh[], recordOf: (mesh: number) 
   const deepest = meshes.reduce((most, mesh) => Math.max(most, largeLevels(mesh)), 0);
   const level = (k: number) => (mesh: BentMesh, i: number) => {
     const { begins } = mesh.levels;
-    return k < largeLevels(mesh) ? cut(i, WIDTH * begins[k]!, WIDTH * begins[k + 1]!) : [];
+    return k <= largeLevels(mesh) ? cut(i, begins[k]!, begins[k + 1]!) : [];
   };
   const lists: [BendStep['entry'], Share[]][] = [
     ['bendMesh', small],
     ['bendVertices', large(({ mesh }, i) => cut(i, 0, vertexCount(mesh)))],
-    ['fitLeaves', large(({ nodes }, i) => cut(i, 0, (nodes.length / NODE_WORDS) * WIDTH))],
-    ...Array.from({ length: deepest }, (_, k): [BendStep['entry'], Share[]] => ['fitLevel', large(level(k))]),
+    ['fitLeaves', large(level(0))],
+    ...Array.from({ length: deepest }, (_, k): [BendStep['entry'], Share[]] => ['fitLevel', large(level(k + 1))]),
     ['fitLevels', large((mesh, i) => rest(mesh, i))],
     ['weighTree', meshes.map((_, mesh) => ({ mesh, first: 0, end: 1 }))],
   ];
@@ -81,6 +80,6 @@ export function bendSteps(meshes: readonly BentMesh[], recordOf: (mesh: number) 
 
 /** The levels that are left, for one workgroup. */
 function rest(mesh: BentMesh, i: number): Share[] {
-  const [first, end] = [largeLevels(mesh), mesh.levels.begins.length - 1];
+  const [first, end] = [largeLevels(mesh) + 1, mesh.levels.begins.length - 1];
   return first < end ? [{ mesh: i, first, end }] : [];
 }

@@ -68,12 +68,15 @@ const restWords = ({ positions, normals, tangents, skin, morphTargets = [] }: Me
 
 /** Rows that the plan of these meshes needs at most. */
 export function mostPlanRows(meshes: readonly Mesh[]): number {
-  // Shares and lists of nodes are fewer words than vertices and corners; a record, and what fills up rows, is little.
-  const each = (mesh: Mesh) => restWords(mesh) + vertexCount(mesh) + mesh.indices.length + 3 * targetsOf(mesh).length + 256; // biome-ignore format: a sum
+  // A triangle has a leaf at most, and there are fewer inner nodes than leaves; shares are fewer words than vertices and corners; a record,
+  // and what fills up rows, is little.
+  const each = (mesh: Mesh) => restWords(mesh) + vertexCount(mesh) + 3 * mesh.indices.length + 3 * targetsOf(mesh).length + 256; // biome-ignore format: a sum
   return meshes.reduce((sum, mesh) => sum + each(mesh), 0) / GEOMETRY_ROW;
 }
 
-const firstPairs = (pose: number): number => pose + POSE_WORDS;
+/** Words from the start of a pose to its pairs, and to its matrices: whole rows. */
+const firstPairs = (pose: number): number => pose + roundUp(POSE_WORDS, GEOMETRY_ROW);
+const firstMatrix = (pose: number, targets: number): number => firstPairs(pose) + roundUp(2 * targets, GEOMETRY_ROW);
 
 export class Bending {
   /** What the plan holds, and in how many rows. */
@@ -151,7 +154,7 @@ function endToEnd(meshes: readonly BentMesh[], lengthOf: (mesh: BentMesh) => num
 
 const targetsOf = ({ morphTargets = [] }: Mesh) => morphTargets;
 const poseLength = ({ mesh, body }: BentMesh): number =>
-  firstPairs(0) + 2 * targetsOf(mesh).length + (body.pose?.joints?.length ?? 0);
+  firstMatrix(0, targetsOf(mesh).length) + (body.pose?.joints?.length ?? 0);
 
 interface Where {
   readonly row: number;
@@ -174,15 +177,15 @@ function recordOf(bent: BentMesh, layout: Layout, where: Where): Readonly<Record
     joints: layout.place(skin?.joints),
     weights: layout.place(skin?.weights),
     targets: layout.place(targetTable(mesh, layout)),
-    pose: where.pose,
-    matrices: firstPairs(where.pose) + 2 * targetsOf(mesh).length,
+    pose: where.pose / GEOMETRY_ROW,
+    matrices: firstMatrix(where.pose, targetsOf(mesh).length) / GEOMETRY_ROW,
     places: where.places,
     nodes: first,
     triangles: first + nodes.length,
     vertices: first + nodes.length + triangles.length,
     vertexWords: vertices.rows * GEOMETRY_ROW,
     slots: slotsOf(bent),
-    order: layout.place(levels.order),
+    children: layout.place(levels.children),
     levels: layout.place(levels.begins),
     cost: where.cost,
   };
@@ -212,5 +215,5 @@ function writePose({ f32, u32 }: Block, at: number, { mesh, box }: BentMesh, { w
     end += 2;
   }
   u32[at + POSE_WORD.targets] = (end - firstPairs(at)) / 2;
-  if (joints) f32.set(joints, firstPairs(at) + 2 * targets);
+  if (joints) f32.set(joints, firstMatrix(at, targets));
 }

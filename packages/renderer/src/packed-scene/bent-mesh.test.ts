@@ -25,20 +25,23 @@ const packedAt = (scene: Scene, time: number, before: PackedGeometry | null = nu
   packGeometry(new Motion(scene).at(time), rowsOf(scene), EYE, before, room);
 
 describe.each(Object.entries(scenes))('%s', (_, scene) => {
-  test('levels have every node with inner children once, above these', () => {
+  test('levels have every child once, above all that are in it', () => {
     for (const mesh of meshesOf(scene)) {
       const { nodes } = packMesh(mesh);
-      const { order, begins } = nodeLevels(nodes);
+      const { children, begins } = nodeLevels(nodes);
       const levelOf = new Map<number, number>();
       for (let level = 0; level + 1 < begins.length; level++)
-        for (let i = begins[level]!; i < begins[level + 1]!; i++) levelOf.set(order[i]!, level);
+        for (let i = begins[level]!; i < begins[level + 1]!; i++) levelOf.set(children[2 * i]!, level);
       expect(begins[0]).toBe(0);
-      expect(levelOf.size).toBe(order.length);
-      for (let node = 0; node < nodes.length / NODE_WORDS; node++) {
-        const inner = [0, 1, 2, 3].map((k) => referenceAt(nodes, node, k)).filter((r) => r !== 0 && !isLeaf(r));
-        const below = Math.max(-1, ...inner.map((child) => levelOf.get(child) ?? -1));
-        expect(levelOf.get(node)).toBe(inner.length > 0 ? below + 1 : undefined);
+      expect(2 * levelOf.size).toBe(children.length);
+      for (let slot = 0; slot < (4 * nodes.length) / NODE_WORDS; slot++) {
+        const reference = referenceAt(nodes, Math.floor(slot / 4), slot % 4);
+        const inside = [0, 1, 2, 3].map((k) => levelOf.get(4 * reference + k) ?? -1);
+        const wanted = isLeaf(reference) ? 0 : Math.max(...inside) + 1;
+        expect(levelOf.get(slot)).toBe(reference === 0 ? undefined : wanted);
       }
+      for (let i = 0; i < children.length; i += 2)
+        expect(children[i + 1]).toBe(referenceAt(nodes, Math.floor(children[i]! / 4), children[i]! % 4));
     }
   });
 

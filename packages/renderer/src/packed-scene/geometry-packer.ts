@@ -12,6 +12,7 @@ import type { LightTree } from './light-tree.ts';
 import type * as PackGeometry from './pack-geometry.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { Preparation } from './pack-in-worker.ts';
+import type { PackOptions } from './pack-scene.ts';
 import type { TextureRows } from './pack-textures.ts';
 import type { PackedMesh } from './packed-mesh.ts';
 import { hasMeshes } from './refuse-meshes.ts';
@@ -86,9 +87,9 @@ export function geometryOf(
   rows: BodyRows,
   eye: Vec3,
   before: PackedGeometry | null,
-  deviceRows = 0,
+  { deviceRows, poses }: Pick<PackOptions, 'deviceRows' | 'poses'> = {},
 ): PackedGeometry {
-  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before, deviceRows) : NO_GEOMETRY;
+  return hasMeshes(moment.played) ? loaded().packGeometry(moment, rows, eye, before, deviceRows, poses) : NO_GEOMETRY;
 }
 
 /** `materials`: those of meshes. Throws likewise. */

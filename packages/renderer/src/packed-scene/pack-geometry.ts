@@ -23,6 +23,8 @@ import type { LampTable } from './pack-lamps.ts';
 import { packMesh } from './pack-mesh.ts';
 import { type PackedMesh, wordsOf } from './packed-mesh.ts';
 import { type FollowingMesh, PosedMesh } from './posed-mesh.ts';
+import { RemoteMesh } from './remote-mesh.ts';
+import type { WorkerPoses } from './worker-poses.ts';
 import { type Block, createBlock } from './write-struct.ts';
 
 // Comes with the rest of what meshes need.
@@ -32,6 +34,7 @@ export { packMeshes } from './pack-in-worker.ts';
 export { treeOfEmitters } from './pack-light-tree.ts';
 export { isPacked, keepPacked, packMesh } from './pack-mesh.ts';
 export { packTextures } from './pack-textures.ts';
+export { workerPoses } from './worker-poses.ts';
 
 export interface PackedGeometry {
   /** Rows before those of the meshes: room for the tree over the instances, and for them. */
@@ -85,7 +88,7 @@ export interface BodyRows {
 /**
  * `rows`: of the bodies of the scene that plays. `before`: a geometry that is no longer needed; when it
  * is of the same scene it is brought up to date and given back. `deviceRows`: of the data that a device takes which bends meshes itself; where
- * they do not suffice, and by default, meshes are bent here.
+ * they do not suffice, and by default, meshes are bent here, or in a worker where there are `poses` of this scene.
  */
 export function packGeometry(
   { played, time }: Pick<Moment, 'played' | 'time'>,
@@ -93,9 +96,11 @@ export function packGeometry(
   eye: Vec3,
   before: PackedGeometry | null = null,
   deviceRows = 0,
+  poses: WorkerPoses | null = null,
 ): PackedGeometry {
-  const mine = before instanceof GeometryOfScene && before.scene === played && before.deviceRows === deviceRows;
-  const geometry = mine ? before : new GeometryOfScene(played, deviceRows);
+  const isSame = (geometry: GeometryOfScene) => geometry.scene === played && geometry.deviceRows === deviceRows && geometry.poses === poses; // biome-ignore format: one thought
+  const mine = before instanceof GeometryOfScene && isSame(before);
+  const geometry = mine ? before : new GeometryOfScene(played, deviceRows, poses);
   geometry.update(time, rows, eye);
   return geometry;
 }
@@ -179,15 +184,18 @@ class GeometryOfScene implements PackedGeometry {
   constructor(
     readonly scene: Scene,
     readonly deviceRows: number,
+    readonly poses: WorkerPoses | null,
   ) {
     const bodies = new Bodies(scene);
     this.#bodies = bodies;
     const bending = bodies.all.filter(({ pose }) => pose !== null).map(({ mesh }) => mesh);
     const onDevice = mostPlanRows(bending) <= deviceRows;
     const shared = new Map<Mesh, PackedMesh>();
+    let place = 0;
     const meshOf = (body: Body): PackedMesh => {
       const { pose, mesh } = body;
-      if (pose !== null) return onDevice ? new BentMesh(body) : new PosedMesh(mesh);
+      if (pose !== null && onDevice) return new BentMesh(body);
+      if (pose !== null) return poses ? new RemoteMesh(poses, place++, mesh) : new PosedMesh(mesh);
       if (!shared.has(mesh)) shared.set(mesh, packMesh(mesh));
       return shared.get(mesh)!;
     };

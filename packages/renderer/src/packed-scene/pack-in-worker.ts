@@ -60,7 +60,8 @@ class Progress {
   }
 }
 
-function startWorker(): Worker | null {
+/** Null where a page may have none; what else is in its way shows as an error of the worker. */
+export function startWorker(): Worker | null {
   try {
     return new PackWorker();
   } catch {

@@ -47,7 +47,7 @@ export function packPathScene(moment: Moment, eye: Vec3, options: PackOptions = 
   // Where nothing but meshes has moved the table holds what it should.
   const still = reuse && isPackedFrom(reuse, scene, eye, options);
   const packed = still ? reuse : packRows(scene, eye, options);
-  const geometry = geometryOf(moment, packed.bodies!, eye, reuse?.geometry ?? null, options.deviceRows);
+  const geometry = geometryOf(moment, packed.bodies!, eye, reuse?.geometry ?? null, options);
   const lit = still && packed.glowing === geometry.emitters ? packed : withEmitters(packed, geometry.emitters, eye);
   return { ...lit, geometry };
 }

@@ -12,6 +12,7 @@ import type { PackedEnvironment } from './pack-environment.ts';
 import type { BodyRows, PackedGeometry } from './pack-geometry.ts';
 import type { PackedTextures } from './pack-textures.ts';
 import { refuseMeshes, UntraceableSceneError } from './refuse-meshes.ts';
+import type { WorkerPoses } from './worker-poses.ts';
 import { type Block, createBlock, type StructValues, writeStruct } from './write-struct.ts';
 
 /** What the rows of a table were made from; another object whenever they are written. */
@@ -93,6 +94,8 @@ export interface PackOptions {
   readonly moreRows?: number;
   /** Of the data that a device takes which bends meshes itself; 0, the default: they are bent here. */
   readonly deviceRows?: number;
+  /** Of the scene that plays, where a worker bends its meshes. */
+  readonly poses?: WorkerPoses | null;
 }
 
 export function packScene(scene: Scene, eye: Vec3, options: PackOptions = {}): PackedScene {

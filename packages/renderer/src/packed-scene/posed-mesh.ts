@@ -101,7 +101,7 @@ export class PosedMesh implements FollowingMesh {
     this.#firstCost = sahCost(this.bvh);
   }
 
-  pose({ form }: Body): void {
+  pose({ form }: Pick<Body, 'form'>): void {
     this.#take(form!);
   }
 
@@ -115,7 +115,7 @@ export class PosedMesh implements FollowingMesh {
     this.revision++;
   }
 
-  renewed({ form }: Body): PosedMesh | null {
+  renewed({ form }: Pick<Body, 'form'>): PosedMesh | null {
     if (!this.#building && this.#cost <= WORN * this.#firstCost) return null;
     this.#building ??= this.#startBuilding(form!.positions.slice());
     const { done, value } = this.#building.steps.next();

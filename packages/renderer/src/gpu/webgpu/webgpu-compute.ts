@@ -14,6 +14,12 @@ interface WebGpuKernels extends Kernels {
   readonly layout: GPUBindGroupLayout;
   readonly pipelines: ReadonlyMap<string, GPUComputePipeline>;
 }
+/** What the entries of a text have in common. */
+interface Shared {
+  readonly layout: GPUPipelineLayout;
+  readonly module: GPUShaderModule;
+  readonly constants: Readonly<Record<string, number>>;
+}
 interface WebGpuWork extends Work {
   readonly group: GPUBindGroup;
   readonly steps: readonly { readonly pipeline: GPUComputePipeline; readonly groups: readonly [number, number] }[];
@@ -36,7 +42,12 @@ export class WebGpuCompute implements Compute {
     return Math.floor(Math.min(maxStorageBufferBindingSize, maxBufferSize) / 16);
   }
 
-  async createKernels({ label, wgsl, entries, data }: KernelSource): Promise<Kernels> {
+  get maxThreads(): number {
+    const { maxComputeInvocationsPerWorkgroup, maxComputeWorkgroupSizeX } = this.#device.limits;
+    return Math.min(maxComputeInvocationsPerWorkgroup, maxComputeWorkgroupSizeX);
+  }
+
+  async createKernels({ label, wgsl, entries, constants = {}, data }: KernelSource): Promise<Kernels> {
     const buffers: GPUBufferBindingLayout[] = [
       ...data.map((use) => ({ type: use === 'read' ? 'read-only-storage' : 'storage' }) as const),
       { hasDynamicOffset: true },
@@ -50,16 +61,16 @@ export class WebGpuCompute implements Compute {
     const shared = {
       layout: this.#device.createPipelineLayout({ bindGroupLayouts: [layout] }),
       module: this.#device.createShaderModule({ code: wgsl }),
+      constants,
     };
     const pipelines = entries.map(async (entry) => [entry, await this.#pipeline(label, entry, shared)] as const);
     const kernels: WebGpuKernels = { label, layout, pipelines: new Map(await Promise.all(pipelines)) };
     return kernels;
   }
 
-  #pipeline(label: string, entryPoint: string, shared: { layout: GPUPipelineLayout; module: GPUShaderModule }) {
-    const { layout, module } = shared;
+  #pipeline(label: string, entryPoint: string, { layout, ...shared }: Shared) {
     return this.#device
-      .createComputePipelineAsync({ label, layout, compute: { module, entryPoint } })
+      .createComputePipelineAsync({ label, layout, compute: { ...shared, entryPoint } })
       .catch((error: Error) => {
         throw new DeviceError(`WebGPU could not make the kernel "${entryPoint}": ${error.message}`);
       });

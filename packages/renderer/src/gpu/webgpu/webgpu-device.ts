@@ -36,6 +36,15 @@ interface GpuResource {
 /** What threads of a pixel hand to one another in one dispatch, bytes: every device grants so much, and it keeps the largest GPU busy. */
 const HANDED_BYTES = 64 * 1024 * 1024;
 
+/** Limits that are asked for as high as the adapter goes. */
+const LIMITS = [
+  'maxTextureDimension2D',
+  'maxStorageBufferBindingSize',
+  'maxBufferSize',
+  'maxComputeInvocationsPerWorkgroup',
+  'maxComputeWorkgroupSizeX',
+] as const;
+
 /** Texels of a film that are read at once, bytes: far below the largest buffer that a device must grant. */
 const READ_BYTES = 64 * 1024 * 1024;
 
@@ -62,11 +71,9 @@ export async function openWebGpu(canvas: HTMLCanvasElement | null, options: WebG
     .requestAdapter({ powerPreference: 'high-performance' })
     .catch(refuse('WebGPU gives no adapter'));
   if (!adapter) throw new DeviceError('WebGPU found no graphics adapter.');
-  // Else 8192 texels and 128 MiB, whatever the GPU can do.
-  const { maxTextureDimension2D, maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
-  const device = await adapter
-    .requestDevice({ requiredLimits: { maxTextureDimension2D, maxStorageBufferBindingSize, maxBufferSize } })
-    .catch(refuse('WebGPU gives no device'));
+  // Else 8192 texels, 128 MiB and 256 threads, whatever the GPU can do.
+  const requiredLimits = Object.fromEntries(LIMITS.map((name) => [name, adapter.limits[name]]));
+  const device = await adapter.requestDevice({ requiredLimits }).catch(refuse('WebGPU gives no device'));
   const { computes = !adapter.info.isFallbackAdapter } = options;
   const { samplesData = !computes && adapter.info.architecture === 'swiftshader' } = options;
   return new WebGpuDevice(device, canvas, describe(adapter.info), { gpu, computes, samplesData });

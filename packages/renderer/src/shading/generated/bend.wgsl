@@ -1,12 +1,13 @@
 // Linked from shading/mesh/bend.wesl by `npm run shaders`. Do not edit.
-// References: encode-wide-bvh.ts. From `leaves` on those of leaves; 0: there is no child.
+// References: encode-wide-bvh.ts. From `leaves` on those of leaves.
 const leaves = 0x80000000u;
 
 const countShift = 28u;
 
 const placeMask = 0x0fffffffu;
 
-const manyThreads = 256u;
+// Of a workgroup that does all there is to do of a mesh: as many as the device allows, for all wait until the last is done.
+override manyThreads = 256u;
 
 // What a workgroup is to do. Those too many, which fill up the last row, get nothing.
 fn shareOf(group: vec3u, groups: vec3u) -> Share {
@@ -24,12 +25,8 @@ fn restVector(at: u32) -> vec3f {
   return vec3f(restFloat(at), restFloat(at + 1u), restFloat(at + 2u));
 }
 
-fn poseFloat(at: u32) -> f32 {
-  return bitcast<f32>(poses[at]);
-}
-
-fn poseVector(at: u32) -> vec4f {
-  return vec4f(poseFloat(at), poseFloat(at + 1u), poseFloat(at + 2u), poseFloat(at + 3u));
+fn poseVector(row: u32) -> vec4f {
+  return bitcast<vec4f>(poses[row]);
 }
 
 // A vertex: its place, normal and tangent.
@@ -51,9 +48,10 @@ fn morphed(mesh: BentMesh, vertex: u32) -> Bent {
   }
   let count = fetchBentPose(mesh.pose).targets;
   for (var k = 0u; k < count; k++) {
-    let at = mesh.pose + poseWords + 2u * k;
-    let deltas = mesh.targets + 3u * poses[at];
-    let weight = poseFloat(at + 1u);
+    let pairs = poses[mesh.pose + 1u + k / 2u];
+    let pair = select(pairs.xy, pairs.zw, (k & 1u) == 1u);
+    let deltas = mesh.targets + 3u * pair.x;
+    let weight = bitcast<f32>(pair.y);
     if (plan[deltas] != none) {
       bent.place += weight * restVector(plan[deltas] + 3u * vertex);
     }
@@ -75,18 +73,32 @@ struct Rows {
 }
 
 
-// The mix of the joints' matrices.
+fn jointRows(mesh: BentMesh, joint: u32) -> Rows {
+  let row = mesh.matrices + 3u * joint;
+  return Rows(poseVector(row), poseVector(row + 1u), poseVector(row + 2u));
+}
+
+fn addRows(mix: Rows, m: Rows, weight: f32) -> Rows {
+  // What weighs nothing may be no number.
+  let counts = weight != 0.0;
+  let none = vec4f(0.0);
+  return Rows(mix.x + select(none, weight * m.x, counts), mix.y + select(none, weight * m.y, counts), mix.z + select(none, weight * m.z, counts));
+}
+
+// The mix of the joints' matrices, four at a time: loads that do not wait for one another are under way together.
 fn mixOf(mesh: BentMesh, vertex: u32) -> Rows {
   var mix = Rows(vec4f(0.0), vec4f(0.0), vec4f(0.0));
-  for (var k = vertex * mesh.influences; k < (vertex + 1u) * mesh.influences; k++) {
-    let weight = restFloat(mesh.weights + k);
-    let joint = (plan[mesh.joints + k / 2u] >> (16u * (k & 1u))) & 0xffffu;
-    let at = mesh.matrices + 12u * joint;
-    if (weight != 0.0) {
-      mix.x += weight * poseVector(at);
-      mix.y += weight * poseVector(at + 4u);
-      mix.z += weight * poseVector(at + 8u);
-    }
+  let first = vertex * mesh.influences;
+  for (var k = first; k < first + mesh.influences; k += 4u) {
+    let at = mesh.weights + k;
+    let weights = vec4f(restFloat(at), restFloat(at + 1u), restFloat(at + 2u), restFloat(at + 3u));
+    let ab = plan[mesh.joints + k / 2u];
+    let cd = plan[mesh.joints + k / 2u + 1u];
+    let a = jointRows(mesh, ab & 0xffffu);
+    let b = jointRows(mesh, ab >> 16u);
+    let c = jointRows(mesh, cd & 0xffffu);
+    let d = jointRows(mesh, cd >> 16u);
+    mix = addRows(addRows(addRows(addRows(mix, a, weights.x), b, weights.y), c, weights.z), d, weights.w);
   }
   return mix;
 }
@@ -194,45 +206,55 @@ fn boxOfNode(node: u32) -> Box {
   return box;
 }
 
-// The corners of a leaf's triangles, and the box about them.
-fn fitLeaf(mesh: BentMesh, slot: u32) {
-  let at = slotWord(mesh, slot);
-  let reference = geometry[at + childrenWord];
-  if (reference < leaves) {
-    return;
-  }
-  let first = mesh.triangles + (reference & placeMask) * triangleWords;
-  let corners = 3u * ((reference >> countShift) & 7u);
+fn placeOf(mesh: BentMesh, number: u32) -> vec3f {
+  let at = mesh.places + 3u * number;
+  return vec3f(places[at], places[at + 1u], places[at + 2u]);
+}
+
+fn writeCorner(at: u32, p: vec3f) {
+  geometry[at] = bitcast<u32>(p.x);
+  geometry[at + 1u] = bitcast<u32>(p.y);
+  geometry[at + 2u] = bitcast<u32>(p.z);
+}
+
+// A child of a node: of which slot, and the reference there.
+fn childAt(mesh: BentMesh, i: u32) -> vec2u {
+  let at = mesh.children + 2u * i;
+  return vec2u(plan[at], plan[at + 1u]);
+}
+
+// The corners of a leaf's triangles, and the box about them. All that is loaded of a triangle comes before what is written.
+fn fitLeaf(mesh: BentMesh, leaf: vec2u) {
+  let first = mesh.triangles + (leaf.y & placeMask) * triangleWords;
+  let end = first + ((leaf.y >> countShift) & 7u) * triangleWords;
   var box = Box(vec3f(nothing), vec3f(-nothing));
-  for (var k = 0u; k < corners; k++) {
-    let corner = first + k * cornerWords;
-    let place = mesh.places + 3u * geometry[corner + numberWord];
-    let p = vec3f(places[place], places[place + 1u], places[place + 2u]);
-    geometry[corner] = bitcast<u32>(p.x);
-    geometry[corner + 1u] = bitcast<u32>(p.y);
-    geometry[corner + 2u] = bitcast<u32>(p.z);
-    box = Box(min(box.least, p), max(box.greatest, p));
+  for (var at = first; at < end; at += triangleWords) {
+    let numbers = vec3u(geometry[at + numberWord], geometry[at + cornerWords + numberWord], geometry[at + 2u * cornerWords + numberWord]);
+    let a = placeOf(mesh, numbers.x);
+    let b = placeOf(mesh, numbers.y);
+    let c = placeOf(mesh, numbers.z);
+    writeCorner(at, a);
+    writeCorner(at + cornerWords, b);
+    writeCorner(at + 2u * cornerWords, c);
+    box = Box(min(box.least, min(min(a, b), c)), max(box.greatest, max(max(a, b), c)));
   }
   let padding = bitcast<f32>(fetchBentPose(mesh.pose).padding);
-  writeBox(at, Box(box.least - padding, box.greatest + padding));
+  writeBox(slotWord(mesh, leaf.x), Box(box.least - padding, box.greatest + padding));
 }
 
 @compute @workgroup_size(64) fn fitLeaves(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
-  let slot = share.first + thread;
-  if (slot < share.end) {
-    fitLeaf(fetchBentMesh(share.mesh), slot);
-  }
-}
-
-// `i`: of four children a node, the nodes in the order of `BentMesh.order`. What lies in them is padded already.
-fn fitInner(mesh: BentMesh, i: u32) {
-  let at = slotWord(mesh, 4u * plan[mesh.order + (i >> 2u)] + (i & 3u));
-  let reference = geometry[at + childrenWord];
-  if ((reference == 0u) | (reference >= leaves)) {
+  let i = share.first + thread;
+  if (i >= share.end) {
     return;
   }
-  writeBox(at, boxOfNode(mesh.nodes + reference * nodeWords));
+  let mesh = fetchBentMesh(share.mesh);
+  fitLeaf(mesh, childAt(mesh, i));
+}
+
+// A child that is a node. What lies in it is padded already.
+fn fitInner(mesh: BentMesh, child: vec2u) {
+  writeBox(slotWord(mesh, child.x), boxOfNode(mesh.nodes + child.y * nodeWords));
 }
 
 // One level, by as many workgroups as it takes.
@@ -242,28 +264,40 @@ fn fitInner(mesh: BentMesh, i: u32) {
   if (i >= share.end) {
     return;
   }
-  fitInner(fetchBentMesh(share.mesh), i);
+  let mesh = fetchBentMesh(share.mesh);
+  fitInner(mesh, childAt(mesh, i));
 }
 
-// Levels up to but not including `end`, by one workgroup, which alone has to wait in between.
+// Levels up to but not including `end`, by one workgroup, which alone has to wait in between. What does not depend on the level below is
+// loaded before.
 fn fitLevelsOf(mesh: BentMesh, first: u32, end: u32, thread: u32) {
+  var begin = plan[mesh.levels + first];
+  var last = plan[mesh.levels + first + 1u];
+  var child = childAt(mesh, begin + thread);
   for (var level = first; level < end; level++) {
-    let last = 4u * plan[mesh.levels + level + 1u];
-    for (var i = 4u * plan[mesh.levels + level] + thread; i < last; i += manyThreads) {
-      fitInner(mesh, i);
+    let nextLast = plan[mesh.levels + level + 2u];
+    let next = childAt(mesh, last + thread);
+    if (begin + thread < last) {
+      fitInner(mesh, child);
     }
+    for (var i = begin + thread + manyThreads; i < last; i += manyThreads) {
+      fitInner(mesh, childAt(mesh, i));
+    }
+    begin = last;
+    last = nextLast;
+    child = next;
     storageBarrier();
   }
 }
 
 // All levels from one on up to the root, which have few nodes each.
-@compute @workgroup_size(256) fn fitLevels(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(manyThreads) fn fitLevels(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
   fitLevelsOf(fetchBentMesh(share.mesh), share.first, share.end, thread);
 }
 
 // All of a small mesh.
-@compute @workgroup_size(256) fn bendMesh(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(manyThreads) fn bendMesh(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
   let mesh = fetchBentMesh(share.mesh);
   let vertices = select(0u, mesh.count, share.end > 0u);
@@ -271,19 +305,19 @@ fn fitLevelsOf(mesh: BentMesh, first: u32, end: u32, thread: u32) {
     bendVertex(mesh, vertex);
   }
   storageBarrier();
-  let slots = select(0u, mesh.slots, share.end > 0u);
-  for (var slot = thread; slot < slots; slot += manyThreads) {
-    fitLeaf(mesh, slot);
+  let ends = select(0u, plan[mesh.levels + 1u], share.end > 0u);
+  for (var i = thread; i < ends; i += manyThreads) {
+    fitLeaf(mesh, childAt(mesh, i));
   }
   storageBarrier();
   // One more than there are levels, so that a share is never empty.
-  fitLevelsOf(mesh, 0u, max(share.end, 1u) - 1u, thread);
+  fitLevelsOf(mesh, 1u, max(share.end, 1u) - 1u, thread);
 }
 
 // What bvh.ts takes for the cost of a node, 1, and of a triangle.
 const triangleCost = 1.25;
 
-var<workgroup> sums: array<f32, 256>;
+var<workgroup> sums: array<f32, manyThreads>;
 
 // Half the surface without the padding: packed-scene/tree-cost.ts.
 fn halfArea(box: Box, padding: f32) -> f32 {
@@ -292,7 +326,7 @@ fn halfArea(box: Box, padding: f32) -> f32 {
 }
 
 // What the tree costs by the surface area heuristic.
-@compute @workgroup_size(256) fn weighTree(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
+@compute @workgroup_size(manyThreads) fn weighTree(@builtin(workgroup_id) group: vec3u, @builtin(num_workgroups) groups: vec3u, @builtin(local_invocation_index) thread: u32) {
   let share = shareOf(group, groups);
   let mesh = fetchBentMesh(share.mesh);
   let padding = bitcast<f32>(fetchBentPose(mesh.pose).padding);
@@ -329,22 +363,22 @@ const shareWords = 4u;
 struct Share {
   // word of the record
   mesh: u32,
-  // vertex, slot or level where it begins
+  // vertex, child or level where it begins
   first: u32,
   // and before which it ends
   end: u32,
 }
 
 
-// packed-scene/bent-layout.ts has what the plan and the poses hold.
+// packed-scene/bent-layout.ts has what the plan and the poses hold. Rows of poses are loaded whole: a vertex wants a dozen.
 @group(0) @binding(1) var<storage, read> plan: array<u32>;
 
-@group(0) @binding(2) var<storage, read> poses: array<u32>;
+@group(0) @binding(2) var<storage, read> poses: array<vec4u>;
 
 const none = 4294967295u;
 
 fn fetchBentPose(at: u32) -> BentPose {
-  return BentPose(poses[at + 0u], poses[at + 1u], poses[at + 2u]);
+  return BentPose(poses[at].x, poses[at].y, poses[at].z, poses[at].w);
 }
 
 struct BentMesh {
@@ -358,15 +392,15 @@ struct BentMesh {
   tangents: u32,
   // joints of a vertex; 0: none moves it
   influences: u32,
-  // word of the plan: numbers of joints, two in a word, those of a vertex side by side
+  // word of the plan: numbers of joints, two in a word, those of a vertex side by side: four or eight
   joints: u32,
   // word of the plan: as many floats
   weights: u32,
   // word of the plan: for each morph target where its positions, normals and tangents begin, or NONE; all have x, y, z
   targets: u32,
-  // word of the poses: BENT_POSE
+  // row of the poses: BENT_POSE
   pose: u32,
-  // word of the poses: 12 numbers a joint, row by row
+  // row of the poses: three rows a joint, as the matrix has them
   matrices: u32,
   // word of the places: x, y, z of each vertex as it is bent
   places: u32,
@@ -380,16 +414,14 @@ struct BentMesh {
   vertexWords: u32,
   // children of all nodes, four each
   slots: u32,
-  // word of the plan: nodes that have inner children, the lowest first
-  order: u32,
-  // word of the plan: where each level begins in `order`, and the last one ends
+  // word of the plan: two words each, its slot and the reference there: leaves first, then level by level
+  children: u32,
+  // word of the plan: where each level begins among `children`, and the last one ends
   levels: u32,
   // word of the places: what the tree costs, once it has been weighed
   cost: u32,
 }
 
-
-const poseWords = 3u;
 
 struct BentPose {
   // float: what boxes grow by
@@ -398,13 +430,15 @@ struct BentPose {
   isUneven: u32,
   // morph targets that count
   targets: u32,
+  // 0
+  none: u32,
 }
 
 
 // Of the bent vertices.
 @group(0) @binding(3) var<storage, read_write> places: array<f32>;
 
-// What the kernels of bend.wesl read and write. All are words, so that no write touches a neighbour's.
+// What the kernels of bend.wesl read and write. What is written is words, so that no write touches a neighbour's.
 // Nodes, triangles and vertices of all meshes, as paths read them.
 @group(0) @binding(0) var<storage, read_write> geometry: array<u32>;
 
@@ -422,10 +456,10 @@ const leastWord = 0u;
 
 const greatestWord = 12u;
 
-const childrenWord = 24u;
-
 const triangleWords = 12u;
+
+const numberWord = 3u;
 
 const cornerWords = 4u;
 
-const numberWord = 3u;
+const childrenWord = 24u;
