@@ -9,9 +9,9 @@ export default defineConfig({
   outputDir: 'test-results',
   preserveOutput: 'failures-only',
   globalSetup: './tests/browser/global-setup.ts',
-  // Two files at a time: a page waits for half of its time. What has a bar in seconds is marked @alone, and the test command runs it
-  // by itself.
-  workers: 2,
+  // Three files at a time on two cores: a page waits for a third of its time. What has a bar in seconds is marked @alone, and the test
+  // command runs it by itself.
+  workers: 3,
   timeout: 90_000,
   // A busy machine may drop a frame or a click; what fails twice is broken. Such a test is reported as flaky, not hidden.
   retries: process.env.CI ? 1 : 0,

@@ -17,7 +17,9 @@ function renamed(before: readonly string[], after: readonly string[]): Map<strin
     // What stands behind a dot is a member's name, and in an attribute it is the language's; both keep it.
     const other = '.@'.includes(before[i - 1] ?? ' ') || before[i - 3] === '@' ? '.' : '';
     const [old, now] = [`${other}${word}`, `${other}${after[i]}`];
-    expect([there.get(old) ?? now, back.get(now) ?? old], before.join(' ')).toEqual([now, old]);
+    // Asked of every word: an expectation for each would take most of the time.
+    if ((there.get(old) ?? now) !== now || (back.get(now) ?? old) !== old)
+      expect([there.get(old) ?? now, back.get(now) ?? old], before.join(' ')).toEqual([now, old]);
     there.set(old, now);
     back.set(now, old);
   });

@@ -37,6 +37,15 @@ interface Listed {
 /** A file by its text, or by its size in MiB and the byte that it is full of. */
 type Given = { name: string; text: string } | { name: string; mebibytes: number; byte: number };
 
+const NO_SCENES: readonly Given[] = [
+  { name: 'empty.json', text: '' },
+  { name: 'words.json', text: 'not a scene' },
+  { name: 'page.html', text: '<!doctype html><title>x</title>' },
+  { name: 'noise.bin', mebibytes: 1, byte: 0xff },
+  { name: 'zeros.bin', mebibytes: 1, byte: 0 },
+  { name: 'large.json', mebibytes: 50, byte: 32 },
+];
+
 /** Drops each file on the page, or chooses it in the panel, in turn, and gives what the dialog lists. */
 function openAll(page: Page, files: readonly Given[]): Promise<Listed[][]> {
   return page.evaluate(async (given) => {
@@ -80,16 +89,8 @@ for (const backend of backends)
 
     const broken = brokenFiles();
     expect(broken.length).toBeGreaterThanOrEqual(60);
-    const files: Given[] = [
-      // Files are read before any backend sees them: each of the two gets every other one.
-      ...broken.filter((_, i) => i % 2 === (backend === 'webgl2' ? 0 : 1)),
-      { name: 'empty.json', text: '' },
-      { name: 'words.json', text: 'not a scene' },
-      { name: 'page.html', text: '<!doctype html><title>x</title>' },
-      { name: 'noise.bin', mebibytes: 1, byte: 0xff },
-      { name: 'zeros.bin', mebibytes: 1, byte: 0 },
-      { name: 'large.json', mebibytes: 50, byte: 32 },
-    ];
+    // Files are read before any backend sees them: each of the two gets every other one.
+    const files = [...broken, ...NO_SCENES].filter((_, i) => i % 2 === (backend === 'webgl2' ? 0 : 1));
     const lists = await openAll(page, files);
     for (const [i, problems] of lists.entries()) {
       expect(problems.length, `problems of ${files[i]!.name}`).toBeGreaterThan(0);

@@ -4,7 +4,7 @@ import type { Scene } from '../../packages/renderer/src/scene/scene.ts';
 import type { Film } from '../reference/blocks.ts';
 import type {} from './harness/harness.ts';
 import type { GpuBackend } from './harness/parity.ts';
-import type { EncodedFilm, PathRange } from './harness/path.ts';
+import type { EncodedFilm, PathOrder, PathRange } from './harness/path.ts';
 
 const decode = (base64: string): Float32Array =>
   new Float32Array(Uint8Array.from(Buffer.from(base64, 'base64')).buffer);
@@ -17,10 +17,15 @@ const decodeFilm = (film: EncodedFilm, { width, height }: PathRange): Film => ({
   count: decode(film.count),
 });
 
-/** Some samples of a scene by the path integrator. The page must be the harness. */
+/** Films of a scene by the path integrator, one for each order. The page must be the harness. */
+export async function filmsOf(page: Page, scene: Scene, orders: readonly PathOrder[]): Promise<Film[]> {
+  const films = await page.evaluate(([s, o]) => window.harness.pathFilms(s, o), [scene, orders] as const);
+  return films.map((film, i) => decodeFilm(film, orders[i]!.range));
+}
+
+/** Some samples of a scene. */
 export async function pathFilm(page: Page, backend: GpuBackend, scene: Scene, range: PathRange): Promise<Film> {
-  const film = await page.evaluate(([b, s, r]) => window.harness.pathFilm(b, s, r), [backend, scene, range] as const);
-  return decodeFilm(film, range);
+  return (await filmsOf(page, scene, [{ backend, range }]))[0]!;
 }
 
 export interface PathBatches {
@@ -34,10 +39,8 @@ export interface PathBatches {
 }
 
 /** Films with independent seeds. */
-export async function pathFilms(page: Page, backend: GpuBackend, scene: Scene, settings: PathBatches): Promise<Film[]> {
-  const { batches, seed, ...rest } = settings;
-  const films: Film[] = [];
-  for (let n = 0; n < batches; n++)
-    films.push(await pathFilm(page, backend, scene, { ...rest, firstSample: 0, seed: seed + n }));
-  return films;
-}
+export const batchOrders = (backend: GpuBackend, { batches, seed, ...rest }: PathBatches): PathOrder[] =>
+  Array.from({ length: batches }, (_, n) => ({ backend, range: { ...rest, firstSample: 0, seed: seed + n } }));
+
+export const pathFilms = (page: Page, backend: GpuBackend, scene: Scene, settings: PathBatches): Promise<Film[]> =>
+  filmsOf(page, scene, batchOrders(backend, settings));

@@ -41,6 +41,22 @@ export const hooks = (page: Page) =>
     return { compiled, buffers, textures, draws, largestDraw, firstDraw, waiting, mostWaiting };
   });
 
+/** Frames of the page without a draw after which nothing more comes. */
+const RESTING_FRAMES = 12;
+
+/** How much was drawn by now, once a row of frames has passed without more. */
+export async function drawsAtRest(page: Page): Promise<number> {
+  let [before, { draws }] = [-1, await hooks(page)];
+  while (draws !== before) {
+    before = draws;
+    await page.evaluate(async (frames) => {
+      for (let i = 0; i < frames; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    }, RESTING_FRAMES);
+    draws = (await hooks(page)).draws;
+  }
+  return draws;
+}
+
 /** Runs in the page, before its own scripts, and so holds all that it needs. */
 function installGpuHooks(): void {
   let loseNow = () => {};

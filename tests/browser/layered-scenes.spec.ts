@@ -90,7 +90,7 @@ for (const backend of backends) {
   });
 }
 
-// A dozen programs are compiled for it: on one backend only. tests/browser/textures.spec.ts looks textures up on both.
+// By one program that has all features: which each layer needs is layers.spec.ts' matter. textures.spec.ts looks textures up on both.
 test('webgl2: textures multiply every number of the layers', async ({ harness }) => {
   const cases = await harness.evaluate((b) => window.harness.layerTextures(b), 'webgl2' as const);
   expect(cases.length).toBe(15);

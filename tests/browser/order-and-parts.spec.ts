@@ -1,5 +1,5 @@
 import { expect, test } from './fixtures.ts';
-import type { Entry } from './harness/order-and-parts.ts';
+import type { Entry } from './harness/tracers.ts';
 
 /** Renders can be dealt out: by samples, by parts of the picture, in any order. */
 const SAMPLES = 256;

@@ -91,33 +91,8 @@ for (const backend of backends)
       await page.getByRole('slider', { name: 'Reflections' }).fill('3');
     });
 
-    await test.step('path tracing: method and path segments', async () => {
-      const before = await lookAtPicture(page);
-      await choose(page, 'Method', 'Path tracing');
-      await expectState(page, (state) => state.settings.integrator, 'path');
-      await expectChange(page, before, 3, 'another picture');
-      await choose(page, 'Path segments', '2');
-      await expectState(page, (state) => state.settings.maxDepth, 2);
-      await expect(page.getByRole('slider', { name: 'Reflections' })).toHaveCount(0);
-      await choose(page, 'Method', 'Classic ray tracing');
-      await expectState(page, (state) => state.settings.integrator, 'classic');
-    });
-
-    await test.step('view: depth and shapes instead of the picture, and back', async () => {
-      const menu = page.getByRole('combobox', { name: 'Show' });
-      let before = await lookAtPicture(page);
-      for (const [name, view] of [
-        ['Depth', 'depth'],
-        ['Shapes', 'primitive-id'],
-        ['Picture', 'picture'],
-      ] as const) {
-        await menu.selectOption(name);
-        await expectState(page, (state) => state.settings.view, view);
-        before = await expectChange(page, before, 3, `${name} looks different`);
-      }
-    });
-
     if (backend === 'webgpu') await controlsOfThePage(page);
+    else await controlsOfMethodAndView(page);
 
     // The last one: the other backend stays.
     await test.step('performance: backend, resolution, target, adaptive', async () => {
@@ -136,6 +111,38 @@ for (const backend of backends)
       await expectPicture(page);
     });
   });
+
+/**
+ * Controls that compile programs. On WebGPU no-recompiling.spec.ts chooses methods and path segments too, and aov.spec.ts looks at each view
+ * on both canvases.
+ */
+async function controlsOfMethodAndView(page: Page): Promise<void> {
+  await test.step('path tracing: method and path segments', async () => {
+    const before = await lookAtPicture(page);
+    await choose(page, 'Method', 'Path tracing');
+    await expectState(page, (state) => state.settings.integrator, 'path');
+    await expectChange(page, before, 3, 'another picture');
+    await choose(page, 'Path segments', '2');
+    await expectState(page, (state) => state.settings.maxDepth, 2);
+    await expect(page.getByRole('slider', { name: 'Reflections' })).toHaveCount(0);
+    await choose(page, 'Method', 'Classic ray tracing');
+    await expectState(page, (state) => state.settings.integrator, 'classic');
+  });
+
+  await test.step('view: depth and shapes instead of the picture, and back', async () => {
+    const menu = page.getByRole('combobox', { name: 'Show' });
+    let before = await lookAtPicture(page);
+    for (const [name, view] of [
+      ['Depth', 'depth'],
+      ['Shapes', 'primitive-id'],
+      ['Picture', 'picture'],
+    ] as const) {
+      await menu.selectOption(name);
+      await expectState(page, (state) => state.settings.view, view);
+      before = await expectChange(page, before, 3, `${name} looks different`);
+    }
+  });
+}
 
 /** What only the page does, whatever draws: it is asked on one backend. */
 async function controlsOfThePage(page: Page): Promise<void> {

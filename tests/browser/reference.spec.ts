@@ -1,38 +1,58 @@
 import type { Page, TestInfo } from '@playwright/test';
+import { pathFeatures } from '../../packages/renderer/src/integrator/path/path-features.ts';
+import { DEFAULT_SETTINGS } from '../../packages/renderer/src/view.ts';
 import { type Film, meansOf, mergeFilms } from '../reference/blocks.ts';
 import { type Picture, pictureOfMeans, pictureOfZ } from '../reference/pictures.ts';
 import { referenceNames, referencePicture, referenceScene } from '../reference/references.ts';
 import { BATCHES, CUT, SAMPLES, SEED } from '../reference/samples.ts';
 import { judge, type ZTest } from '../reference/statistics.ts';
-import { pathFilm, pathFilms } from './films.ts';
-import { type Backend, expect, keepPicture, test } from './fixtures.ts';
+import { batchOrders, filmsOf, pathFilms } from './films.ts';
+import { expect, keepPicture, test } from './fixtures.ts';
 
 /**
  * The path integrator against pictures that another renderer made: tests/reference/README.md. On failure ours, the reference and the
- * z-map lie in test-results/. WebGPU's films need no test of their own where they are WebGL2's, as in software they are.
+ * z-map lie in test-results/. WebGPU's films need no judgement of their own where they are WebGL2's, as in software they are.
  */
 const seeds = `seeds ${SEED} to ${SEED + BATCHES - 1}`;
 /** Half a minute each, and of S1's kind: `npm run proof` has them. */
 const LONG = ['S1_d4', 'S1b'];
 
-// The longest file, and one of the last: both workers take of it, as no film depends on another.
+/** Scenes that are drawn by the same programs. */
+const groups = new Map<string, string[]>();
+for (const name of referenceNames) {
+  const scene = referenceScene(name);
+  const features = pathFeatures({ scene, camera: scene.camera, settings: DEFAULT_SETTINGS });
+  const key = [...features].join(' ');
+  groups.set(key, [...(groups.get(key) ?? []), name]);
+}
+
+// The longest file: both workers take of it, as no film depends on another, but scenes of one program stay together.
 test.describe.configure({ mode: 'parallel' });
 
-for (const name of referenceNames.filter((scene) => !LONG.includes(scene)))
-  test(`webgl2: ${name} is the reference's picture (${seeds})`, ({ harness }, info) =>
-    compare(harness, 'webgl2', name, info));
+for (const [features, names] of groups)
+  test.describe(features, () => {
+    test.describe.configure({ mode: 'default' });
+    for (const name of names) {
+      const judged = LONG.includes(name) ? '' : `webgl2 gives the reference's picture (${seeds}), and `;
+      test(`${name}: ${judged}webgpu the same film, or the reference's picture`, ({ harness }, info) =>
+        both(harness, name, info));
+    }
+  });
 
-test(`webgpu: each film is WebGL2's, or the reference's picture (${seeds})`, async ({ harness }, info) => {
+async function both(harness: Page, name: string, info: TestInfo): Promise<void> {
   test.setTimeout(600_000);
-  for (const name of referenceNames) {
-    const scene = referenceScene(name);
-    const { width, height } = referencePicture(name);
-    const range = { width, height, samples: 2, firstSample: 0, seed: SEED };
-    const one = await pathFilm(harness, 'webgpu', scene, range);
-    const other = await pathFilm(harness, 'webgl2', scene, range);
-    if (!sameFilm(one, other)) await compare(harness, 'webgpu', name, info);
-  }
-});
+  const scene = referenceScene(name);
+  const { width, height } = referencePicture(name);
+  const batches = { width, height, samples: SAMPLES[name]!, batches: BATCHES, seed: SEED };
+  const range = { width, height, samples: 2, firstSample: 0, seed: SEED };
+  const [one, other, ...films] = await filmsOf(harness, scene, [
+    { backend: 'webgpu', range },
+    { backend: 'webgl2', range },
+    ...(LONG.includes(name) ? [] : batchOrders('webgl2', batches)),
+  ]);
+  if (films.length > 0) await compare(films, name, info);
+  if (!sameFilm(one!, other!)) await compare(await pathFilms(harness, 'webgpu', scene, batches), name, info);
+}
 
 /** Up to rounding, and a few paths that rounding sends elsewhere. */
 function sameFilm(one: Film, other: Film): boolean {
@@ -44,16 +64,12 @@ function sameFilm(one: Film, other: Film): boolean {
   return different < 1e-3 * one.sum.length;
 }
 
-async function compare(harness: Page, backend: Backend, name: string, info: TestInfo): Promise<void> {
-  test.setTimeout(600_000);
-  const scene = referenceScene(name);
+async function compare(films: readonly Film[], name: string, info: TestInfo): Promise<void> {
   const reference = referencePicture(name);
   const { width, height } = reference;
-  const samples = SAMPLES[name]!;
-  const films = await pathFilms(harness, backend, scene, { width, height, samples, batches: BATCHES, seed: SEED });
   const result = judge(films, reference, CUT);
   info.annotations.push({ type: 'z-test', description: describeResult(result) });
-  const { exposure } = scene.render;
+  const { exposure } = referenceScene(name).render;
   if (result.failures.length > 0)
     await keepPictures(info, {
       ours: pictureOfMeans(meansOf(mergeFilms(films)), width, exposure),

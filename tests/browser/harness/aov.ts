@@ -1,17 +1,9 @@
 /** Films of what the camera sees first, on a GPU and in double precision, compared. */
-import {
-  addReferenceSample,
-  type FilmContent,
-  type FilmJob,
-  type FilmSums,
-  GpuFilmTracer,
-  openWebGl2,
-  openWebGpu,
-  referenceRows,
-} from 'mirrorball/headless';
+import { addReferenceSample, type FilmContent, type FilmJob, type FilmSums, referenceRows } from 'mirrorball/headless';
 import type { Integrator, Projection } from '../../../packages/renderer/src/scene/scene.ts';
 import { aovScene } from '../../fixtures/aov-scene.ts';
 import type { GpuBackend } from './parity.ts';
+import { tracerOn } from './tracers.ts';
 
 const WIDTH = 48;
 const HEIGHT = 32;
@@ -45,8 +37,7 @@ const PICTURES: readonly (readonly [Integrator, Projection])[] = [
 
 /** Each film in two calls, the second one on top of the first. */
 export async function aovFilms(backend: GpuBackend) {
-  const device = await (backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas')));
-  const tracer = await GpuFilmTracer.create(device);
+  const tracer = await tracerOn(backend);
   const reports: Record<string, AovReport> = {};
   for (const [integrator, projection] of PICTURES)
     for (const content of ['features', 'data'] as const) {
@@ -57,7 +48,6 @@ export async function aovFilms(backend: GpuBackend) {
       const film = await tracer.trace(2, SAMPLES - 2, await tracer.trace(0, 2, null));
       reports[`${integrator} ${projection} ${content}`] = report(film, reference(job), content);
     }
-  tracer.dispose();
   return reports;
 }
 

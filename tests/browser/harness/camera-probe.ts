@@ -1,8 +1,6 @@
 /** Rays of a camera by the kernels' own functions. */
 import type { Camera } from 'mirrorball';
 import type { PassSource } from '../../../packages/renderer/src/gpu/device.ts';
-import { openWebGl2 } from '../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
-import { openWebGpu } from '../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { structSize } from '../../../packages/renderer/src/packed-scene/layout.ts';
 import { packFrame } from '../../../packages/renderer/src/packed-scene/pack-frame.ts';
 import { packScene } from '../../../packages/renderer/src/packed-scene/pack-scene.ts';
@@ -13,7 +11,7 @@ import fullScreenGlsl from '../../../packages/renderer/src/shading/generated/ful
 import { testScene } from '../../fixtures/scenes.ts';
 import probeWgsl from './generated/camera_probe.wgsl?raw';
 import probeGlsl from './generated/cameraProbe.glsl?raw';
-import type { GpuBackend } from './parity.ts';
+import { type GpuBackend, probeDevice, probePass } from './probe-device.ts';
 
 const PROBE: PassSource = {
   label: 'camera probe',
@@ -27,8 +25,8 @@ const PROBE: PassSource = {
 
 /** For each pixel four numbers, row 0 first; camera-probe.wesl says of which ray. Positions are relative to the eye. */
 export async function cameraRays(backend: GpuBackend, camera: Camera, width: number, height: number) {
-  const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
-  const pass = await device.createPass(PROBE);
+  const device = await probeDevice(backend);
+  const pass = await probePass(device, PROBE);
   const frame = device.createUniforms(structSize('Frame'));
   const film = device.createFilm(width, height);
   const block = createBlock(structSize('Frame'));
@@ -41,6 +39,6 @@ export async function cameraRays(backend: GpuBackend, camera: Camera, width: num
     return Array.from(await device.read(film.layers[0]!, width, height));
   };
   const rays = { origins: await cast(0), directions: await cast(1) };
-  device.destroy();
+  for (const resource of [frame, film]) resource.destroy();
   return rays;
 }

@@ -1,20 +1,7 @@
 /** Random scenes by the path integrator: tests/fixtures/fuzz makes them, and says what is wrong with their films. */
-import { GpuFilmTracer, openWebGl2, openWebGpu } from '../../../packages/renderer/src/headless/index.ts';
 import { type BadScene, type FuzzKind, type FuzzReport, fuzzScenes, leastOf } from '../../fixtures/fuzz/fuzz.ts';
 import type { GpuBackend } from './parity.ts';
-
-const tracers = new Map<GpuBackend, Promise<GpuFilmTracer>>();
-
-/** One program with all features: nothing is compiled for a scene. */
-function tracerOn(backend: GpuBackend): Promise<GpuFilmTracer> {
-  let tracer = tracers.get(backend);
-  if (!tracer) {
-    const device =
-      backend === 'webgpu' ? openWebGpu(null, { computes: true }) : openWebGl2(document.createElement('canvas'));
-    tracers.set(backend, (tracer = device.then((d) => GpuFilmTracer.create(d, 'one'))));
-  }
-  return tracer;
-}
+import { tracerOfAll } from './tracers.ts';
 
 /** Traces `count` scenes from number `first` on. */
 export async function fuzz(
@@ -24,7 +11,7 @@ export async function fuzz(
   first: number,
   count: number,
 ): Promise<FuzzReport> {
-  return fuzzScenes(await tracerOn(backend), kind, seed, first, count);
+  return fuzzScenes(await tracerOfAll(backend), kind, seed, first, count);
 }
 
 export async function fuzzLeast(
@@ -33,5 +20,5 @@ export async function fuzzLeast(
   seed: number,
   index: number,
 ): Promise<BadScene | null> {
-  return leastOf(await tracerOn(backend), kind, seed, index);
+  return leastOf(await tracerOfAll(backend), kind, seed, index);
 }

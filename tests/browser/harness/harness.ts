@@ -20,7 +20,7 @@ import { probeLayerEdges, probeLayers, probeLayersAlone } from './layers/values.
 import { playedFilms, playedLate, playFrames, switchMovingScenes } from './motion.ts';
 import { orderAndParts } from './order-and-parts.ts';
 import { parity, pictureOf } from './parity.ts';
-import { pathFilm } from './path.ts';
+import { pathFilms } from './path.ts';
 import { probeSampler } from './sampler/probe.ts';
 import { shadeMean } from './shade-mean.ts';
 import { probeShapes } from './shapes/probe.ts';
@@ -53,7 +53,7 @@ export const harness = {
   movedPicture,
   orderAndParts,
   parity,
-  pathFilm,
+  pathFilms,
   pictureOf,
   playedFilms,
   playedLate,

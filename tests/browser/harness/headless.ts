@@ -1,14 +1,7 @@
-import {
-  addReferenceSample,
-  type FilmJob,
-  type FilmSums,
-  GpuFilmTracer,
-  openWebGl2,
-  openWebGpu,
-  referenceRows,
-} from 'mirrorball/headless';
+import { addReferenceSample, type FilmJob, type FilmSums, referenceRows } from 'mirrorball/headless';
 import type { GpuBackend } from './parity.ts';
 import { sceneNamed } from './scenes.ts';
+import { tracerOn } from './tracers.ts';
 
 const WIDTH = 40;
 const HEIGHT = 24;
@@ -34,8 +27,7 @@ function cut(film: FilmSums): FilmSums {
 
 /** Six samples of a picture traced at once, in two calls, for a part of it, and in two ranges apart. */
 export async function headlessFilms(backend: GpuBackend) {
-  const device = await (backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas')));
-  const tracer = await GpuFilmTracer.create(device);
+  const tracer = await tracerOn(backend);
   const settings = { integrator: 'classic', maxDepth: -1, maxReflections: 3, lightSamples: 4, seed: 5 } as const;
   const job = { scene: sceneNamed('cube-room'), settings, width: WIDTH, height: HEIGHT };
   await tracer.begin({ ...job, area: { x: 0, y: 0, width: WIDTH, height: HEIGHT } });
@@ -47,7 +39,6 @@ export async function headlessFilms(backend: GpuBackend) {
   const huge = { ...job, ...HUGE, area: PENUMBRA };
   await tracer.begin(huge);
   const partOfHuge = await tracer.trace(0, 6, null);
-  tracer.dispose();
   return {
     samples: whole[3],
     brightest: Math.max(...whole),

@@ -5,24 +5,20 @@ import {
   DEFAULT_SETTINGS,
   type FilmArea,
   type FilmSums,
-  GpuFilmTracer,
-  openWebGl2,
-  openWebGpu,
+  type FilmTracer,
 } from '../../../packages/renderer/src/headless/index.ts';
 import { sceneNamed } from './scenes.ts';
+import { type Entry, tracerBy } from './tracers.ts';
 
-/** WebGPU twice: passes that draw, and those that compute. */
-export type Entry = 'webgpu, drawn' | 'webgpu, computed' | 'webgl2';
-
-const [WIDTH, HEIGHT] = [27, 18];
+const [WIDTH, HEIGHT] = [19, 13];
 const WHOLE: FilmArea = { x: 0, y: 0, width: WIDTH, height: HEIGHT };
 /** Cuts at odd places, also through the tiles of compute passes, and one part of a single pixel. */
 const PARTS: readonly FilmArea[] = [
-  { x: 13, y: 0, width: 14, height: 5 },
-  { x: 0, y: 0, width: 13, height: 17 },
-  { x: 13, y: 5, width: 14, height: 13 },
-  { x: 1, y: 17, width: 12, height: 1 },
-  { x: 0, y: 17, width: 1, height: 1 },
+  { x: 9, y: 0, width: 10, height: 4 },
+  { x: 0, y: 0, width: 9, height: 12 },
+  { x: 9, y: 4, width: 10, height: 9 },
+  { x: 1, y: 12, width: 8, height: 1 },
+  { x: 0, y: 12, width: 1, height: 1 },
 ];
 
 /** Largest difference of two films' sums, relative to the second one's. */
@@ -44,25 +40,17 @@ function put(film: Float64Array, part: FilmSums, { x, y, width, height }: FilmAr
     }
 }
 
-async function open(entry: Entry): Promise<GpuFilmTracer> {
-  const device =
-    entry === 'webgl2'
-      ? await openWebGl2(document.createElement('canvas'))
-      : await openWebGpu(null, { computes: entry === 'webgpu, computed' });
-  return GpuFilmTracer.create(device);
-}
-
 const quiet = { update: () => {}, stop: () => {} };
 const never = new AbortController().signal;
 
 /** Samples from `first` on as the command line sums them up: blocks on the device, and these in double precision. */
-async function accumulated(tracer: GpuFilmTracer, first: number, count: number): Promise<AccumulatedFilm> {
+async function accumulated(tracer: FilmTracer, first: number, count: number): Promise<AccumulatedFilm> {
   const film = new AccumulatedFilm(WIDTH * HEIGHT);
   await runFilm(tracer, film, { wanted: { first, last: first + count - 1 } }, never, quiet);
   return film;
 }
 
-async function joined(tracer: GpuFilmTracer, firsts: readonly number[], count: number): Promise<Float32Array> {
+async function joined(tracer: FilmTracer, firsts: readonly number[], count: number): Promise<Float32Array> {
   const film = new AccumulatedFilm(WIDTH * HEIGHT);
   for (const first of firsts) film.merge(await accumulated(tracer, first, count));
   return film.mean();
@@ -71,14 +59,14 @@ async function joined(tracer: GpuFilmTracer, firsts: readonly number[], count: n
 /** Samples that calls on top of one another begin at: groups of 32 are rounded together where passes compute. */
 const CUTS = [32, 96, 128];
 
-async function onTopOfOneAnother(tracer: GpuFilmTracer, samples: number): Promise<FilmSums> {
+async function onTopOfOneAnother(tracer: FilmTracer, samples: number): Promise<FilmSums> {
   let film: FilmSums | null = null;
   for (const [i, first] of [0, ...CUTS].entries()) film = await tracer.trace(first, (CUTS[i] ?? samples) - first, film);
   return film!;
 }
 
 /** Ends as soon as a sample is done, and goes on from there. */
-async function interrupted(tracer: GpuFilmTracer, samples: number): Promise<FilmSums> {
+async function interrupted(tracer: FilmTracer, samples: number): Promise<FilmSums> {
   const stop = new AbortController();
   const begun = await tracer.trace(0, samples, null, { signal: stop.signal, onProgress: () => stop.abort() });
   const held = begun[3]!;
@@ -87,7 +75,7 @@ async function interrupted(tracer: GpuFilmTracer, samples: number): Promise<Film
 
 /** How far the sums of `samples` at once are from those of four runs, in two orders, of runs that went on, and of parts; squares count too. */
 export async function orderAndParts(entry: Entry, name: string, samples: number, seed: number) {
-  const tracer = await open(entry);
+  const tracer = await tracerBy(entry);
   const scene = sceneNamed(name);
   const settings = { ...DEFAULT_SETTINGS, ...scene.render, integrator: 'path', seed } as const;
   const job = { scene, settings, width: WIDTH, height: HEIGHT, squares: true };
@@ -109,7 +97,6 @@ export async function orderAndParts(entry: Entry, name: string, samples: number,
     await tracer.begin({ ...job, area });
     put(union, await tracer.trace(0, samples, null), area);
   }
-  tracer.dispose();
   return {
     samples: whole[3],
     brightest: Math.max(...whole.subarray(0, whole.length / 2)),

@@ -1,9 +1,9 @@
 /** Films of the path integrator: the one place where tests and `npm run proof` meet it. */
 
 import type { FilmTracer } from '../../../packages/renderer/src/headless/index.ts';
-import { GpuFilmTracer, openWebGl2, openWebGpu } from '../../../packages/renderer/src/headless/index.ts';
 import type { Scene } from '../../../packages/renderer/src/scene/scene.ts';
 import type { GpuBackend } from './parity.ts';
+import { tracerBy } from './tracers.ts';
 
 export interface PathRange {
   readonly width: number;
@@ -14,6 +14,11 @@ export interface PathRange {
   readonly seed: number;
 }
 
+export interface PathOrder {
+  readonly backend: GpuBackend;
+  readonly range: PathRange;
+}
+
 /** Linear RGB triples, row 0 on top: over the samples of each pixel the sums of radiance and of its square; and samples a pixel. */
 export interface PathFilm {
   readonly sum: Float32Array;
@@ -21,21 +26,11 @@ export interface PathFilm {
   readonly count: Float32Array;
 }
 
-const tracers = new Map<GpuBackend, Promise<FilmTracer>>();
-function tracerOn(backend: GpuBackend): Promise<FilmTracer> {
-  let tracer = tracers.get(backend);
-  if (!tracer) {
-    // A software adapter would draw; the compute entry is the one that needs proof.
-    const device =
-      backend === 'webgpu' ? openWebGpu(null, { computes: true }) : openWebGl2(document.createElement('canvas'));
-    tracers.set(backend, (tracer = device.then((d) => GpuFilmTracer.create(d))));
-  }
-  return tracer;
-}
+export const renderPath = async (backend: GpuBackend, scene: Scene, range: PathRange): Promise<PathFilm> =>
+  renderBy(await tracerBy(backend === 'webgpu' ? 'webgpu, computed' : 'webgl2'), scene, range);
 
-export async function renderPath(backend: GpuBackend, scene: Scene, range: PathRange): Promise<PathFilm> {
+export async function renderBy(tracer: FilmTracer, scene: Scene, range: PathRange): Promise<PathFilm> {
   const { width, height, samples, firstSample, seed } = range;
-  const tracer = await tracerOn(backend);
   const { maxDepth, maxReflections, lightSamples } = scene.render;
   const settings = { integrator: 'path', maxDepth, maxReflections, lightSamples, seed } as const;
   await tracer.begin({ scene, settings, width, height, area: { x: 0, y: 0, width, height }, squares: true });
@@ -53,9 +48,14 @@ export async function renderPath(backend: GpuBackend, scene: Scene, range: PathR
 /** The bytes of each array, base64: text that `page.evaluate` returns quickly. tests/browser/films.ts reads it. */
 export type EncodedFilm = Readonly<Record<keyof PathFilm, string>>;
 
-export async function pathFilm(backend: GpuBackend, scene: Scene, range: PathRange): Promise<EncodedFilm> {
-  const { sum, sumOfSquares, count } = await renderPath(backend, scene, range);
-  return { sum: encode(sum), sumOfSquares: encode(sumOfSquares), count: encode(count) };
+/** Films of one scene, which crosses over to the page once for all of them, and whose meshes and map are packed once. */
+export async function pathFilms(scene: Scene, orders: readonly PathOrder[]): Promise<EncodedFilm[]> {
+  const films: EncodedFilm[] = [];
+  for (const { backend, range } of orders) {
+    const { sum, sumOfSquares, count } = await renderPath(backend, scene, range);
+    films.push({ sum: encode(sum), sumOfSquares: encode(sumOfSquares), count: encode(count) });
+  }
+  return films;
 }
 
 function encode(floats: Float32Array): string {

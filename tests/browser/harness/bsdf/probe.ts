@@ -7,11 +7,10 @@ import { directionOf, hasInside, SURFACES } from '../../../fixtures/bsdf-cases.t
 import { chartsOf } from '../../../fixtures/bsdf-charts.ts';
 import { chiSquare } from '../../../fixtures/chi-square.ts';
 import { pick, type Random, seededRandom } from '../../../fixtures/random.ts';
+import { type GpuBackend, probeDevice } from '../probe-device.ts';
 import { randomIncoming, randomNumbers, randomOutgoing, randomSurfaces } from './cases.ts';
 import { expectation } from './expectation.ts';
-import { type Answer, ASKED, ask, floatVector, inFloats, openDevice, type Question } from './questions.ts';
-
-type Backend = 'webgpu' | 'webgl2';
+import { type Answer, ASKED, ask, floatVector, inFloats, type Question } from './questions.ts';
 
 export interface BsdfReport {
   readonly asked: number;
@@ -47,7 +46,7 @@ function judge(report: BsdfReport, s: BsdfSurface, wo: Vec3, wi: Vec3, answer: A
 }
 
 /** evaluateBsdf at random surfaces and directions. */
-export async function probeEvaluation(backend: Backend, seed: number): Promise<BsdfReport> {
+export async function probeEvaluation(backend: GpuBackend, seed: number): Promise<BsdfReport> {
   const random = seededRandom(seed);
   const surfaces = randomSurfaces(random, 400);
   const questions = Array.from({ length: QUESTIONS }, (_, k): Question => {
@@ -55,9 +54,8 @@ export async function probeEvaluation(backend: Backend, seed: number): Promise<B
     const wo = randomOutgoing(random, surfaces[surface]!);
     return { surface, wo, second: randomIncoming(random, surfaces[surface]!, wo), asked: ASKED.evaluation };
   });
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const answers = await ask(device, surfaces, questions);
-  device.destroy();
   const report = newReport();
   questions.forEach(({ surface, wo, second }, k) => {
     const s = surfaces[surface]!;
@@ -67,7 +65,7 @@ export async function probeEvaluation(backend: Backend, seed: number): Promise<B
 }
 
 /** Where formulas divide by zero: along the surface, straight back, straight on. Anything finite and not negative will do. */
-export async function probeEdges(backend: Backend, seed: number): Promise<BsdfReport> {
+export async function probeEdges(backend: GpuBackend, seed: number): Promise<BsdfReport> {
   const random = seededRandom(seed);
   const surfaces = randomSurfaces(random, 400);
   const along: Vec3[] = [
@@ -85,9 +83,8 @@ export async function probeEdges(backend: Backend, seed: number): Promise<BsdfRe
     const wi = pick(random, [...along, wo, negate(wo), [-wo[0], -wo[1], wo[2]], [wo[0], wo[1], -wo[2]]] as Vec3[]);
     return { surface, wo, second: asked === ASKED.evaluation ? wi : randomNumbers(random), asked };
   });
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const answers = await ask(device, surfaces, questions);
-  device.destroy();
   const report = newReport();
   questions.forEach((question, k) => {
     const answer = answers[k]!;
@@ -139,7 +136,7 @@ function judgeSample(report: BsdfReport, s: BsdfSurface, q: Question, sampled: S
 }
 
 /** sampleBsdf at random surfaces, directions and numbers: what it says of its own samples. */
-export async function probeSamples(backend: Backend, seed: number): Promise<BsdfReport> {
+export async function probeSamples(backend: GpuBackend, seed: number): Promise<BsdfReport> {
   const random = seededRandom(seed);
   const surfaces = randomSurfaces(random, 400);
   const questions = Array.from({ length: QUESTIONS }, (_, k): Question => {
@@ -147,14 +144,13 @@ export async function probeSamples(backend: Backend, seed: number): Promise<Bsdf
     const wo = randomOutgoing(random, surfaces[surface]!);
     return { surface, wo, second: randomNumbers(random), asked: ASKED.sampledDirection };
   });
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const directions = await ask(device, surfaces, questions);
   const weights = await ask(
     device,
     surfaces,
     questions.map((q) => ({ ...q, asked: ASKED.sampledWeight })),
   );
-  device.destroy();
   const report = newReport();
   questions.forEach((q, k) => {
     const s = surfaces[q.surface]!;
@@ -177,7 +173,7 @@ export interface ChiSquareReport {
 const SAMPLES = 4096;
 
 /** χ² of the GPU's samples against the reference's density, for all surfaces seen at this cosine, glass from inside too. */
-export async function chiSquareSamples(backend: Backend, cosine: number, seed: number): Promise<ChiSquareReport[]> {
+export async function chiSquareSamples(backend: GpuBackend, cosine: number, seed: number): Promise<ChiSquareReport[]> {
   const random = seededRandom(seed);
   const cases = Object.entries(SURFACES).flatMap(([name, given]) => {
     const s = inFloats(given);
@@ -191,14 +187,13 @@ export async function chiSquareSamples(backend: Backend, cosine: number, seed: n
     }),
   );
   const surfaces = cases.map((c) => c.s);
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const directions = await ask(device, surfaces, questions);
   const weights = await ask(
     device,
     surfaces,
     questions.map((q) => ({ ...q, asked: ASKED.sampledWeight })),
   );
-  device.destroy();
   return cases.flatMap(({ name, s, wo }, i) => {
     const drawn = directions.slice(i * SAMPLES, (i + 1) * SAMPLES).map(([x, y, z, pdf], k): Vec3 | null => {
       const delta = weights[i * SAMPLES + k]![3] % 2 === 1;

@@ -1,7 +1,5 @@
 /** What the kernels' BSDF is asked, and asking it on a GPU. */
 import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
-import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
-import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import {
   SCENE_TABLE,
   structSize,
@@ -17,6 +15,7 @@ import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/bsdf_probe.wgsl?raw';
 import probeGlsl from '../generated/bsdfProbe.glsl?raw';
+import { probePass } from '../probe-device.ts';
 
 /** As bsdf-probe.wesl numbers them. */
 export const ASKED = { evaluation: 0, sampledDirection: 1, sampledWeight: 2 } as const;
@@ -43,9 +42,6 @@ const PROBE: PassSource = {
 };
 /** Questions in a row of the film. */
 const WIDTH = 256;
-
-export const openDevice = (backend: 'webgpu' | 'webgl2'): Promise<Device> =>
-  backend === 'webgpu' ? openWebGpu(null) : openWebGl2(document.createElement('canvas'));
 
 /** All numbers as the scene table holds them. */
 export const inFloats = (s: BsdfSurface): BsdfSurface => ({
@@ -122,7 +118,7 @@ export async function askTable(
   const asked = device.createTable(TEXELS * WIDTH, height);
   asked.write(texels, height);
   const film = device.createFilm(WIDTH, height);
-  const pass = await device.createPass({ ...PROBE, switches });
+  const pass = await probePass(device, { ...PROBE, switches });
   device.draw(pass, film, [frame, table, asked], { width: WIDTH, height, firstRow: 0, rowCount: height });
   const all = await device.read(film.layers[0]!, WIDTH, height);
   for (const resource of [frame, table, asked, film]) resource.destroy();

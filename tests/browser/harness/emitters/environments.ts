@@ -13,6 +13,7 @@ import { ENVIRONMENTS } from '../../../fixtures/lights/environments.ts';
 import { chiSquareZ } from '../../../fixtures/lights/histogram.ts';
 import { randomDirection, seededRandom } from '../../../fixtures/random.ts';
 import { testScene } from '../../../fixtures/scenes.ts';
+import { verdictOn } from '../verdict.ts';
 import {
   type Answer,
   ASK,
@@ -136,6 +137,24 @@ async function judge(probe: EmitterProbe, name: string, map: EnvironmentMap): Pr
   const even = await probe.ask(scene, hammersley(MOST_QUESTIONS).map((u) => ask(ASK.directionAndPdf, u))); // biome-ignore format: short
   const lights = await askAll(ASK.radianceAndDistance);
   const rays = await askAll(ASK.pdfOfSample);
+  const directions = hardDirections(1024);
+  const looked = await probe.ask(scene, directions.map((d) => ask(ASK.pdfOfDirection, [0, 0], d))); // biome-ignore format: short
+  return verdictOn(`map ${name}`, [samples, even, lights, rays, looked], () =>
+    verdict(name, map, { samples, even, lights, rays, directions, looked }),
+  );
+}
+
+interface Asked {
+  readonly samples: readonly Answer[];
+  readonly even: readonly Answer[];
+  readonly lights: readonly Answer[];
+  readonly rays: readonly Answer[];
+  readonly directions: readonly Vec3[];
+  readonly looked: readonly Answer[];
+}
+
+function verdict(name: string, map: EnvironmentMap, asked: Asked): EnvironmentReport {
+  const { samples, even, lights, rays, directions, looked } = asked;
   const told = new Judge(map);
   samples.forEach((sample, k) => {
     const direction = normalize(vector(sample));
@@ -144,16 +163,15 @@ async function judge(probe: EmitterProbe, name: string, map: EnvironmentMap): Pr
     told.density('density of the ray', rays[k]![0], direction);
     told.radiance('radiance', mean(lights[k]!.slice(0, 3)), direction, mean);
   });
-  const directions = hardDirections(1024);
-  const looked = await probe.ask(scene, directions.map((d) => ask(ASK.pdfOfDirection, [0, 0], d))); // biome-ignore format: short
   looked.forEach(([pdf, , radiance], k) => {
     told.density('density of a direction', pdf, directions[k]!);
     told.radiance('radiance of a direction', radiance, directions[k]!, (c) => Math.hypot(...c));
   });
+  const zOf = distributionOn(map);
   return {
     name,
-    z: distributionZ(map, samples),
-    zOfEven: distributionZ(map, even),
+    z: zOf(samples),
+    zOfEven: zOf(even),
     ...meanOf(map, samples, lights),
     ...summary(told.faults),
   };
@@ -185,20 +203,22 @@ function meanOf(map: EnvironmentMap, samples: readonly Answer[], lights: readonl
 }
 
 /** In bins of half texels, or of many texels. */
-function distributionZ(map: EnvironmentMap, samples: readonly Answer[]): number {
+function distributionOn(map: EnvironmentMap): (samples: readonly Answer[]) => number {
   const [columns, rows] = [Math.min(2 * map.width, 32), Math.min(2 * map.height, 16)];
   const bin = ([x, y]: readonly [number, number]) =>
     Math.min(Math.floor((y / map.height) * rows), rows - 1) * columns +
     Math.min(Math.floor((x / map.width) * columns), columns - 1);
-  const expected = new Array<number>(columns * rows).fill(0);
-  const total = overMap(map, (place) => placeDensity(map, place));
-  overMap(map, (place) => {
-    expected[bin(place)]! += (placeDensity(map, place) / total / 4) * samples.length;
-    return 0;
+  const shares = new Array<number>(columns * rows).fill(0);
+  const total = overMap(map, (place) => {
+    const density = placeDensity(map, place);
+    shares[bin(place)]! += density / 4;
+    return density;
   });
-  const counts = new Array<number>(columns * rows).fill(0);
-  for (const sample of samples) counts[bin(placeOnMap(map, normalize(vector(sample)), ROTATION))]!++;
-  return chiSquareZ(counts, expected);
+  return (samples) => {
+    const counts = new Array<number>(columns * rows).fill(0);
+    for (const sample of samples) counts[bin(placeOnMap(map, normalize(vector(sample)), ROTATION))]!++;
+    return chiSquareZ(counts, shares.map((share) => (share / total) * samples.length)); // biome-ignore format: one thought
+  };
 }
 
 export function probeEnvironments(backend: GpuBackend): Promise<EnvironmentReport[]> {

@@ -15,6 +15,7 @@ import { exactIrradiance } from '../../../fixtures/lights/closed-forms.ts';
 import { chiSquareZ, countBins, densityOfBins } from '../../../fixtures/lights/histogram.ts';
 import { surroundingsOf } from '../../../fixtures/lights/surroundings.ts';
 import { seededRandom } from '../../../fixtures/random.ts';
+import { verdictOn } from '../verdict.ts';
 import { type Answer, ASK, type EmitterProbe, type GpuBackend, type Question, rounded, withProbe } from './probe.ts';
 
 export interface LampReport {
@@ -92,16 +93,22 @@ async function judge(probe: EmitterProbe, light: LightCase): Promise<LampReport>
     await ask(ASK.radianceAndDistance),
     await ask(ASK.pdfOfSample),
   ];
+  return verdictOn(`lamp ${light.name}`, [pdfs, lights, rays], () => verdict(rested, pdfs, lights, rays));
+}
+
+type Answers = readonly Answer[];
+
+function verdict(light: LightCase, pdfs: Answers, lights: Answers, rays: Answers): LampReport {
   const lit = pdfs.map((_, k) => k).filter((k) => pdfs[k]![3] > 0);
   const faults = lit.flatMap((k) => {
-    const fault = faultOf(rested, { pdf: pdfs[k]!, light: lights[k]!, ray: rays[k]! });
+    const fault = faultOf(light, { pdf: pdfs[k]!, light: lights[k]!, ray: rays[k]! });
     return fault === null ? [] : [`sample ${k} ${fault}: ${pdfs[k]}; ${lights[k]}; ${rays[k]}`];
   });
   const directions = lit.map((k) => vector(pdfs[k]!));
   return {
     name: light.name,
-    error: irradianceError(rested, pdfs),
-    z: lit.length === 0 ? 0 : distributionZ(rested, directions),
+    error: irradianceError(light, pdfs),
+    z: lit.length === 0 ? 0 : distributionZ(light, directions),
     samples: lit.length,
     missed: lit.filter((k) => rays[k]![1] >= 1e30).length,
     faults: faults.length,

@@ -9,6 +9,7 @@ import {
   unshadowedIrradiance,
 } from '../../../fixtures/lights/mesh-cases.ts';
 import { seededRandom } from '../../../fixtures/random.ts';
+import { verdictOn } from '../verdict.ts';
 import type { LampReport } from './lamps.ts';
 import { type Answer, ASK, type EmitterProbe, type GpuBackend, type Question, rounded, withProbe } from './probe.ts';
 
@@ -64,17 +65,23 @@ async function judge(probe: EmitterProbe, light: MeshLampCase): Promise<MeshLamp
     await ask(ASK.radianceAndDistance),
     await ask(ASK.pdfOfSample),
   ];
+  return verdictOn(`mesh lamp ${light.name}`, [samples, lights, rays], () => verdict(rested, samples, lights, rays));
+}
+
+type Answers = readonly Answer[];
+
+function verdict(light: MeshLampCase, samples: Answers, lights: Answers, rays: Answers): MeshLampReport {
   const lit = samples.map((_, k) => k).filter((k) => samples[k]![3] > 0);
   const step = Math.max(Math.floor(lit.length / LOOKED_AT), 1);
   const faults = lit.flatMap((k, n) => {
     if (n % step !== 0) return [];
-    const fault = faultOf(rested, { sample: samples[k]!, light: lights[k]!, ray: rays[k]! });
+    const fault = faultOf(light, { sample: samples[k]!, light: lights[k]!, ray: rays[k]! });
     return fault === null ? [] : [`sample ${k} ${fault}: ${samples[k]}; ${lights[k]}; ${rays[k]}`];
   });
   return {
     name: light.name,
-    ...irradianceError(rested, samples),
-    z: distributionZ(rested, lit.map((k) => vector(samples[k]!))), // biome-ignore format: one thought
+    ...irradianceError(light, samples),
+    z: distributionZ(light, lit.map((k) => vector(samples[k]!))), // biome-ignore format: one thought
     samples: lit.length,
     missed: lit.filter((k) => rays[k]![1] >= 1e30).length,
     faults: faults.length,

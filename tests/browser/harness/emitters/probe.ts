@@ -1,8 +1,6 @@
 /** Asks the kernels' own light sampling on a GPU, question by question. */
 import { GeometryBuffer } from '../../../../packages/renderer/src/geometry-buffer.ts';
 import { type Device, type Pass, type PassSource, shareOfRow } from '../../../../packages/renderer/src/gpu/device.ts';
-import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
-import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { loadGeometryPacker } from '../../../../packages/renderer/src/packed-scene/geometry-packer.ts';
 import {
   GEOMETRY,
@@ -25,6 +23,9 @@ import { DEFAULT_SETTINGS } from '../../../../packages/renderer/src/view.ts';
 import probeWgsl from '../generated/emitter_probe.wgsl?raw';
 import sampledWgsl from '../generated/emitter_probe_sampled.wgsl?raw';
 import probeGlsl from '../generated/emitterProbe.glsl?raw';
+import { type GpuBackend, probeDevice, probePass } from '../probe-device.ts';
+
+export type { GpuBackend };
 
 /** What is asked: emitter-probe.wesl has the same numbers. */
 export const ASK = {
@@ -34,8 +35,6 @@ export const ASK = {
   pdfOfDirection: 3,
   choice: 4,
 } as const;
-
-export type GpuBackend = 'webgpu' | 'webgl2';
 
 export interface Question {
   readonly ask: (typeof ASK)[keyof typeof ASK];
@@ -111,13 +110,9 @@ export class EmitterProbe {
   }
 
   static async open(backend: GpuBackend): Promise<EmitterProbe> {
-    const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
+    const device = await probeDevice(backend);
     await loadGeometryPacker();
-    return new EmitterProbe(device, await device.createPass(PROBE));
-  }
-
-  close(): void {
-    this.#device.destroy();
+    return new EmitterProbe(device, await probePass(device, PROBE));
   }
 
   async ask(scene: Scene, questions: readonly Question[]): Promise<Answer[]> {
@@ -149,14 +144,9 @@ export class EmitterProbe {
   }
 }
 
-/** Opens a GPU for the work, and closes it. */
+/** Does the work with the probe of the backend. */
 export async function withProbe<T>(backend: GpuBackend, work: (probe: EmitterProbe) => Promise<T>): Promise<T> {
-  const probe = await EmitterProbe.open(backend);
-  try {
-    return await work(probe);
-  } finally {
-    probe.close();
-  }
+  return work(await EmitterProbe.open(backend));
 }
 
 export const rounded = (v: Vec3): Vec3 => [Math.fround(v[0]), Math.fround(v[1]), Math.fround(v[2])];

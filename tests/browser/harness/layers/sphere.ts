@@ -4,11 +4,11 @@ import { directionOf } from '../../../fixtures/bsdf-cases.ts';
 import { pearson } from '../../../fixtures/chi-square.ts';
 import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';
 import { seededRandom } from '../../../fixtures/random.ts';
-import { type Answer, ASKED, askTable, floatVector, openDevice, type Question } from '../bsdf/questions.ts';
+import { type Answer, ASKED, askTable, floatVector, type Question } from '../bsdf/questions.ts';
+import { type GpuBackend, probeDevice } from '../probe-device.ts';
+import { verdictOn } from '../verdict.ts';
 import { layerTable } from './materials.ts';
 import { NAMED } from './random-layers.ts';
-
-type Backend = 'webgpu' | 'webgl2';
 
 /** Bins of equal solid angle, the horizon between two rows of them, and midpoints along each side of a bin. */
 const ROWS = 16;
@@ -69,12 +69,12 @@ function casesAt(cosine: number): Case[] {
 }
 
 /** χ² of samples, and light by both estimates, of the kernels' own answers. */
-export async function layersOverSphere(backend: Backend, cosine: number, seed: number): Promise<SphereReport[]> {
+export async function layersOverSphere(backend: GpuBackend, cosine: number, seed: number): Promise<SphereReport[]> {
   const random = seededRandom(seed);
   const number = () => Math.floor(random() * 2 ** 24) / 2 ** 24;
   const cases = casesAt(cosine);
   const table = layerTable(NAMED.map(([, m]) => m));
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const evaluated = await askTable(
     device,
     table,
@@ -91,12 +91,13 @@ export async function layersOverSphere(backend: Backend, cosine: number, seed: n
     table,
     drawn.map((q) => ({ ...q, asked: ASKED.sampledWeight })),
   );
-  device.destroy();
   const part = (all: readonly Answer[], i: number, n: number) => all.slice(i * n, (i + 1) * n);
-  return cases.map(({ name }, i) => ({
-    name,
-    ...reportOf(part(evaluated, i, MIDPOINTS.length), part(directions, i, SAMPLES), part(weights, i, SAMPLES)),
-  }));
+  return verdictOn(`sphere ${cosine} ${seed}`, [evaluated, directions, weights], () =>
+    cases.map(({ name }, i) => ({
+      name,
+      ...reportOf(part(evaluated, i, MIDPOINTS.length), part(directions, i, SAMPLES), part(weights, i, SAMPLES)),
+    })),
+  );
 }
 
 function reportOf(values: readonly Answer[], directions: readonly Answer[], weights: readonly Answer[]) {
@@ -141,7 +142,7 @@ const EVEN: readonly Vec3[] = Array.from({ length: 2048 }, (_, i) => {
  * material at each cosine. Within a solid radiance is n² as much as in air, and counts that much less.
  */
 export async function layerFurnaces(
-  backend: Backend,
+  backend: GpuBackend,
   materials: readonly LayeredMaterial[],
   cosines: readonly number[],
   energyCompensation: boolean,
@@ -150,10 +151,9 @@ export async function layerFurnaces(
   const table = layerTable(materials, energyCompensation);
   const ask = (asked: Question['asked']) =>
     cases.flatMap((c) => EVEN.map((second): Question => ({ ...c, second, asked })));
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const directions = await askTable(device, table, ask(ASKED.sampledDirection));
   const weights = await askTable(device, table, ask(ASKED.sampledWeight));
-  device.destroy();
   const means = cases.map(({ surface, wo }, i) => {
     const { solid, ior } = materials[surface]!;
     const sum = [0, 0, 0] as [number, number, number];
@@ -177,7 +177,7 @@ export interface EndsReport {
 }
 
 /** f from both ends over a grid of directions, down to cosines of 0.002; f / n² in solids. `alike`: only pairs of the same cosine. */
-export async function layersFromBothEnds(backend: Backend, alike: boolean): Promise<EndsReport[]> {
+export async function layersFromBothEnds(backend: GpuBackend, alike: boolean): Promise<EndsReport[]> {
   const cosines = [1, 0.7, 0.35, 0.1, 0.02, 0.002];
   const all = cosines.flatMap((c) => [0.7, 1.9, 4].flatMap((turn) => [directionOf(c, turn), directionOf(c, turn)]));
   const grid = all.map((d, i) => floatVector(i % 2 === 0 ? d : [d[0], d[1], -d[2]]));
@@ -189,10 +189,9 @@ export async function layersFromBothEnds(backend: Backend, alike: boolean): Prom
     NAMED.flatMap((_, surface) =>
       pairs.map(([a, b]): Question => ({ surface, wo: there ? a : b, second: there ? b : a, asked: ASKED.evaluation })),
     );
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const there = await askTable(device, table, ask(true));
   const back = await askTable(device, table, ask(false));
-  device.destroy();
   return NAMED.map(([name, { solid, ior }], i) => {
     let difference = 0;
     let lit = 0;

@@ -9,11 +9,11 @@ import { evaluateLayered } from '../../../fixtures/layers/layered-bsdf.ts';
 import type { LayeredMaterial } from '../../../fixtures/layers/layered-material.ts';
 import { between, inCube, pick, type Random, seededRandom } from '../../../fixtures/random.ts';
 import { randomNumbers } from '../bsdf/cases.ts';
-import { type Answer, ASKED, askTable, floatVector, openDevice, type Question } from '../bsdf/questions.ts';
+import { type Answer, ASKED, askTable, floatVector, type Question } from '../bsdf/questions.ts';
+import { type GpuBackend, probeDevice } from '../probe-device.ts';
+import { verdictOn } from '../verdict.ts';
 import { albedoOfSheen, layerTable, switchesOf } from './materials.ts';
 import { LAYER_KINDS, someLayers, withOnly } from './random-layers.ts';
-
-type Backend = 'webgpu' | 'webgl2';
 
 export interface LayersReport {
   readonly asked: number;
@@ -108,12 +108,12 @@ const heroOf = (m: LayeredMaterial, random: Random) => (m.dispersion > 0 && m.so
 async function probe(
   device: Device,
   materials: readonly LayeredMaterial[],
-  report: LayersReport,
+  asked: number,
   random: Random,
   switches?: Record<string, boolean>,
-): Promise<void> {
+): Promise<LayersReport> {
   const table = layerTable(materials);
-  const first = Array.from({ length: report.asked }, (_, k): Question => {
+  const first = Array.from({ length: asked }, (_, k): Question => {
     const surface = k % materials.length;
     const hero = heroOf(materials[surface]!, random);
     return { surface, wo: randomDirection(random), second: randomNumbers(random), asked: ASKED.sampledDirection, hero };
@@ -125,43 +125,41 @@ async function probe(
     return { ...q, asked: ASKED.evaluation, second: takesSample ? [x, y, z] : randomDirection(random) };
   });
   const answers = await askTable(device, table, questions, switches);
-  questions.forEach((q, k) => {
-    const m = materials[q.surface]!;
-    complain(report, judge(report, m, q, q.second, answers[k]!, random), { m, wo: q.wo, wi: q.second, hero: q.hero });
+  return verdictOn(`layers ${JSON.stringify(switches)}`, [sampled, answers], () => {
+    const report = { ...newReport(), asked };
+    questions.forEach((q, k) => {
+      const m = materials[q.surface]!;
+      complain(report, judge(report, m, q, q.second, answers[k]!, random), { m, wo: q.wo, wi: q.second, hero: q.hero });
+    });
+    return report;
   });
 }
 
 /** Materials with all kinds of layers, by a program that knows all. */
-export async function probeLayers(backend: Backend, seed: number): Promise<LayersReport> {
+export async function probeLayers(backend: GpuBackend, seed: number): Promise<LayersReport> {
   const random = seededRandom(seed);
-  const report = newReport();
-  const device = await openDevice(backend);
-  await probe(device, someLayers(random, MATERIALS), report, random);
-  device.destroy();
-  return report;
+  const device = await probeDevice(backend);
+  return probe(device, someLayers(random, MATERIALS), QUESTIONS, random);
 }
 
 /** Kinds of layer, each by the program that a scene with this kind alone is drawn by. */
-export async function probeLayersAlone(backend: Backend, seed: number): Promise<LayersReport[]> {
+export async function probeLayersAlone(backend: GpuBackend, seed: number): Promise<LayersReport[]> {
   const random = seededRandom(seed);
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const reports: LayersReport[] = [];
   for (const kind of LAYER_KINDS) {
     const materials = someLayers(random, 40)
       .map((m) => withOnly(m, kind))
       .filter((m) => isLayered(materialOf(m)));
-    const report = { ...newReport(), asked: 512, examples: [] };
-    await probe(device, materials, report, random, switchesOf(materials));
-    reports.push(report);
+    reports.push(await probe(device, materials, 512, random, switchesOf(materials)));
   }
-  device.destroy();
   return reports;
 }
 
 const ALONG: readonly Vec3[] = [[1, 0, 0], [0, -1, 0], floatVector(directionOf(0, 1)), [0, 0, 1], [0, 0, -1], floatVector(directionOf(1e-20, 2))]; // biome-ignore format: one line
 
 /** Where formulas divide by zero: anything finite and not negative will do, and samples that are not too heavy. */
-export async function probeLayerEdges(backend: Backend, seed: number): Promise<LayersReport & { heaviest: number }> {
+export async function probeLayerEdges(backend: GpuBackend, seed: number): Promise<LayersReport & { heaviest: number }> {
   const random = seededRandom(seed);
   const materials = someLayers(random, MATERIALS);
   const questions = Array.from({ length: QUESTIONS }, (_, k): Question => {
@@ -177,9 +175,8 @@ export async function probeLayerEdges(backend: Backend, seed: number): Promise<L
       hero: heroOf(materials[surface]!, random),
     };
   });
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const answers = await askTable(device, layerTable(materials), questions);
-  device.destroy();
   const report = { ...newReport(), heaviest: 0 };
   questions.forEach((q, k) => {
     const answer = answers[k]!;

@@ -1,7 +1,5 @@
 /** Draws random numbers by the kernels' own functions on a GPU, and compares them with those of the CPU. */
-import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
-import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
-import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
+import type { PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
 import { structSize } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import {
   PIXEL_FILTERS,
@@ -16,6 +14,7 @@ import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/sampler_probe.wgsl?raw';
 import probeGlsl from '../generated/samplerProbe.glsl?raw';
+import { type GpuBackend, probeDevice, probePass } from '../probe-device.ts';
 
 const SIDE = 64;
 const PROBE: PassSource = {
@@ -83,13 +82,12 @@ export interface SamplerReport {
   readonly faults: string[];
 }
 
-export async function probeSampler(backend: 'webgpu' | 'webgl2'): Promise<SamplerReport> {
-  const device: Device =
-    backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
+export async function probeSampler(backend: GpuBackend): Promise<SamplerReport> {
+  const device = await probeDevice(backend);
   const frame = device.createUniforms(structSize('Frame'));
   const block = createBlock(structSize('Frame'));
   const film = device.createFilm(SIDE, SIDE);
-  const pass = await device.createPass(PROBE);
+  const pass = await probePass(device, PROBE);
   const report = { numbers: 0, largestDifference: 0, faults: [] as string[] };
   for (const order of orders()) {
     writeStruct(block, 'Frame', 0, {
@@ -113,6 +111,5 @@ export async function probeSampler(backend: 'webgpu' | 'webgl2'): Promise<Sample
       });
   }
   for (const resource of [frame, film]) resource.destroy();
-  device.destroy();
   return report;
 }

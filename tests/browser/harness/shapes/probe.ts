@@ -1,7 +1,5 @@
 /** Casts random rays at random shapes by the kernels' own functions on a GPU, and judges the answers. */
 import type { Device, PassSource } from '../../../../packages/renderer/src/gpu/device.ts';
-import { openWebGl2 } from '../../../../packages/renderer/src/gpu/webgl2/webgl2-device.ts';
-import { openWebGpu } from '../../../../packages/renderer/src/gpu/webgpu/webgpu-device.ts';
 import { SCENE_TABLE, structSize, TABLE_WIDTH } from '../../../../packages/renderer/src/packed-scene/layout.ts';
 import { type PackedScene, packScene } from '../../../../packages/renderer/src/packed-scene/pack-scene.ts';
 import { createBlock, writeStruct } from '../../../../packages/renderer/src/packed-scene/write-struct.ts';
@@ -12,6 +10,7 @@ import fullScreenWgsl from '../../../../packages/renderer/src/shading/generated/
 import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/fullScreen.glsl?raw';
 import probeWgsl from '../generated/shape_probe.wgsl?raw';
 import probeGlsl from '../generated/shapeProbe.glsl?raw';
+import { type GpuBackend, probeDevice, probePass } from '../probe-device.ts';
 import { expectation, fault } from './expectation.ts';
 import { type RayCase, randomRays, randomScene, type Setting } from './ray-cases.ts';
 
@@ -60,7 +59,7 @@ async function cast(device: Device, packed: PackedScene, texels: Float32Array<Ar
   const rays = device.createTable(2 * SIDE, SIDE);
   rays.write(texels, SIDE);
   const film = device.createFilm(SIDE, SIDE);
-  const pass = await device.createPass(PROBE);
+  const pass = await probePass(device, PROBE);
   device.draw(pass, film, [frame, table, rays], { width: SIDE, height: SIDE, firstRow: 0, rowCount: SIDE });
   const answers = await device.read(film.layers[0]!, SIDE, SIDE);
   for (const resource of [frame, table, rays, film]) resource.destroy();
@@ -76,14 +75,13 @@ function preparedShapes(scene: Scene): PreparedAnalytic[] {
 }
 
 /** SIDE² random rays at the random shapes of a setting. */
-export async function probeShapes(backend: 'webgpu' | 'webgl2', setting: Setting): Promise<ProbeReport> {
+export async function probeShapes(backend: GpuBackend, setting: Setting): Promise<ProbeReport> {
   const scene = randomScene(setting);
   const rays = randomRays(setting, scene, SIDE * SIDE);
   const packed = packScene(scene, scene.camera.eye);
   const rows = Object.keys(scene.shapes).map((name) => packed.shapeNames.indexOf(name));
-  const device = backend === 'webgpu' ? await openWebGpu(null) : await openWebGl2(document.createElement('canvas'));
+  const device = await probeDevice(backend);
   const answers = await cast(device, packed, rayTexels(rays, rows));
-  device.destroy();
   const shapes = preparedShapes(scene);
   const report = { rays: rays.length, hits: 0, open: 0, faults: 0, examples: [] as string[] };
   rays.forEach((ray, k) => {

@@ -3,7 +3,8 @@ import type { Camera, Light, Material, Scene } from '../../../../packages/render
 import { flat, sheet } from '../../../fixtures/meshes/sheet.ts';
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
 import type { GpuBackend } from '../parity.ts';
-import { renderPath } from '../path.ts';
+import { renderBy } from '../path.ts';
+import { tracerOfAll } from '../tracers.ts';
 
 export interface LayerTexture {
   readonly what: string;
@@ -135,7 +136,8 @@ function apart(a: Float32Array, b: Float32Array): number {
 }
 
 export async function layerTextures(backend: GpuBackend): Promise<LayerTexture[]> {
-  const film = async (part: Part) => (await renderPath(backend, sceneWith(part), SIZE)).sum;
+  const tracer = await tracerOfAll(backend);
+  const film = async (part: Part) => (await renderBy(tracer, sceneWith(part), SIZE)).sum;
   const results: LayerTexture[] = [];
   for (const [what, [textured, plain, other = withoutTextures(textured)]] of Object.entries(CASES)) {
     const own = await film(textured);

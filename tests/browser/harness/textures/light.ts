@@ -3,7 +3,8 @@ import type { Camera, Light, Material, MeshShape, Scene } from '../../../../pack
 import { flat, sheet } from '../../../fixtures/meshes/sheet.ts';
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
 import type { GpuBackend } from '../parity.ts';
-import { renderPath } from '../path.ts';
+import { renderBy, renderPath } from '../path.ts';
+import { tracerBy, tracerOfAll } from '../tracers.ts';
 
 /** All pixels look at one point, within a millimetre, unless it says otherwise. */
 export interface LightCase {
@@ -180,10 +181,12 @@ function questions(): Record<string, Question> {
   };
 }
 
+/** On WebGPU by programs for what each scene needs, on WebGL2 by one that has all features. */
 export async function lightCases(backend: GpuBackend, seed: number): Promise<LightCase[]> {
+  const tracer = await (backend === 'webgpu' ? tracerBy('webgpu, computed') : tracerOfAll(backend));
   const cases: LightCase[] = [];
   for (const [what, { scene: asked, most, chance }] of Object.entries(questions())) {
-    const { sum } = await renderPath(backend, asked, {
+    const { sum } = await renderBy(tracer, asked, {
       width: SIZE,
       height: SIZE,
       samples: SAMPLES,

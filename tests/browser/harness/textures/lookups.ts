@@ -17,11 +17,10 @@ import fullScreenGlsl from '../../../../packages/renderer/src/shading/generated/
 import { TexelBuffer } from '../../../../packages/renderer/src/texel-buffer.ts';
 import { between, pick, type Random, seededRandom } from '../../../fixtures/random.ts';
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
-import { openDevice } from '../bsdf/questions.ts';
 import probeWgsl from '../generated/texture_probe.wgsl?raw';
 import sampledWgsl from '../generated/texture_probe_sampled.wgsl?raw';
 import probeGlsl from '../generated/textureProbe.glsl?raw';
-import type { GpuBackend } from '../parity.ts';
+import { type GpuBackend, probeDevice, probePass } from '../probe-device.ts';
 
 const PROBE: PassSource = {
   label: 'texture probe',
@@ -110,7 +109,7 @@ export async function probeLookups(backend: GpuBackend, seed: number) {
     scene,
     cases.map(({ material }) => material),
   );
-  const device = await openDevice(backend);
+  const device = await probeDevice(backend);
   const texels = new TexelBuffer(device);
   texels.hold(textures);
   const questions = new Float32Array(cases.length * QUESTIONS * 4);
@@ -130,7 +129,7 @@ export async function probeLookups(backend: GpuBackend, seed: number) {
   const asked = device.createTable(QUESTIONS, cases.length);
   asked.write(questions, cases.length);
   const film = device.createFilm(QUESTIONS, cases.length);
-  const pass = await device.createPass(PROBE);
+  const pass = await probePass(device, PROBE);
   device.draw(pass, film, [frame, asked, asked, asked, asked, texels.buffer, texels.buffer], {
     width: QUESTIONS,
     height: cases.length,
@@ -138,7 +137,7 @@ export async function probeLookups(backend: GpuBackend, seed: number) {
     rowCount: cases.length,
   });
   const answers = await device.read(film.layers[0]!, QUESTIONS, cases.length);
-  device.destroy();
+  for (const resource of [frame, asked, film, texels.buffer]) resource.destroy();
   return judge(scene, cases, questions, answers);
 }
 

@@ -1,12 +1,12 @@
 /** What the camera sees first of meshes with textures, held against the double-precision tracer. */
-import { addReferenceSample, type FilmJob, GpuFilmTracer, referenceRows } from 'mirrorball/headless';
+import { addReferenceSample, type FilmJob, referenceRows } from 'mirrorball/headless';
 import type { MeshShape, Scene } from '../../../../packages/renderer/src/scene/scene.ts';
 import type { ImagePixels } from '../../../../packages/renderer/src/scene/textures.ts';
 import { flat, sheet, wavy } from '../../../fixtures/meshes/sheet.ts';
 import { seededRandom } from '../../../fixtures/random.ts';
 import { testMaterial, testScene } from '../../../fixtures/scenes.ts';
-import { openDevice } from '../bsdf/questions.ts';
 import type { GpuBackend } from '../parity.ts';
+import { tracerOn } from '../tracers.ts';
 
 const WIDTH = 60;
 const HEIGHT = 40;
@@ -86,14 +86,12 @@ export const texturedScene: Scene = {
 
 /** Share of the sums that differ by more than rounding of directions to 16 bits does; and how much of the picture there is to see. */
 export async function texturedSights(backend: GpuBackend, seed: number) {
-  const device = await openDevice(backend);
-  const tracer = await GpuFilmTracer.create(device);
+  const tracer = await tracerOn(backend);
   const settings = { integrator: 'path', maxDepth: -1, maxReflections: 0, lightSamples: 1, seed } as const;
   const area = { x: 0, y: 0, width: WIDTH, height: HEIGHT };
   const job: FilmJob = { scene: texturedScene, settings, width: WIDTH, height: HEIGHT, area, content: 'features' };
   await tracer.begin(job);
   const film = await tracer.trace(0, SAMPLES, null);
-  tracer.dispose();
   const expected = new Float32Array(film.length);
   const rows = referenceRows(job);
   for (let s = 0; s < SAMPLES; s++) addReferenceSample(expected, rows(s, 0, HEIGHT), job);

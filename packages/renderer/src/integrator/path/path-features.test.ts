@@ -38,6 +38,35 @@ test('a program looks up textures as the meshes ask for it, and no further', () 
   expect(texturesOf(needsOf({ clearcoat: coat }))).toEqual(['hasTextures', 'hasNormalMaps']);
 });
 
+const plain = { texture: 'plain' };
+const specular = { weight: 1, color: [0.5, 1, 1] } as const;
+const beyond = { weight: 0.5, color: [1, 0.5, 1] } as const;
+const film = { weight: 1, ior: 1.8, thicknessMinimum: 100, thicknessMaximum: 300 };
+const cloth = { color: [1, 1, 1], roughness: 0.5 } as const;
+/** Each texture that a layer may have. */
+const LAYERS: readonly ((texture: typeof plain | undefined) => Partial<Material>)[] = [
+  (weightTexture) => ({ specularLobe: { ...specular, weightTexture } }),
+  (colorTexture) => ({ specularLobe: { ...specular, colorTexture } }),
+  (weightTexture) => ({ transmission: { weight: 0.9, weightTexture } }),
+  (weightTexture) => ({ diffuseTransmission: { ...beyond, weightTexture } }),
+  (colorTexture) => ({ diffuseTransmission: { ...beyond, colorTexture } }),
+  (weightTexture) => ({ clearcoat: { weight: 1, roughness: 0.3, weightTexture } }),
+  (roughnessTexture) => ({ clearcoat: { weight: 1, roughness: 0.3, roughnessTexture } }),
+  (colorTexture) => ({ sheen: { ...cloth, colorTexture } }),
+  (roughnessTexture) => ({ sheen: { ...cloth, roughnessTexture } }),
+  (texture) => ({ anisotropy: { strength: 0.9, rotation: 30, texture } }),
+  (weightTexture) => ({ iridescence: { ...film, weightTexture } }),
+  (thicknessTexture) => ({ iridescence: { ...film, thicknessTexture } }),
+];
+
+test('a layer with a texture asks for what it asks for without one, and for textures', () => {
+  for (const layer of LAYERS) {
+    const without = needsOf(layer(undefined));
+    expect(without).toContain('hasLayers');
+    expect([...needsOf(layer(plain))].sort()).toEqual([...new Set([...without, 'hasTextures'])].sort());
+  }
+});
+
 test('a program for AOVs of models has what is seen of them, whatever the camera', () => {
   const needs = needsOf({ normalTexture: { texture: 'plain' }, clearcoat: { weight: 1, roughness: 0 } });
   const features = aovFeatures(needs);

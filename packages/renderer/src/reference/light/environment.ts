@@ -75,9 +75,17 @@ export function overMap({ width, height }: EnvironmentMap, f: (place: [number, n
   return sum;
 }
 
+const totals = new WeakMap<EnvironmentMap, number>();
+
+function totalOf(map: EnvironmentMap): number {
+  let total = totals.get(map);
+  if (total === undefined) totals.set(map, (total = overMap(map, (place) => placeDensity(map, place))));
+  return total;
+}
+
 /** The density of directions, per steradian. */
 export function densityOnMap(map: EnvironmentMap): (direction: Vec3, rotation?: number) => number {
-  const total = overMap(map, (place) => placeDensity(map, place));
+  const total = totalOf(map);
   const texel = (2 * Math.PI ** 2) / (map.width * map.height);
   return (direction, rotation = 0) => {
     const sine = Math.hypot(direction[0], direction[2]);
