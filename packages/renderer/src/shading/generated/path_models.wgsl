@@ -43,10 +43,22 @@ var<private> ownSums: array<vec3f, 8>;
 
 var<private> ownSquares: array<vec3f, 8>;
 
-// All shares of one group.
-var<workgroup> sums: array<vec3f, 128>;
+// Shares of one group, sum and squares one after the other, which a pixel's threads hand to the first of them. Not in shared memory: code
+// that sets it to zero element by element takes Windows' compiler (FXC) longer than all the rest.
+@group(0) @binding(10) var<storage, read_write> handed: array<vec4f>;
 
-var<workgroup> squares: array<vec3f, 128>;
+struct Share {
+  sum: vec3f,
+  square: vec3f,
+}
+
+
+// By the thread `i` of the pixel whose threads' room begins at `first`; nothing by one that is not there.
+fn handedBy(first: u32, i: u32, shares: u32) -> Share {
+  let row = 2u * (first + min(i, shares - 1u));
+  let counts = i < shares;
+  return Share(select(vec3f(0.0), handed[row].xyz, counts), select(vec3f(0.0), handed[row + 1u].xyz, counts));
+}
 
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let shares = frame.shares;
@@ -86,21 +98,34 @@ var<workgroup> squares: array<vec3f, 128>;
     square = textureLoad(previousSquares, texel, 0);
   }
   let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
+  let first = (inRegion.y * region.y + inRegion.x) * shares;
+  let own = 2u * (first + thread % shares);
   for (var g = 0u; g < groups; g++) {
-    sums[thread] = ownSums[g];
-    squares[thread] = ownSquares[g];
-    workgroupBarrier();
+    if (inside) {
+      handed[own] = vec4f(ownSums[g], 0.0);
+      handed[own + 1u] = vec4f(ownSquares[g], 0.0);
+    }
+    storageBarrier();
     if (adds) {
-      var groupSum = sums[thread];
-      var groupSquare = squares[thread];
-      for (var i = thread + 1u; i < thread + shares; i++) {
-        groupSum += sums[i];
-        groupSquare += squares[i];
+      var groupSum = vec3f(0.0);
+      var groupSquare = vec3f(0.0);
+      // Several at a time, so that a GPU waits for them together.
+      for (var i = 0u; i < shares; i += 8u) {
+        let a = handedBy(first, i, shares);
+        let b = handedBy(first, i + 1u, shares);
+        let c = handedBy(first, i + 2u, shares);
+        let d = handedBy(first, i + 3u, shares);
+        let e = handedBy(first, i + 4u, shares);
+        let f = handedBy(first, i + 5u, shares);
+        let h = handedBy(first, i + 6u, shares);
+        let k = handedBy(first, i + 7u, shares);
+        groupSum = groupSum + a.sum + b.sum + c.sum + d.sum + e.sum + f.sum + h.sum + k.sum;
+        groupSquare = groupSquare + a.square + b.square + c.square + d.square + e.square + f.square + h.square + k.square;
       }
       sum += vec4f(groupSum, 0.0);
       square += vec4f(groupSquare, 0.0);
     }
-    workgroupBarrier();
+    storageBarrier();
   }
   if (!adds) {
     return;
