@@ -45,4 +45,29 @@ fn boxes(a: f32) -> f32 { return a; }
   );
 });
 
+const body = (statements: string) =>
+  `override hasHoles = true;\noverride hasFog = true;\nfn walk() { ${statements} }\n`;
+const walked = (statements: string, off: readonly string[]) =>
+  /fn walk[\s\S]*/
+    .exec(withoutFeatures(`${body(statements)}@fragment fn draw() { walk(); }\n`, off))![0]
+    .split('@')[0]!
+    .trim();
+
+test('a loop of one turn is none', () => {
+  const nested = 'loop { loop { i++; if (i > 9) { break; } } if (!hasHoles) { break; } j++; if (j > 9) { break; } }';
+  expect(walked(nested, ['hasHoles'])).toBe('fn walk() { { loop { i++; if (i > 9) { break; } } } }');
+  expect(walked(nested, ['hasFog'])).toBe(`fn walk() { ${nested} }`);
+});
+
+test.each([
+  ['a turn that may end before', 'loop { if (a) { continue; } if (!hasHoles) { break; } }'],
+  ['no loop of its own', 'loop { if (a) { if (!hasHoles) { break; } } if (b) { break; } }'],
+])('but not with %s', (_, statements) => expect(walked(statements, ['hasHoles'])).toBe(`fn walk() { ${statements} }`));
+
+test('what one of two switches guards needs both to be off', () => {
+  const guarded = 'if (hasHoles | (hasFog & a)) { b = 1; }';
+  expect(walked(guarded, ['hasHoles'])).toBe(`fn walk() { ${guarded} }`);
+  expect(walked('if (hasHoles | hasFog) { b = 1; }', ['hasHoles', 'hasFog'])).toBe('fn walk() {  }');
+});
+
 test('with everything on the program is what it was', () => expect(withoutFeatures(program, [])).toBe(program));

@@ -310,11 +310,12 @@ function pngHead(width: number, height: number): Uint8Array {
 
 describe('broken files', () => {
   test.each(BROKEN)('%s', async (_, spoil, path, words) => {
-    const start = performance.now();
+    const start = process.cpuUsage();
     const [first] = await problemsOf(triangleFile(spoil).glb());
     expect(first).toMatchObject({ path });
     expect(first!.message).toContain(words);
-    expect(performance.now() - start).toBeLessThan(5000);
+    // Microseconds of this process alone, however busy the machine is.
+    expect(process.cpuUsage(start).user).toBeLessThan(5e6);
   });
 
   test('all mistakes are told, not the first alone', async () => {

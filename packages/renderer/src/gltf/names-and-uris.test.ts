@@ -29,9 +29,10 @@ describe('names', () => {
 
   test('a hundred thousand of one name take no time', () => {
     const names = new Names();
-    const start = performance.now();
+    const start = process.cpuUsage();
     for (let i = 0; i < 100_000; i++) names.unique('same', '');
-    expect(performance.now() - start).toBeLessThan(2000);
+    // Of this process alone, however busy the machine is; a search from the first number on each time would take minutes.
+    expect(process.cpuUsage(start).user).toBeLessThan(2e6);
   });
 });
 

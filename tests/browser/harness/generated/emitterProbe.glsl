@@ -545,16 +545,16 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
 }
 
 vec4 estimatesOfChildren(LightNode n, vec3 point_2, vec3 normal_3) {
-    vec4 x_7 = (n.x - vec4(point_2.x));
+    vec4 x_8 = (n.x - vec4(point_2.x));
     vec4 y_3 = (n.y - vec4(point_2.y));
     vec4 z = (n.z - vec4(point_2.z));
-    vec4 distance2_1 = (((x_7 * x_7) + (y_3 * y_3)) + (z * z));
+    vec4 distance2_1 = (((x_8 * x_8) + (y_3 * y_3)) + (z * z));
     vec4 inverse_1 = inversesqrt(max(distance2_1, vec4(1e-30)));
     bvec4 inside = lessThanEqual(distance2_1, (n.reach * n.reach));
     vec4 sinB_1 = min((n.reach * inverse_1), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside);
-    vec4 along = (-((((n.axisX * x_7) + (n.axisY * y_3)) + (n.axisZ * z))) * inverse_1);
+    vec4 along = (-((((n.axisX * x_8) + (n.axisY * y_3)) + (n.axisZ * z))) * inverse_1);
     vec4 cosW = clamp(mix(along, abs(along), greaterThan(n.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n.cosWidth);
@@ -562,7 +562,7 @@ vec4 estimatesOfChildren(LightNode n, vec3 point_2, vec3 normal_3) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside);
-    vec4 cosN = clamp(((((normal_3.x * x_7) + (normal_3.y * y_3)) + (normal_3.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_3.x * x_8) + (normal_3.y * y_3)) + (normal_3.z * z)) * inverse_1), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_1 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside);
@@ -746,9 +746,9 @@ vec3 turnTo(vec3 axis, vec3 v) {
     float s_3 = pick((axis.z >= 0.0), 1.0, -1.0);
     float a_4 = (-1.0 / (s_3 + axis.z));
     float b_5 = ((axis.x * axis.y) * a_4);
-    vec3 x_8 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_4)), (s_3 * b_5), (-(s_3) * axis.x));
+    vec3 x_9 = vec3((1.0 + (((s_3 * axis.x) * axis.x) * a_4)), (s_3 * b_5), (-(s_3) * axis.x));
     vec3 y_4 = vec3(b_5, (s_3 + ((axis.y * axis.y) * a_4)), -(axis.y));
-    return (((v.x * x_8) + (v.y * y_4)) + (v.z * axis));
+    return (((v.x * x_9) + (v.y * y_4)) + (v.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width, vec2 u_2) {
@@ -832,12 +832,12 @@ vec3 sphericalRectangle(QuadView q, vec2 u_4) {
     vec2 _e21 = cosineAndSine((0.5 * (q.start + (u_4.x * q.solidAngle))));
     vec2 across_1 = (vec2((s_4.y - s_4.x), (s_4.y + s_4.x)) * _e21);
     float w_2 = (((2.0 * _e21.x) * _e21.y) / max(length(across_1), 1e-15));
-    float x_9 = clamp(((h_3 * w_2) * inversesqrt(max((1.0 - (w_2 * w_2)), 1e-12))), q.low.x, q.high.x);
-    float d2_ = ((x_9 * x_9) + (h_3 * h_3));
+    float x_10 = clamp(((h_3 * w_2) * inversesqrt(max((1.0 - (w_2 * w_2)), 1e-12))), q.low.x, q.high.x);
+    float d2_ = ((x_10 * x_10) + (h_3 * h_3));
     vec2 ends_1 = (y_6 * inversesqrt((vec2(d2_) + (y_6 * y_6))));
     float v_6 = mix(ends_1.x, ends_1.y, u_4.y);
     float atY = clamp(((v_6 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_6 * v_6)), 1e-12))), y_6.x, y_6.y);
-    return (((x_9 * q.axisX) + (atY * q.axisY)) + (h_3 * q.axisZ));
+    return (((x_10 * q.axisX) + (atY * q.axisY)) + (h_3 * q.axisZ));
 }
 
 float areaPdf(float area, float height, float distance_) {
@@ -938,15 +938,20 @@ LampTriangle fetchLampTriangle(uint row_1) {
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-uint mixBits(uint x_3) {
-    uint y_1 = 0u;
-    y_1 = ((x_3 ^ (x_3 >> 16u)) * 569420461u);
-    uint _e7 = y_1;
-    uint _e8 = y_1;
-    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
-    uint _e14 = y_1;
-    uint _e15 = y_1;
-    return (_e14 ^ (_e15 >> 15u));
+uvec2 mixBits2_(uvec2 x_3) {
+    uvec2 y_1 = uvec2(0u);
+    y_1 = ((x_3 ^ (x_3 >> uvec2(16u))) * 569420461u);
+    uvec2 _e8 = y_1;
+    uvec2 _e9 = y_1;
+    y_1 = ((_e8 ^ (_e9 >> uvec2(15u))) * 1935289751u);
+    uvec2 _e16 = y_1;
+    uvec2 _e17 = y_1;
+    return (_e16 ^ (_e17 >> uvec2(15u)));
+}
+
+uint mixBits(uint x_4) {
+    uvec2 _e2 = mixBits2_(uvec2(x_4));
+    return _e2.x;
 }
 
 ChosenTriangle chooseTriangle(Emitter e_12, vec2 u_8) {
@@ -957,9 +962,9 @@ ChosenTriangle chooseTriangle(Emitter e_12, vec2 u_8) {
     uint _e26 = mixBits((floatBitsToUint(u_8.x) ^ (floatBitsToUint(u_8.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
     float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_12.triangles);
-    float x_10 = clamp((((u_8.x * e_12.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
-    bool own_2 = (x_10 < _e18.own);
-    float rest_2 = pick(own_2, (x_10 / max(_e18.own, 1e-37)), ((x_10 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    float x_11 = clamp((((u_8.x * e_12.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    bool own_2 = (x_11 < _e18.own);
+    float rest_2 = pick(own_2, (x_11 / max(_e18.own, 1e-37)), ((x_11 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_4 = pick(own_2, _e18.place, _e18.other);
     LampTriangle _e67 = fetchLampTriangle((((first + column_2) + place_4) - _e18.place));
     float density = _e67.density;
@@ -990,10 +995,10 @@ vec2 weightsOnTriangle(vec2 u_9) {
 
 vec3 outOfMesh(Instance i_5, vec3 p) {
     vec3 q_6 = (p - vec3(i_5.toMeshX.w, i_5.toMeshY.w, i_5.toMeshZ.w));
-    vec3 x_11 = cross(i_5.toMeshY.xyz, i_5.toMeshZ.xyz);
+    vec3 x_12 = cross(i_5.toMeshY.xyz, i_5.toMeshZ.xyz);
     vec3 y_7 = cross(i_5.toMeshZ.xyz, i_5.toMeshX.xyz);
     vec3 z_3 = cross(i_5.toMeshX.xyz, i_5.toMeshY.xyz);
-    return ((((q_6.x * x_11) + (q_6.y * y_7)) + (q_6.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_11)));
+    return ((((q_6.x * x_12) + (q_6.y * y_7)) + (q_6.z * z_3)) / vec3(dot(i_5.toMeshX.xyz, x_12)));
 }
 
 Vertex fetchVertex(uint row_4) {
@@ -1052,8 +1057,8 @@ TextureUse fetchTextureUse(uint row_7) {
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
-Neighbours neighbours(float x_4, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside_2 = pick(clamps, clamp(x_4, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_4))) - 1.0))), fract(x_4)));
+Neighbours neighbours(float x_5, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside_2 = pick(clamps, clamp(x_5, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_5))) - 1.0))), fract(x_5)));
     float at_3 = ((inside_2 * float(size)) - pick(nearest, 0.0, 0.5));
     float low_4 = floor(at_3);
     int last = (int(size) - 1);
@@ -1214,8 +1219,8 @@ vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_28 = (t_2.first + pair);
-    uint row_11 = (i_28 / width_2);
-    vec4 _e12 = environmentTexel((i_28 - (row_11 * width_2)), row_11);
+    uint row_12 = (i_28 / width_2);
+    vec4 _e12 = environmentTexel((i_28 - (row_12 * width_2)), row_12);
     return _e12;
 }
 
@@ -1224,66 +1229,111 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
+ChosenCell chooseCell(vec2 u_12) {
+    Table t_3 = Table(0u, 0u);
+    uint digits_1 = 0u;
+    uint fine_1 = 0u;
+    bool isRow = true;
+    bool begins = true;
+    uint pairs = 0u;
     uint low = 0u;
     uint high = 0u;
-    vec2 ends = vec2(1.0);
     uint step_ = 0u;
-    uint pairs = ((t_3.entries + 1u) / 2u);
-    uint part = ((((digits_1 >> 12u) * t_3.entries) + (((digits_1 & 4095u) * t_3.entries) >> 12u)) >> 12u);
-    vec4 _e23 = fetchEntries(t_3, (part / 2u));
-    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
-    high = pairs;
-    while(true) {
-        uint _e41 = low;
-        uint _e42 = step_;
-        uint _e47 = low;
-        uint _e48 = high;
-        uint _e52 = high;
-        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
-        vec4 _e55 = fetchEntries(t_3, next);
-        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
-        bool found_8 = (_e56.y > 0.0);
-        vec2 _e60 = ends;
-        ends = pick(found_8, _e56, _e60);
-        uint _e62 = high;
-        high = pick(found_8, next, _e62);
-        uint _e66 = low;
-        low = pick(found_8, _e66, (next + 1u));
-        uint _e69 = step_;
-        step_ = ((2u * _e69) + 1u);
-        uint _e73 = low;
-        uint _e74 = high;
-        if ((_e73 >= _e74)) {
-            break;
-        }
-    }
-    uint _e76 = high;
-    uint pair_3 = min(_e76, (pairs - 1u));
-    vec4 _e84 = fetchEntries(t_3, (max(pair_3, 1u) - 1u));
-    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
-    float before_2 = _e85.y;
-    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
-    float _e94 = ends.x;
-    bool isFirst = (_e94 > 0.0);
-    float _e98 = ends.x;
-    float start = pick(isFirst, pick((pair_3 == 0u), none, before_2), _e98);
-    float _e104 = ends.y;
-    float _e106 = ends.x;
-    float end = pick(isFirst, _e106, _e104);
-    return Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (t_3.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
-}
-
-ChosenCell chooseCell(vec2 u_12) {
+    vec2 ends = vec2(1.0);
+    Choice row_10 = Choice(0u, 0.0);
+    Choice chosen_1 = Choice(0u, 0.0);
     vec2 _e3 = frame.environmentSize;
     uvec2 size_1 = uvec2(_e3);
-    uvec2 digits_2 = uvec2((u_12 * 16777216.0));
-    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
-    uint columns = ((size_1.x + 1u) / 2u);
+    uvec2 all_ = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((all_.x ^ (all_.y * 2654435761u)));
     uint tables = (size_1.x * size_1.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_1.y + 1u)), digits_2.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_1.y + 2u) / 2u)) + (_e29.entry * columns)), size_1.x), digits_2.x, (_e13 >> 20u));
-    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
+    t_3 = Table(tables, (size_1.y + 1u));
+    digits_1 = all_.y;
+    fine_1 = (_e13 & 4095u);
+    while(true) {
+        bool _e50 = begins;
+        if (_e50) {
+            uint _e52 = t_3.entries;
+            pairs = ((_e52 + 1u) / 2u);
+            uint _e57 = digits_1;
+            uint _e61 = t_3.entries;
+            uint _e63 = digits_1;
+            uint _e67 = t_3.entries;
+            uint part = ((((_e57 >> 12u) * _e61) + (((_e63 & 4095u) * _e67) >> 12u)) >> 12u);
+            Table _e74 = t_3;
+            vec4 _e77 = fetchEntries(_e74, (part / 2u));
+            low = (uint(pick(((part & 1u) == 1u), _e77.w, _e77.y)) >> 12u);
+            uint _e88 = pairs;
+            high = _e88;
+            ends = vec2(1.0);
+            step_ = 0u;
+            begins = false;
+        }
+        uint _e93 = low;
+        uint _e94 = step_;
+        uint _e96 = pairs;
+        uint _e100 = low;
+        uint _e101 = high;
+        uint _e105 = high;
+        uint _e106 = pairs;
+        uint next = pick((_e105 < _e106), ((_e100 + _e101) / 2u), min((_e93 + _e94), (_e96 - 1u)));
+        Table _e109 = t_3;
+        vec4 _e110 = fetchEntries(_e109, next);
+        uint _e111 = digits_1;
+        uint _e112 = fine_1;
+        vec2 _e113 = sharesBeyond(_e110, _e111, _e112);
+        bool found_8 = (_e113.y > 0.0);
+        vec2 _e117 = ends;
+        ends = pick(found_8, _e113, _e117);
+        uint _e119 = high;
+        high = pick(found_8, next, _e119);
+        uint _e123 = low;
+        low = pick(found_8, _e123, (next + 1u));
+        uint _e126 = step_;
+        step_ = ((2u * _e126) + 1u);
+        uint _e130 = low;
+        uint _e131 = high;
+        if ((_e130 >= _e131)) {
+            uint _e133 = high;
+            uint _e134 = pairs;
+            uint pair_3 = min(_e133, (_e134 - 1u));
+            Table _e138 = t_3;
+            vec4 _e143 = fetchEntries(_e138, (max(pair_3, 1u) - 1u));
+            uint _e144 = digits_1;
+            uint _e145 = fine_1;
+            vec2 _e146 = sharesBeyond(_e143, _e144, _e145);
+            float before_2 = _e146.y;
+            uint _e148 = digits_1;
+            uint _e150 = fine_1;
+            float none = -((float(_e148) + (float(_e150) * 0.00024414063)));
+            float _e157 = ends.x;
+            bool isFirst = (_e157 > 0.0);
+            float _e161 = ends.x;
+            float start = pick(isFirst, pick((pair_3 == 0u), none, before_2), _e161);
+            float _e167 = ends.y;
+            float _e169 = ends.x;
+            float end = pick(isFirst, _e169, _e167);
+            uint _e178 = t_3.entries;
+            chosen_1 = Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (_e178 - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+            bool _e191 = isRow;
+            if (!(_e191)) {
+                break;
+            }
+            Choice _e193 = chosen_1;
+            row_10 = _e193;
+            uint _e201 = row_10.entry;
+            t_3 = Table(((tables + ((size_1.y + 2u) / 2u)) + (_e201 * ((size_1.x + 1u) / 2u))), size_1.x);
+            digits_1 = all_.x;
+            fine_1 = (_e13 >> 20u);
+            isRow = false;
+            begins = true;
+        }
+    }
+    uint _e217 = chosen_1.entry;
+    uint _e219 = row_10.entry;
+    float _e222 = chosen_1.rest;
+    float _e224 = row_10.rest;
+    return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
 }
 
 Corners environmentCorners(uvec2 cell) {
@@ -1549,8 +1599,8 @@ vec4 larger(vec4 a_1, vec4 b_2) {
     return intBitsToFloat(max(floatBitsToInt(a_1), floatBitsToInt(b_2)));
 }
 
-vec4 planes(uint row_10, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_10);
+vec4 planes(uint row_11, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_11);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
@@ -1606,8 +1656,8 @@ float unitFloat(uint h_1) {
     return (float((h_1 >> 8u)) * 5.9604645e-8);
 }
 
-uint pcg(uint x_5) {
-    uint s_5 = ((x_5 * 747796405u) + 2891336453u);
+uint pcg(uint x_6) {
+    uint s_5 = ((x_6 * 747796405u) + 2891336453u);
     uint w_3 = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
     return ((w_3 >> 22u) ^ w_3);
 }
@@ -1617,12 +1667,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_12 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_12);
+    uint row_13 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_13);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity_1 = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_13 + materialTexturesRows));
         float _e43 = opacity_1;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity_1 = (_e43 * _e54.w);
@@ -2093,9 +2143,9 @@ float boxPdf(Emitter e_21, vec3 point_19, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_22, vec3 direction_11, float distance_4, vec3 normal_10, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_13 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
+    uint row_14 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
     float _e23 = areaPdf(e_22.area, (distance_4 * abs(dot(direction_11, normal_10))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_13);
+    LampTriangle _e24 = fetchLampTriangle(row_14);
     return (_e23 * _e24.density);
 }
 
@@ -2289,15 +2339,15 @@ FarLight farLight(Emitter e_26, vec3 direction_17, FarLight sky_1) {
     return _e28;
 }
 
-vec2 quadrantAngles(vec2 x_6, vec2 y_2) {
-    vec2 low_5 = min(x_6, y_2);
-    vec2 high_3 = max(x_6, y_2);
+vec2 quadrantAngles(vec2 x_7, vec2 y_2) {
+    vec2 low_5 = min(x_7, y_2);
+    vec2 high_3 = max(x_7, y_2);
     bvec2 middle_3 = greaterThan(low_5, (0.41421357 * high_3));
     vec2 r_3 = (mix(low_5, (low_5 - high_3), middle_3) / max(mix(high_3, (low_5 + high_3), middle_3), vec2(1e-30)));
     vec2 z_5 = (r_3 * r_3);
     vec2 series_1 = ((((((0.080537446 * z_5) - vec2(0.13877685)) * z_5) + vec2(0.19977711)) * z_5) - vec2(0.3333295));
     vec2 angle = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_5) * r_3) + r_3));
-    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_6));
+    return mix(angle, (vec2(1.5707964) - angle), greaterThan(y_2, x_7));
 }
 
 EnvironmentLight lookUpEnvironment(vec3 direction_18) {
@@ -2308,10 +2358,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_18) {
     float _e35 = frame.environmentTurn;
     float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_14 = floor(fromPole_1);
+    float row_15 = floor(fromPole_1);
     bool isLower_1 = (direction_18.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_6.y - row_14), row_14));
-    float within_2 = (fromPole_1 - row_14);
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_6.y - row_15), row_15));
+    float within_2 = (fromPole_1 - row_15);
     vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);

@@ -59,11 +59,15 @@ struct Sampler {
     uint sample_;
     uint place;
 };
-struct Group {
-    uint index;
-    uint shift;
-    uint seedA;
-    uint seedB;
+struct Groups {
+    uvec2 index;
+    uvec2 shift;
+    uvec2 seedA;
+    uvec2 seedB;
+};
+struct TwoPoints {
+    vec3 first;
+    vec3 second;
 };
 layout(std140) uniform FrameBlock { Frame frame; };
 
@@ -72,8 +76,8 @@ const bool hasFilter = false;
 layout(location = 0) out vec4 _fs2p_location0;
 
 uint pcg(uint x) {
-    uint s_5 = ((x * 747796405u) + 2891336453u);
-    uint w = (((s_5 >> ((s_5 >> 28u) + 4u)) ^ s_5) * 277803737u);
+    uint s_6 = ((x * 747796405u) + 2891336453u);
+    uint w = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
     return ((w >> 22u) ^ w);
 }
 
@@ -90,34 +94,39 @@ uint spread(uint x_1) {
     return ((y_6 | (y_6 * 2u)) & 85u);
 }
 
-uint reversedHigh(uint x_2) {
-    uint y = 0u;
-    y = (x_2 + ((x_2 & 21845u) * 3u));
-    uint _e7 = y;
-    uint _e8 = y;
-    y = (_e7 + ((_e8 & 26214u) * 15u));
-    uint _e14 = y;
-    uint _e15 = y;
-    y = (_e14 + ((_e15 & 30840u) * 255u));
-    uint _e21 = y;
-    uint _e22 = y;
-    return (_e21 + ((_e22 & 32640u) * 65535u));
+uvec2 reversedHigh(uvec2 x_2) {
+    uvec2 y = uvec2(0u);
+    y = (x_2 + ((x_2 & uvec2(21845u)) * 3u));
+    uvec2 _e8 = y;
+    uvec2 _e9 = y;
+    y = (_e8 + ((_e9 & uvec2(26214u)) * 15u));
+    uvec2 _e16 = y;
+    uvec2 _e17 = y;
+    y = (_e16 + ((_e17 & uvec2(30840u)) * 255u));
+    uvec2 _e24 = y;
+    uvec2 _e25 = y;
+    return (_e24 + ((_e25 & uvec2(32640u)) * 65535u));
 }
 
-uint reversed(uint x_3) {
-    uint _e1 = reversedHigh(x_3);
-    return (_e1 >> 15u);
+uvec2 reversed(uvec2 x_3) {
+    uvec2 _e1 = reversedHigh(x_3);
+    return (_e1 >> uvec2(15u));
 }
 
-uint mixBits(uint x_4) {
-    uint y_1 = 0u;
-    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
-    uint _e7 = y_1;
-    uint _e8 = y_1;
-    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
-    uint _e14 = y_1;
-    uint _e15 = y_1;
-    return (_e14 ^ (_e15 >> 15u));
+uvec2 mixBits2_(uvec2 x_4) {
+    uvec2 y_1 = uvec2(0u);
+    y_1 = ((x_4 ^ (x_4 >> uvec2(16u))) * 569420461u);
+    uvec2 _e8 = y_1;
+    uvec2 _e9 = y_1;
+    y_1 = ((_e8 ^ (_e9 >> uvec2(15u))) * 1935289751u);
+    uvec2 _e16 = y_1;
+    uvec2 _e17 = y_1;
+    return (_e16 ^ (_e17 >> uvec2(15u)));
+}
+
+uint mixBits(uint x_5) {
+    uvec2 _e2 = mixBits2_(uvec2(x_5));
+    return _e2.x;
 }
 
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
@@ -127,18 +136,17 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
     uint place = (_e19 | (_e23 * 2u));
-    uint _e29 = reversed((sampleIndex_1 & 65535u));
-    uint sample_ = pick(independent, 0u, _e29);
-    uint _e34 = mixBits((_e15 ^ 1779033703u));
-    uint _e37 = reversed((place * 256u));
-    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
+    uvec2 _e32 = reversed(uvec2((sampleIndex_1 & 65535u), (place * 256u)));
+    uvec2 digits = pick(independent, uvec2(0u), _e32);
+    uint _e38 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e38, digits.x, digits.y);
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_11 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_11), 15.0);
-    float t = (x_11 - piece);
+    float x_12 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_12), 15.0);
+    float t = (x_12 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_1 = (c.x + (t * (c.y + (t * (c.z + (t * c.w))))));
     return pick((across < 0.0), -(offset_1), offset_1);
@@ -157,125 +165,141 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-float toUnit(uint scrambled) {
-    uint _e3 = reversedHigh((scrambled & 65535u));
-    float digits = (float(int(_e3)) * 4.656613e-10);
-    return (digits + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+uvec2 scramble(uvec2 x_6, uvec2 seed_2) {
+    uvec2 y_2 = uvec2(0u);
+    y_2 = (x_6 ^ (x_6 * 1025551850u));
+    uvec2 _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> uvec2(16u)) | uvec2(1u)));
+    uvec2 _e15 = y_2;
+    uvec2 _e16 = y_2;
+    y_2 = (_e15 ^ (_e16 * 89287766u));
+    uvec2 _e20 = y_2;
+    uvec2 _e21 = y_2;
+    return (_e20 ^ (_e21 * 1403136100u));
 }
 
-uint scramble(uint x_5, uint seed_2) {
-    uint y_2 = 0u;
-    y_2 = (x_5 ^ (x_5 * 1025551850u));
-    uint _e6 = y_2;
-    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
-    uint _e13 = y_2;
-    uint _e14 = y_2;
-    y_2 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_2;
-    uint _e19 = y_2;
-    return (_e18 ^ (_e19 * 1403136100u));
+uvec2 timesW(uvec2 x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & uvec2(43690u)) | ((x_7 >> uvec2(1u)) & uvec2(21845u)));
 }
 
-uint pascal(uint x_6) {
-    uint y_3 = 0u;
-    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
-    uint _e7 = y_3;
-    uint _e8 = y_3;
-    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_3;
-    uint _e15 = y_3;
-    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_3;
-    uint _e22 = y_3;
-    return (_e21 ^ ((_e22 >> 8u) & 255u));
+uvec2 timesW2_(uvec2 x_8) {
+    return (((x_8 * 2u) & uvec2(43690u)) | ((x_8 ^ (x_8 >> uvec2(1u))) & uvec2(21845u)));
 }
 
-uint timesW(uint x_7) {
-    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
+uvec2 shiftOfPlace(uvec2 x_9) {
+    uvec2 y_3 = uvec2(0u);
+    uvec2 _e7 = timesW(((x_9 >> uvec2(2u)) & uvec2(51u)));
+    y_3 = (x_9 ^ _e7);
+    uvec2 _e10 = y_3;
+    uvec2 _e11 = y_3;
+    uvec2 _e18 = timesW2_(((_e11 >> uvec2(4u)) & uvec2(15u)));
+    y_3 = (_e10 ^ _e18);
+    uvec2 _e20 = y_3;
+    uvec2 _e21 = timesW(_e20);
+    uvec2 _e22 = y_3;
+    return (_e21 | (_e22 * 256u));
 }
 
-vec2 points2d(Group g) {
-    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    float _e6 = toUnit(_e5);
-    uint _e9 = timesW(g.shift);
-    uint _e11 = pascal((g.index ^ _e9));
-    uint _e13 = scramble(_e11, g.seedB);
-    float _e14 = toUnit(_e13);
-    return vec2(_e6, _e14);
+Groups nextGroups(Sampler s_1) {
+    uvec2 _e7 = mixBits2_((uvec2(s_1.key) + uvec2(1u, 2u)));
+    uvec2 half_ = ((_e7 ^ uvec2(s_1.salt)) * 2654435761u);
+    uvec2 b = (half_ ^ (half_ >> uvec2(16u)));
+    uvec2 _e19 = scramble(uvec2(s_1.place), b);
+    uvec2 own = (s_1.sample_ * ((_e19 >> uvec2(7u)) & uvec2(4294967294u)));
+    uvec2 _e31 = scramble((uvec2(s_1.sample_) ^ own), _e7);
+    uvec2 _e35 = reversed((_e31 & uvec2(65535u)));
+    uvec2 _e39 = shiftOfPlace((_e19 & uvec2(255u)));
+    return Groups(_e35, _e39, ((_e7 >> uvec2(16u)) | (_e7 * 65536u)), ((b >> uvec2(16u)) | (b * 65536u)));
 }
 
-uint timesW2_(uint x_8) {
-    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
+void skipGroup(inout Sampler s_2) {
+    uint _e3 = s_2.key;
+    s_2.key = (_e3 + 1u);
+    return;
 }
 
-uint shiftOfPlace(uint x_9) {
-    uint y_4 = 0u;
-    uint _e5 = timesW(((x_9 >> 2u) & 51u));
-    y_4 = (x_9 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
-    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
-    uint _e17 = timesW(_e16);
-    uint _e18 = y_4;
-    return (_e17 | (_e18 * 256u));
+vec2 toUnit(uvec2 scrambled) {
+    uvec2 _e4 = reversedHigh((scrambled & uvec2(65535u)));
+    vec2 digits_1 = (vec2(ivec2(_e4)) * 4.656613e-10);
+    return (digits_1 + (vec2((scrambled & uvec2(4278190080u))) * 3.5527137e-15));
 }
 
-Group nextGroup(inout Sampler s_1) {
-    uint _e3 = s_1.key;
-    s_1.key = (_e3 + 1u);
-    uint _e7 = s_1.key;
-    uint _e8 = mixBits(_e7);
-    uint _e10 = s_1.salt;
-    uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b = (half_ ^ (half_ >> 16u));
-    uint _e18 = s_1.place;
-    uint _e19 = scramble(_e18, b);
-    uint _e21 = s_1.sample_;
-    uint own = (_e21 * ((_e19 >> 7u) & 4294967294u));
-    uint _e28 = s_1.sample_;
-    uint _e30 = scramble((_e28 ^ own), _e8);
-    uint _e33 = reversed((_e30 & 65535u));
-    uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b >> 16u) | (b * 65536u)));
+vec2 firstOf(Groups g) {
+    uvec2 _e5 = scramble((g.index ^ g.shift), g.seedA);
+    vec2 _e6 = toUnit(_e5);
+    return _e6;
 }
 
-vec2 next2d(inout Sampler s_2) {
-    Group _e1 = nextGroup(s_2);
-    vec2 _e2 = points2d(_e1);
-    return _e2;
+uvec2 pascal(uvec2 x_10) {
+    uvec2 y_4 = uvec2(0u);
+    y_4 = (x_10 ^ ((x_10 >> uvec2(1u)) & uvec2(21845u)));
+    uvec2 _e9 = y_4;
+    uvec2 _e10 = y_4;
+    y_4 = (_e9 ^ ((_e10 >> uvec2(2u)) & uvec2(13107u)));
+    uvec2 _e18 = y_4;
+    uvec2 _e19 = y_4;
+    y_4 = (_e18 ^ ((_e19 >> uvec2(4u)) & uvec2(3855u)));
+    uvec2 _e27 = y_4;
+    uvec2 _e28 = y_4;
+    return (_e27 ^ ((_e28 >> uvec2(8u)) & uvec2(255u)));
 }
 
-float next1d(inout Sampler s_3) {
-    Group _e1 = nextGroup(s_3);
-    uint _e6 = scramble((_e1.index ^ _e1.shift), _e1.seedA);
-    float _e7 = toUnit(_e6);
-    return _e7;
+vec2 secondOf(Groups g_1) {
+    uvec2 _e3 = timesW(g_1.shift);
+    uvec2 _e5 = pascal((g_1.index ^ _e3));
+    uvec2 _e7 = scramble(_e5, g_1.seedB);
+    vec2 _e8 = toUnit(_e7);
+    return _e8;
 }
 
-uint pascalW2_(uint x_10) {
-    uint y_5 = 0u;
-    uint _e5 = timesW2_(((x_10 >> 2u) & 13107u));
-    y_5 = (x_10 ^ _e5);
-    uint _e8 = y_5;
-    uint _e9 = y_5;
-    uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_5 = (_e8 ^ _e14);
-    uint _e16 = y_5;
-    uint _e17 = y_5;
-    uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
-    return (_e16 ^ _e22);
+vec2 next2d(inout Sampler s_3) {
+    Sampler _e1 = s_3;
+    Groups _e2 = nextGroups(_e1);
+    skipGroup(s_3);
+    vec2 _e3 = firstOf(_e2);
+    vec2 _e5 = secondOf(_e2);
+    return vec2(_e3.x, _e5.x);
 }
 
-vec3 next3d(inout Sampler s_4) {
-    Group _e1 = nextGroup(s_4);
-    uint _e4 = timesW2_(_e1.shift);
-    uint _e6 = pascalW2_((_e1.index ^ _e4));
-    uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
-    vec2 _e13 = points2d(_e1);
-    float _e14 = toUnit(_e12);
-    return vec3(_e13, _e14);
+float next1d(inout Sampler s_4) {
+    Sampler _e1 = s_4;
+    Groups _e2 = nextGroups(_e1);
+    vec2 _e3 = firstOf(_e2);
+    skipGroup(s_4);
+    return _e3.x;
+}
+
+uvec2 pascalW2_(uvec2 x_11) {
+    uvec2 y_5 = uvec2(0u);
+    uvec2 _e7 = timesW2_(((x_11 >> uvec2(2u)) & uvec2(13107u)));
+    y_5 = (x_11 ^ _e7);
+    uvec2 _e10 = y_5;
+    uvec2 _e11 = y_5;
+    uvec2 _e18 = timesW(((_e11 >> uvec2(4u)) & uvec2(3855u)));
+    y_5 = (_e10 ^ _e18);
+    uvec2 _e20 = y_5;
+    uvec2 _e21 = y_5;
+    uvec2 _e28 = timesW2_(((_e21 >> uvec2(8u)) & uvec2(255u)));
+    return (_e20 ^ _e28);
+}
+
+vec2 thirdOf(Groups g_2) {
+    uvec2 _e3 = timesW2_(g_2.shift);
+    uvec2 _e5 = pascalW2_((g_2.index ^ _e3));
+    uvec2 _e11 = scramble(_e5, (g_2.seedA ^ (g_2.seedB * 2654435761u)));
+    vec2 _e12 = toUnit(_e11);
+    return _e12;
+}
+
+TwoPoints nextTwo3d(inout Sampler s_5) {
+    Sampler _e1 = s_5;
+    Groups _e2 = nextGroups(_e1);
+    uint _e5 = s_5.key;
+    s_5.key = (_e5 + 2u);
+    vec2 _e8 = firstOf(_e2);
+    vec2 _e9 = secondOf(_e2);
+    vec2 _e10 = thirdOf(_e2);
+    return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
 }
 
 void main() {
@@ -304,8 +328,8 @@ void main() {
         _fs2p_location0 = vec4(_e40, 0.0, 0.0);
         return;
     }
-    vec3 _e44 = next3d(s);
-    _fs2p_location0 = vec4(_e44, 0.0);
+    TwoPoints _e44 = nextTwo3d(s);
+    _fs2p_location0 = vec4(_e44.first, 0.0);
     return;
 }
 

@@ -12,7 +12,7 @@
   if (order.y == 2u) {
     return vec4f(next2d(&s), 0.0, 0.0);
   }
-  return vec4f(next3d(&s), 0.0);
+  return vec4f(nextTwo3d(&s).first, 0.0);
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -22,14 +22,17 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   let independent = frame.independent != 0u;
   let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
   let place = spread(pixel.x & 15u) | (spread(pixel.y & 15u) * 2u);
-  let sample = select(reversed(sampleIndex & 0xffffu), 0u, independent);
-  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), sample, select(reversed(place * 256u), 0u, independent));
+  let digits = select(reversed(vec2u(sampleIndex & 0xffffu, place * 256u)), vec2u(0u), independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), digits.x, digits.y);
 }
 
-fn next3d(s: ptr<function, Sampler>) -> vec3f {
-  let g = nextGroup(s);
-  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
-  return vec3f(points2d(g), toUnit(z));
+fn nextTwo3d(s: ptr<function, Sampler>) -> TwoPoints {
+  let g = nextGroups(*s);
+  (*s).key = (*s).key + 2u;
+  let x = firstOf(g);
+  let y = secondOf(g);
+  let z = thirdOf(g);
+  return TwoPoints(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
 }
 
 // From the centre of the pixel, in pixels.
@@ -42,7 +45,9 @@ fn filterOffset(u: vec2f) -> vec2f {
 }
 
 fn next2d(s: ptr<function, Sampler>) -> vec2f {
-  return points2d(nextGroup(s));
+  let g = nextGroups(*s);
+  skipGroup(s);
+  return vec2f(firstOf(g).x, secondOf(g).x);
 }
 
 override hasFilter = false;
@@ -59,22 +64,31 @@ fn filterAxis(u: f32) -> f32 {
   return select(offset, -offset, across < 0.0);
 }
 
-fn points2d(g: Group) -> vec2f {
-  return vec2f(toUnit(scramble(g.index ^ g.shift, g.seedA)), toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB)));
-}
-
-fn nextGroup(s: ptr<function, Sampler>) -> Group {
-  (*s).key = (*s).key + 1u;
-  let a = mixBits((*s).key);
-  let half = (a ^ (*s).salt) * 0x9e3779b1u;
-  let b = half ^ (half >> 16u);
-  let place = scramble((*s).place, b);
+// The next one and the one after that, neither of them taken yet.
+fn nextGroups(s: Sampler) -> Groups {
+  let a = mixBits2(s.key + vec2u(1u, 2u));
+  let half = (a ^ vec2u(s.salt)) * 0x9e3779b1u;
+  let b = half ^ (half >> vec2u(16u));
+  let place = scramble(vec2u(s.place), b);
   // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
   // come from two groups together would be the same all over the tile.
-  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
-  let index = reversed(scramble((*s).sample ^ own, a) & 0xffffu);
-  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a * 65536u), (b >> 16u) | (b * 65536u));
+  let own = s.sample * ((place >> vec2u(7u)) & vec2u(0xfffffffeu));
+  let index = reversed(scramble(vec2u(s.sample) ^ own, a) & vec2u(0xffffu));
+  return Groups(index, shiftOfPlace(place & vec2u(0xffu)), (a >> vec2u(16u)) | (a * 65536u), (b >> vec2u(16u)) | (b * 65536u));
+}
+
+fn skipGroup(s: ptr<function, Sampler>) {
+  (*s).key = (*s).key + 1u;
+}
+
+// The first number of either group, the second, and the third.
+fn firstOf(g: Groups) -> vec2f {
+  return toUnit(scramble(g.index ^ g.shift, g.seedA));
+}
+
+fn secondOf(g: Groups) -> vec2f {
+  return toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB));
 }
 
 struct Sampler {
@@ -88,71 +102,73 @@ struct Sampler {
 }
 
 
-fn toUnit(scrambled: u32) -> f32 {
-  return f32(((reverseBits(scrambled) >> 8u) & 0xffff00u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
+// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
+// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
+fn mixBits2(x: vec2u) -> vec2u {
+  var y = (x ^ (x >> vec2u(16u))) * 0x21f0aaadu;
+  y = (y ^ (y >> vec2u(15u))) * 0x735a2d97u;
+  return y ^ (y >> vec2u(15u));
 }
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
 // Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
 // Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-fn scramble(x: u32, seed: u32) -> u32 {
+fn scramble(x: vec2u, seed: vec2u) -> vec2u {
   var y = x ^ (x * 0x3d20adeau);
-  y = (y + seed) * ((seed >> 16u) | 1u);
+  y = (y + seed) * ((seed >> vec2u(16u)) | vec2u(1u));
   y ^= y * 0x05526c56u;
   return y ^ (y * 0x53a22864u);
 }
 
-// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
-fn pascal(x: u32) -> u32 {
-  var y = x ^ ((x >> 1u) & 0x5555u);
-  y ^= (y >> 2u) & 0x3333u;
-  y ^= (y >> 4u) & 0x0f0fu;
-  return y ^ ((y >> 8u) & 0x00ffu);
+fn reversed(x: vec2u) -> vec2u {
+  return reverseBits(x) >> vec2u(16u);
 }
 
-// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
-fn timesW(x: u32) -> u32 {
-  return ((x ^ (x * 2u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
-}
-
-// One padded sequence: what all its dimensions have in common.
-struct Group {
+// Padded sequences, two side by side: what all dimensions of each have in common. In Windows' shader compiler one operation with two
+// numbers takes half the time of two operations; all others make the same of both.
+struct Groups {
   // Shuffled sample index.
-  index: u32,
+  index: vec2u,
   // What sets this pixel apart from its neighbours.
-  shift: u32,
-  seedA: u32,
-  seedB: u32,
+  shift: vec2u,
+  seedA: vec2u,
+  seedB: vec2u,
 }
 
-
-// A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
-// C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits(x: u32) -> u32 {
-  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
-  y = (y ^ (y >> 15u)) * 0x735a2d97u;
-  return y ^ (y >> 15u);
-}
-
-fn reversed(x: u32) -> u32 {
-  return reverseBits(x) >> 16u;
-}
 
 // Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
 // last ones.
-fn shiftOfPlace(x: u32) -> u32 {
-  var y = x ^ timesW((x >> 2u) & 0x33u);
-  y ^= timesW2((y >> 4u) & 0x0fu);
+fn shiftOfPlace(x: vec2u) -> vec2u {
+  var y = x ^ timesW((x >> vec2u(2u)) & vec2u(0x33u));
+  y ^= timesW2((y >> vec2u(4u)) & vec2u(0x0fu));
   return timesW(y) | (y * 256u);
 }
 
-fn timesW2(x: u32) -> u32 {
-  return ((x * 2u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
+// Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
+fn timesW(x: vec2u) -> vec2u {
+  return ((x ^ (x * 2u)) & vec2u(0xaaaau)) | ((x >> vec2u(1u)) & vec2u(0x5555u));
+}
+
+fn timesW2(x: vec2u) -> vec2u {
+  return ((x * 2u) & vec2u(0xaaaau)) | ((x ^ (x >> vec2u(1u))) & vec2u(0x5555u));
+}
+
+fn toUnit(scrambled: vec2u) -> vec2f {
+  return vec2f(((reverseBits(scrambled) >> vec2u(8u)) & vec2u(0xffff00u)) | (scrambled >> vec2u(24u))) * 5.9604644775390625e-8;
+}
+
+// Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
+fn pascal(x: vec2u) -> vec2u {
+  var y = x ^ ((x >> vec2u(1u)) & vec2u(0x5555u));
+  y ^= (y >> vec2u(2u)) & vec2u(0x3333u);
+  y ^= (y >> vec2u(4u)) & vec2u(0x0f0fu);
+  return y ^ ((y >> vec2u(8u)) & vec2u(0x00ffu));
 }
 
 fn next1d(s: ptr<function, Sampler>) -> f32 {
-  let g = nextGroup(s);
-  return toUnit(scramble(g.index ^ g.shift, g.seedA));
+  let x = firstOf(nextGroups(*s));
+  skipGroup(s);
+  return x.x;
 }
 
 struct Frame {
@@ -247,6 +263,10 @@ fn spread(x: u32) -> u32 {
   return (y | (y * 2u)) & 0x55u;
 }
 
+fn mixBits(x: u32) -> u32 {
+  return mixBits2(vec2u(x)).x;
+}
+
 // Random numbers as a pure function of what they are for. PCG-RXS-M-XS-32 as a hash: Jarzynski & Olano, "Hash Functions for
 // GPU Rendering", JCGT 9(3), 2020.
 fn pcg(x: u32) -> u32 {
@@ -255,9 +275,20 @@ fn pcg(x: u32) -> u32 {
   return (w >> 22u) ^ w;
 }
 
+fn thirdOf(g: Groups) -> vec2f {
+  return toUnit(scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u)));
+}
+
+// Three numbers of each of the next two groups.
+struct TwoPoints {
+  first: vec3f,
+  second: vec3f,
+}
+
+
 // The same with w^2 in place of w, of any eight digits.
-fn pascalW2(x: u32) -> u32 {
-  var y = x ^ timesW2((x >> 2u) & 0x3333u);
-  y ^= timesW((y >> 4u) & 0x0f0fu);
-  return y ^ timesW2((y >> 8u) & 0x00ffu);
+fn pascalW2(x: vec2u) -> vec2u {
+  var y = x ^ timesW2((x >> vec2u(2u)) & vec2u(0x3333u));
+  y ^= timesW((y >> vec2u(4u)) & vec2u(0x0f0fu));
+  return y ^ timesW2((y >> vec2u(8u)) & vec2u(0x00ffu));
 }

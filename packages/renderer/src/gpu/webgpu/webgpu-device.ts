@@ -27,10 +27,14 @@ interface WebGpuPass extends Pass {
   readonly bindings: readonly PassBinding[];
   readonly pipeline: GPURenderPipeline | GPUComputePipeline;
   readonly layout: GPUBindGroupLayout;
+  readonly handedRows: number;
 }
 interface GpuResource {
   readonly binding: GPUBindingResource;
 }
+
+/** What threads of a pixel hand to one another in one dispatch, bytes: every device grants so much, and it keeps the largest GPU busy. */
+const HANDED_BYTES = 64 * 1024 * 1024;
 
 /** Limits that are asked for as high as the adapter goes. */
 const LIMITS = [
@@ -100,6 +104,7 @@ function layoutOf(
   if (compute) {
     inputs.push({ buffer: {} });
     for (let i = 0; i < layers; i++) inputs.push({ storageTexture: { format: FILM_FORMAT } });
+    inputs.push({ buffer: { type: 'storage' } });
   }
   const entries: GPUBindGroupLayoutEntry[] = inputs.map((entry, binding) => ({ binding, visibility, ...entry }));
   for (const binding of samplersOf(bindings, inBuffers))
@@ -136,6 +141,7 @@ class WebGpuDevice implements Device {
   readonly #modules = new Map<string, GPUShaderModule>();
   /** For compute passes: which part of the film is theirs. */
   #region: UniformBuffer | null = null;
+  #handed: GPUBuffer | null = null;
   #nearest: GPUSampler | null = null;
   #closed = false;
 
@@ -175,6 +181,7 @@ class WebGpuDevice implements Device {
         bindings: source.bindings,
         pipeline,
         layout,
+        handedRows: source.compute?.handedRows ?? 0,
       };
       return pass;
     } catch (error) {
@@ -339,20 +346,43 @@ class WebGpuDevice implements Device {
   }
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
-    const { pipeline } = pass;
-    const { width, firstRow, rowCount, tile } = region;
+    const { width, firstRow, rowCount, tile = [8, 8], shares = 1 } = region;
+    const rowBytes = width * shares * pass.handedRows * 16;
+    // Whole rows of workgroups.
+    const most = Math.max(Math.floor(HANDED_BYTES / rowBytes / tile[1]), 1) * tile[1];
+    for (let row = 0; row < rowCount; row += most) {
+      const rows = Math.min(most, rowCount - row);
+      const inputs = [...resources, this.#regionOf(firstRow + row, width, rows)];
+      const bound = inputs.map((resource) => (resource as unknown as GpuResource).binding);
+      const handed = { buffer: this.#roomFor(rowBytes * rows) };
+      const encoder = this.#device.createCommandEncoder({ label: pass.label });
+      const computePass = encoder.beginComputePass();
+      this.compute?.dispatch(computePass);
+      computePass.setPipeline(pass.pipeline as GPUComputePipeline);
+      computePass.setBindGroup(0, this.#group(pass, [...bound, ...viewsOf(film), handed]));
+      computePass.dispatchWorkgroups(Math.ceil(width / tile[0]), Math.ceil(rows / tile[1]));
+      computePass.end();
+      this.#device.queue.submit([encoder.finish()]);
+    }
+  }
+
+  #regionOf(firstRow: number, width: number, rowCount: number): UniformBuffer {
     this.#region ??= this.createUniforms(16);
     this.#region.write(new Uint32Array([firstRow, width, rowCount]).buffer);
-    const inputs = [...resources, this.#region].map((resource) => (resource as unknown as GpuResource).binding);
-    const encoder = this.#device.createCommandEncoder({ label: pass.label });
-    const computePass = encoder.beginComputePass();
-    this.compute?.dispatch(computePass);
-    computePass.setPipeline(pipeline as GPUComputePipeline);
-    computePass.setBindGroup(0, this.#group(pass, [...inputs, ...viewsOf(film)]));
-    const [columns, rows] = tile ?? [8, 8];
-    computePass.dispatchWorkgroups(Math.ceil(width / columns), Math.ceil(rowCount / rows));
-    computePass.end();
-    this.#device.queue.submit([encoder.finish()]);
+    return this.#region;
+  }
+
+  /** Grows with what is asked for. */
+  #roomFor(bytes: number): GPUBuffer {
+    if (this.#handed && this.#handed.size >= bytes) return this.#handed;
+    if (this.#handed) this.#handed.destroy();
+    else this.counts.buffers++;
+    this.#handed = this.#device.createBuffer({
+      label: 'handed',
+      size: bytes,
+      usage: GPUBufferUsage.STORAGE,
+    });
+    return this.#handed;
   }
 
   #group({ label, bindings, layout }: WebGpuPass, inputs: readonly GPUBindingResource[]): GPUBindGroup {

@@ -47,7 +47,7 @@ const PATH: PassSource = {
     TEXELS,
   ],
   target: 'film',
-  compute: { wgsl: pathWgsl, entry: 'pathCompute' },
+  compute: { wgsl: pathWgsl, entry: 'pathCompute', handedRows: 2 },
   layers: PATH_LAYERS,
 };
 

@@ -93,11 +93,11 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
-struct Group {
-    uint index;
-    uint shift;
-    uint seedA;
-    uint seedB;
+struct Groups {
+    uvec2 index;
+    uvec2 shift;
+    uvec2 seedA;
+    uvec2 seedB;
 };
 struct CameraRay {
     vec3 origin;
@@ -398,8 +398,8 @@ layout(location = 0) out vec4 _fs2p_location0;
 layout(location = 1) out vec4 _fs2p_location1;
 
 uint pcg(uint x) {
-    uint s_6 = ((x * 747796405u) + 2891336453u);
-    uint w_2 = (((s_6 >> ((s_6 >> 28u) + 4u)) ^ s_6) * 277803737u);
+    uint s_7 = ((x * 747796405u) + 2891336453u);
+    uint w_2 = (((s_7 >> ((s_7 >> 28u) + 4u)) ^ s_7) * 277803737u);
     return ((w_2 >> 22u) ^ w_2);
 }
 
@@ -416,34 +416,39 @@ uint spread(uint x_1) {
     return ((y_5 | (y_5 * 2u)) & 85u);
 }
 
-uint reversedHigh(uint x_2) {
-    uint y = 0u;
-    y = (x_2 + ((x_2 & 21845u) * 3u));
-    uint _e7 = y;
-    uint _e8 = y;
-    y = (_e7 + ((_e8 & 26214u) * 15u));
-    uint _e14 = y;
-    uint _e15 = y;
-    y = (_e14 + ((_e15 & 30840u) * 255u));
-    uint _e21 = y;
-    uint _e22 = y;
-    return (_e21 + ((_e22 & 32640u) * 65535u));
+uvec2 reversedHigh(uvec2 x_2) {
+    uvec2 y = uvec2(0u);
+    y = (x_2 + ((x_2 & uvec2(21845u)) * 3u));
+    uvec2 _e8 = y;
+    uvec2 _e9 = y;
+    y = (_e8 + ((_e9 & uvec2(26214u)) * 15u));
+    uvec2 _e16 = y;
+    uvec2 _e17 = y;
+    y = (_e16 + ((_e17 & uvec2(30840u)) * 255u));
+    uvec2 _e24 = y;
+    uvec2 _e25 = y;
+    return (_e24 + ((_e25 & uvec2(32640u)) * 65535u));
 }
 
-uint reversed(uint x_3) {
-    uint _e1 = reversedHigh(x_3);
-    return (_e1 >> 15u);
+uvec2 reversed(uvec2 x_3) {
+    uvec2 _e1 = reversedHigh(x_3);
+    return (_e1 >> uvec2(15u));
 }
 
-uint mixBits(uint x_4) {
-    uint y_1 = 0u;
-    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
-    uint _e7 = y_1;
-    uint _e8 = y_1;
-    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
-    uint _e14 = y_1;
-    uint _e15 = y_1;
-    return (_e14 ^ (_e15 >> 15u));
+uvec2 mixBits2_(uvec2 x_4) {
+    uvec2 y_1 = uvec2(0u);
+    y_1 = ((x_4 ^ (x_4 >> uvec2(16u))) * 569420461u);
+    uvec2 _e8 = y_1;
+    uvec2 _e9 = y_1;
+    y_1 = ((_e8 ^ (_e9 >> uvec2(15u))) * 1935289751u);
+    uvec2 _e16 = y_1;
+    uvec2 _e17 = y_1;
+    return (_e16 ^ (_e17 >> uvec2(15u)));
+}
+
+uint mixBits(uint x_5) {
+    uvec2 _e2 = mixBits2_(uvec2(x_5));
+    return _e2.x;
 }
 
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
@@ -453,18 +458,17 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e19 = spread((pixel_1.x & 15u));
     uint _e23 = spread((pixel_1.y & 15u));
     uint place_3 = (_e19 | (_e23 * 2u));
-    uint _e29 = reversed((sampleIndex_1 & 65535u));
-    uint sample_ = pick(independent, 0u, _e29);
-    uint _e34 = mixBits((_e15 ^ 1779033703u));
-    uint _e37 = reversed((place_3 * 256u));
-    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
+    uvec2 _e32 = reversed(uvec2((sampleIndex_1 & 65535u), (place_3 * 256u)));
+    uvec2 digits = pick(independent, uvec2(0u), _e32);
+    uint _e38 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e38, digits.x, digits.y);
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_11 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_11), 15.0);
-    float t_4 = (x_11 - piece);
+    float x_12 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_12), 15.0);
+    float t_4 = (x_12 - piece);
     vec4 c_2 = frame.filterPieces[uint(piece)];
     float offset_3 = (c_2.x + (t_4 * (c_2.y + (t_4 * (c_2.z + (t_4 * c_2.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
@@ -483,94 +487,100 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-float toUnit(uint scrambled) {
-    uint _e3 = reversedHigh((scrambled & 65535u));
-    float digits = (float(int(_e3)) * 4.656613e-10);
-    return (digits + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+uvec2 scramble(uvec2 x_6, uvec2 seed_2) {
+    uvec2 y_2 = uvec2(0u);
+    y_2 = (x_6 ^ (x_6 * 1025551850u));
+    uvec2 _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> uvec2(16u)) | uvec2(1u)));
+    uvec2 _e15 = y_2;
+    uvec2 _e16 = y_2;
+    y_2 = (_e15 ^ (_e16 * 89287766u));
+    uvec2 _e20 = y_2;
+    uvec2 _e21 = y_2;
+    return (_e20 ^ (_e21 * 1403136100u));
 }
 
-uint scramble(uint x_5, uint seed_2) {
-    uint y_2 = 0u;
-    y_2 = (x_5 ^ (x_5 * 1025551850u));
-    uint _e6 = y_2;
-    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
-    uint _e13 = y_2;
-    uint _e14 = y_2;
-    y_2 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_2;
-    uint _e19 = y_2;
-    return (_e18 ^ (_e19 * 1403136100u));
+uvec2 timesW(uvec2 x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & uvec2(43690u)) | ((x_7 >> uvec2(1u)) & uvec2(21845u)));
 }
 
-uint pascal(uint x_6) {
-    uint y_3 = 0u;
-    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
-    uint _e7 = y_3;
-    uint _e8 = y_3;
-    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_3;
-    uint _e15 = y_3;
-    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_3;
-    uint _e22 = y_3;
-    return (_e21 ^ ((_e22 >> 8u) & 255u));
+uvec2 timesW2_(uvec2 x_8) {
+    return (((x_8 * 2u) & uvec2(43690u)) | ((x_8 ^ (x_8 >> uvec2(1u))) & uvec2(21845u)));
 }
 
-uint timesW(uint x_7) {
-    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
+uvec2 shiftOfPlace(uvec2 x_9) {
+    uvec2 y_3 = uvec2(0u);
+    uvec2 _e7 = timesW(((x_9 >> uvec2(2u)) & uvec2(51u)));
+    y_3 = (x_9 ^ _e7);
+    uvec2 _e10 = y_3;
+    uvec2 _e11 = y_3;
+    uvec2 _e18 = timesW2_(((_e11 >> uvec2(4u)) & uvec2(15u)));
+    y_3 = (_e10 ^ _e18);
+    uvec2 _e20 = y_3;
+    uvec2 _e21 = timesW(_e20);
+    uvec2 _e22 = y_3;
+    return (_e21 | (_e22 * 256u));
 }
 
-vec2 points2d(Group g) {
-    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    float _e6 = toUnit(_e5);
-    uint _e9 = timesW(g.shift);
-    uint _e11 = pascal((g.index ^ _e9));
-    uint _e13 = scramble(_e11, g.seedB);
-    float _e14 = toUnit(_e13);
-    return vec2(_e6, _e14);
+Groups nextGroups(Sampler s) {
+    uvec2 _e7 = mixBits2_((uvec2(s.key) + uvec2(1u, 2u)));
+    uvec2 half_ = ((_e7 ^ uvec2(s.salt)) * 2654435761u);
+    uvec2 b_3 = (half_ ^ (half_ >> uvec2(16u)));
+    uvec2 _e19 = scramble(uvec2(s.place), b_3);
+    uvec2 own_1 = (s.sample_ * ((_e19 >> uvec2(7u)) & uvec2(4294967294u)));
+    uvec2 _e31 = scramble((uvec2(s.sample_) ^ own_1), _e7);
+    uvec2 _e35 = reversed((_e31 & uvec2(65535u)));
+    uvec2 _e39 = shiftOfPlace((_e19 & uvec2(255u)));
+    return Groups(_e35, _e39, ((_e7 >> uvec2(16u)) | (_e7 * 65536u)), ((b_3 >> uvec2(16u)) | (b_3 * 65536u)));
 }
 
-uint timesW2_(uint x_8) {
-    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
+void skipGroup(inout Sampler s_1) {
+    uint _e3 = s_1.key;
+    s_1.key = (_e3 + 1u);
+    return;
 }
 
-uint shiftOfPlace(uint x_9) {
-    uint y_4 = 0u;
-    uint _e5 = timesW(((x_9 >> 2u) & 51u));
-    y_4 = (x_9 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
-    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
-    uint _e17 = timesW(_e16);
-    uint _e18 = y_4;
-    return (_e17 | (_e18 * 256u));
+vec2 toUnit(uvec2 scrambled) {
+    uvec2 _e4 = reversedHigh((scrambled & uvec2(65535u)));
+    vec2 digits_1 = (vec2(ivec2(_e4)) * 4.656613e-10);
+    return (digits_1 + (vec2((scrambled & uvec2(4278190080u))) * 3.5527137e-15));
 }
 
-Group nextGroup(inout Sampler s) {
-    uint _e3 = s.key;
-    s.key = (_e3 + 1u);
-    uint _e7 = s.key;
-    uint _e8 = mixBits(_e7);
-    uint _e10 = s.salt;
-    uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_3 = (half_ ^ (half_ >> 16u));
-    uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_3);
-    uint _e21 = s.sample_;
-    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
-    uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own_1), _e8);
-    uint _e33 = reversed((_e30 & 65535u));
-    uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_3 >> 16u) | (b_3 * 65536u)));
+vec2 firstOf(Groups g) {
+    uvec2 _e5 = scramble((g.index ^ g.shift), g.seedA);
+    vec2 _e6 = toUnit(_e5);
+    return _e6;
 }
 
-vec2 next2d(inout Sampler s_1) {
-    Group _e1 = nextGroup(s_1);
-    vec2 _e2 = points2d(_e1);
-    return _e2;
+uvec2 pascal(uvec2 x_10) {
+    uvec2 y_4 = uvec2(0u);
+    y_4 = (x_10 ^ ((x_10 >> uvec2(1u)) & uvec2(21845u)));
+    uvec2 _e9 = y_4;
+    uvec2 _e10 = y_4;
+    y_4 = (_e9 ^ ((_e10 >> uvec2(2u)) & uvec2(13107u)));
+    uvec2 _e18 = y_4;
+    uvec2 _e19 = y_4;
+    y_4 = (_e18 ^ ((_e19 >> uvec2(4u)) & uvec2(3855u)));
+    uvec2 _e27 = y_4;
+    uvec2 _e28 = y_4;
+    return (_e27 ^ ((_e28 >> uvec2(8u)) & uvec2(255u)));
+}
+
+vec2 secondOf(Groups g_1) {
+    uvec2 _e3 = timesW(g_1.shift);
+    uvec2 _e5 = pascal((g_1.index ^ _e3));
+    uvec2 _e7 = scramble(_e5, g_1.seedB);
+    vec2 _e8 = toUnit(_e7);
+    return _e8;
+}
+
+vec2 next2d(inout Sampler s_2) {
+    Sampler _e1 = s_2;
+    Groups _e2 = nextGroups(_e1);
+    skipGroup(s_2);
+    vec2 _e3 = firstOf(_e2);
+    vec2 _e5 = secondOf(_e2);
+    return vec2(_e3.x, _e5.x);
 }
 
 vec2 concentricDisc(vec2 u_2) {
@@ -585,12 +595,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_12 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_13 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_6 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_12 * _e22) + (y_6 * _e26));
+    vec3 across_1 = ((x_13 * _e22) + (y_6 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -607,7 +617,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_12);
+            float longitude = (3.1415927 * x_13);
             float latitude = (1.5707964 * y_6);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -636,9 +646,9 @@ RayPair oneRay(vec3 origin, vec3 direction, uint number) {
     return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
 }
 
-uint numberOfNext(Sampler s_2) {
-    uint _e8 = mixBits((((s_2.key + 1u) ^ s_2.salt) ^ 2246822507u));
-    uint _e15 = mixBits((_e8 + ((s_2.sample_ << 8u) | s_2.place)));
+uint numberOfNext(Sampler s_3) {
+    uint _e8 = mixBits((((s_3.key + 1u) ^ s_3.salt) ^ 2246822507u));
+    uint _e15 = mixBits((_e8 + ((s_3.sample_ << 8u) | s_3.place)));
     return _e15;
 }
 
@@ -927,8 +937,8 @@ TextureUse fetchTextureUse(uint row_7) {
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
-Neighbours neighbours(float x_10, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
+Neighbours neighbours(float x_11, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside = pick(clamps, clamp(x_11, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_11))) - 1.0))), fract(x_11)));
     float at = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
     float low = floor(at);
     int last = (int(size) - 1);
@@ -1364,18 +1374,18 @@ PairHit tracePair(RayPair p_6) {
 }
 
 Sight look(uvec2 pixel_2) {
-    Sampler s_3 = Sampler(0u, 0u, 0u, 0u);
+    Sampler s_4 = Sampler(0u, 0u, 0u, 0u);
     uint _e3 = frame.sampleIndex;
     uint _e6 = frame.seed;
     Sampler _e7 = startSampler(pixel_2, _e3, _e6);
-    s_3 = _e7;
+    s_4 = _e7;
     vec2 _e12 = frame.jitter;
-    vec2 _e14 = next2d(s_3);
+    vec2 _e14 = next2d(s_4);
     vec2 _e15 = filterOffset(_e14);
     vec2 filmPosition_2 = ((vec2(pixel_2) + _e12) + _e15);
-    vec2 _e17 = next2d(s_3);
+    vec2 _e17 = next2d(s_4);
     CameraRay _e18 = cameraRay(filmPosition_2, _e17);
-    Sampler _e21 = s_3;
+    Sampler _e21 = s_4;
     uint _e22 = numberOfNext(_e21);
     RayPair _e23 = oneRay(_e18.origin, _e18.direction, _e22);
     vec2 offCentre = ((filmPosition_2 - vec2(pixel_2)) - vec2(0.5));
@@ -1442,12 +1452,13 @@ vec3 normalAt(RayPair p_7, float t_3, uint i_14) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
-        normal_1 = pick(_e47, (origin_10 + (t_3 * p_7.direction)), _e43);
+        vec3 outwards = (origin_10 + (t_3 * p_7.direction));
+        vec3 _e46 = normal_1;
+        bool _e53 = isSphere(i_14);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_7.direction), outwards), _e46);
     }
-    vec3 _e49 = normal_1;
-    return normalize(_e49);
+    vec3 _e55 = normal_1;
+    return normalize(_e55);
 }
 
 Surface fetchSurface(uint i_15) {
@@ -1629,18 +1640,18 @@ void takeUpLayer(uint slot, vec4 texel_1) {
     }
 }
 
-Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
+Bumps takeUpTextures(inout Surface s_5, vec4 uv_1, vec3 color) {
     Bumps bumps = Bumps(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
     uint i_17 = 0u;
     vec2 place_2 = vec2(0.0);
-    float _e4 = s_4.textures;
+    float _e4 = s_5.textures;
     uint row_9 = uint(_e4);
     MaterialTextures _e6 = fetchMaterialTextures(row_9);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
-    vec3 _e13 = s_4.baseColor;
-    s_4.baseColor = (_e13 * color);
-    vec3 _e16 = s_4.emission;
-    s_4.emission = (_e16 * pick(unlit, color, vec3(1.0)));
+    vec3 _e13 = s_5.baseColor;
+    s_5.baseColor = (_e13 * color);
+    vec3 _e16 = s_5.emission;
+    s_5.emission = (_e16 * pick(unlit, color, vec3(1.0)));
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
@@ -1652,19 +1663,19 @@ Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
             }
             vec2 _e55 = place_2;
             vec4 _e56 = lookUp(_e42, _e55);
-            vec3 _e58 = s_4.baseColor;
-            s_4.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
-            vec3 _e68 = s_4.emission;
-            s_4.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e58 = s_5.baseColor;
+            s_5.baseColor = (_e58 * pick((_e42.slot == baseColorSlot), _e56.xyz, vec3(1.0)));
+            vec3 _e68 = s_5.emission;
+            s_5.emission = (_e68 * pick((_e42.slot == emissionSlot), _e56.xyz, vec3(1.0)));
             vec2 share_2 = pick((_e42.slot == metallicRoughnessSlot), _e56.yz, vec2(1.0));
-            float _e85 = s_4.alpha;
+            float _e85 = s_5.alpha;
             float rough = max(((_e85 * share_2.x) * share_2.x), 0.001);
-            float _e94 = s_4.alpha;
-            float _e96 = s_4.code;
+            float _e94 = s_5.alpha;
+            float _e96 = s_5.code;
             bool _e98 = isSmooth(uint(_e96));
-            s_4.alpha = pick(_e98, _e94, rough);
-            float _e101 = s_4.metallic;
-            s_4.metallic = (_e101 * share_2.y);
+            s_5.alpha = pick(_e98, _e94, rough);
+            float _e101 = s_5.metallic;
+            s_5.metallic = (_e101 * share_2.y);
             vec3 bump = (((2.0 * _e56.xyz) - vec3(1.0)) * vec3(_e42.scale, _e42.scale, 1.0));
             vec3 _e117 = bumps.base;
             bumps.base = pick((_e42.slot == normalSlot), bump, _e117);
@@ -1689,20 +1700,20 @@ Bumps takeUpTextures(inout Surface s_4, vec4 uv_1, vec3 color) {
     return _e140;
 }
 
-vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
-    float oz = max(dot(o_1, g_1), 0.0);
+vec3 bent(vec3 g_2, vec3 o_1, vec3 n) {
+    float oz = max(dot(o_1, g_2), 0.0);
     float least = min((0.9 * oz), 0.01);
-    vec3 across_3 = (n - (dot(n, g_1) * g_1));
-    vec3 x_13 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
-    float ox = dot(o_1, x_13);
+    vec3 across_3 = (n - (dot(n, g_2) * g_2));
+    vec3 x_14 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_14);
     float a_4 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_5 = (2.0 * (a_4 + (oz * least)));
     float c_4 = ((least + oz) * (least + oz));
     float root = sqrt(max(((b_5 * b_5) - ((4.0 * a_4) * c_4)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_5 + root), (b_5 - root))) / a_4), 0.0, 1.0);
-    vec3 raised = ((sqrt((1.0 - z2_)) * x_13) + (sqrt(z2_) * g_1));
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_14) + (sqrt(z2_) * g_2));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
-    return pick((dot(g_1, reflected) >= least), n, raised);
+    return pick((dot(g_2, reflected) >= least), n, raised);
 }
 
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
@@ -1854,21 +1865,21 @@ vec3 conductorReflectance(vec3 baseColor, vec3 eta_3, vec3 k_1, float cosine_1) 
     return pick((constants > 0.0), _e8, baseColor);
 }
 
-vec3 albedoOf(Surface s_5, bool fromBack) {
+vec3 albedoOf(Surface s_6, bool fromBack) {
     vec3 albedo = vec3(0.0);
-    uint _e4 = kindOf(uint(s_5.code));
-    albedo = s_5.baseColor;
+    uint _e4 = kindOf(uint(s_6.code));
+    albedo = s_6.baseColor;
     if ((_e4 == conductor)) {
-        vec3 _e13 = conductorReflectance(s_5.baseColor, s_5.eta, s_5.k, 1.0);
+        vec3 _e13 = conductorReflectance(s_6.baseColor, s_6.eta, s_6.k, 1.0);
         albedo = _e13;
     }
     if ((_e4 == dielectric)) {
         albedo = vec3(1.0);
     }
     vec3 _e18 = albedo;
-    albedo = mix(_e18, vec3(1.0), s_5.reflectivity);
-    bool dark = pick(((uint(s_5.code) & 16u) != 0u), fromBack, false);
-    vec3 emission = pick(dark, vec3(0.0), s_5.emission);
+    albedo = mix(_e18, vec3(1.0), s_6.reflectivity);
+    bool dark = pick(((uint(s_6.code) & 16u) != 0u), fromBack, false);
+    vec3 emission = pick(dark, vec3(0.0), s_6.emission);
     float brightest = max(max(emission.x, emission.y), max(emission.z, 1.0));
     vec3 _e41 = albedo;
     return clamp((_e41 + (emission / vec3(brightest))), vec3(0.0), vec3(1.0));

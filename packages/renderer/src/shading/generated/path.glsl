@@ -49,6 +49,7 @@ struct Path {
     vec3 light;
     bool alive;
     vec3 throughput;
+    bool escaped;
     uint depth;
     vec3 radiance;
     float pdf;
@@ -97,11 +98,11 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
-struct Group {
-    uint index;
-    uint shift;
-    uint seedA;
-    uint seedB;
+struct Groups {
+    uvec2 index;
+    uvec2 shift;
+    uvec2 seedA;
+    uvec2 seedB;
 };
 struct CameraRay {
     vec3 origin;
@@ -172,20 +173,6 @@ struct Emitter {
     float triangles;
     float instance;
 };
-struct FarLight {
-    vec3 radiance;
-    float pdf;
-};
-struct EnvironmentLight {
-    vec3 radiance;
-    float pdf;
-};
-struct Corners {
-    vec4 a;
-    vec4 b;
-    vec4 c;
-    vec4 d;
-};
 struct SphereView {
     vec3 toCenter;
     float distance_;
@@ -213,6 +200,10 @@ struct BoxView {
     float area;
     bool inside;
 };
+struct TwoPoints {
+    vec3 first;
+    vec3 second;
+};
 struct EmitterChoice {
     uint index;
     float probability;
@@ -230,6 +221,10 @@ struct ConeDirection {
     float cosine;
     float sine2_;
 };
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf;
+};
 struct EnvironmentSample {
     vec3 direction;
     EnvironmentLight light;
@@ -245,6 +240,12 @@ struct Table {
 struct Choice {
     uint entry;
     float rest;
+};
+struct Corners {
+    vec4 a;
+    vec4 b;
+    vec4 c;
+    vec4 d;
 };
 struct Outgoing {
     vec3 wo;
@@ -267,6 +268,10 @@ struct FacetLobe {
     vec3 value;
     float pdf;
     float cosine;
+};
+struct FarLight {
+    vec3 radiance;
+    float pdf;
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
@@ -306,12 +311,6 @@ const bool hasGlass = false;
 
 const bool hasMetallicRoughness = false;
 
-const bool hasSky = true;
-
-const bool hasEnvironment = false;
-
-uniform highp sampler2D environment;
-
 const bool hasManyLights = true;
 
 const bool hasSphereLights = true;
@@ -323,6 +322,12 @@ const bool hasBoxLights = false;
 const bool hasSuns = false;
 
 const bool hasPointLights = false;
+
+const bool hasSky = true;
+
+const bool hasEnvironment = false;
+
+uniform highp sampler2D environment;
 
 const bool hasConductors = false;
 
@@ -356,34 +361,39 @@ uint spread0_(uint x_1) {
     return ((y_8 | (y_8 * 2u)) & 85u);
 }
 
-uint reversedHigh(uint x_2) {
-    uint y = 0u;
-    y = (x_2 + ((x_2 & 21845u) * 3u));
-    uint _e7 = y;
-    uint _e8 = y;
-    y = (_e7 + ((_e8 & 26214u) * 15u));
-    uint _e14 = y;
-    uint _e15 = y;
-    y = (_e14 + ((_e15 & 30840u) * 255u));
-    uint _e21 = y;
-    uint _e22 = y;
-    return (_e21 + ((_e22 & 32640u) * 65535u));
+uvec2 reversedHigh(uvec2 x_2) {
+    uvec2 y = uvec2(0u);
+    y = (x_2 + ((x_2 & uvec2(21845u)) * 3u));
+    uvec2 _e8 = y;
+    uvec2 _e9 = y;
+    y = (_e8 + ((_e9 & uvec2(26214u)) * 15u));
+    uvec2 _e16 = y;
+    uvec2 _e17 = y;
+    y = (_e16 + ((_e17 & uvec2(30840u)) * 255u));
+    uvec2 _e24 = y;
+    uvec2 _e25 = y;
+    return (_e24 + ((_e25 & uvec2(32640u)) * 65535u));
 }
 
-uint reversed(uint x_3) {
-    uint _e1 = reversedHigh(x_3);
-    return (_e1 >> 15u);
+uvec2 reversed(uvec2 x_3) {
+    uvec2 _e1 = reversedHigh(x_3);
+    return (_e1 >> uvec2(15u));
 }
 
-uint mixBits(uint x_4) {
-    uint y_1 = 0u;
-    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
-    uint _e7 = y_1;
-    uint _e8 = y_1;
-    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
-    uint _e14 = y_1;
-    uint _e15 = y_1;
-    return (_e14 ^ (_e15 >> 15u));
+uvec2 mixBits2_(uvec2 x_4) {
+    uvec2 y_1 = uvec2(0u);
+    y_1 = ((x_4 ^ (x_4 >> uvec2(16u))) * 569420461u);
+    uvec2 _e8 = y_1;
+    uvec2 _e9 = y_1;
+    y_1 = ((_e8 ^ (_e9 >> uvec2(15u))) * 1935289751u);
+    uvec2 _e16 = y_1;
+    uvec2 _e17 = y_1;
+    return (_e16 ^ (_e17 >> uvec2(15u)));
+}
+
+uint mixBits(uint x_5) {
+    uvec2 _e2 = mixBits2_(uvec2(x_5));
+    return _e2.x;
 }
 
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
@@ -393,18 +403,17 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
     uint place_1 = (_e19 | (_e23 * 2u));
-    uint _e29 = reversed((sampleIndex_1 & 65535u));
-    uint sample_ = pick(independent, 0u, _e29);
-    uint _e34 = mixBits((_e15 ^ 1779033703u));
-    uint _e37 = reversed((place_1 * 256u));
-    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
+    uvec2 _e32 = reversed(uvec2((sampleIndex_1 & 65535u), (place_1 * 256u)));
+    uvec2 digits_2 = pick(independent, uvec2(0u), _e32);
+    uint _e38 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e38, digits_2.x, digits_2.y);
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_15 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_15), 15.0);
-    float t_4 = (x_15 - piece);
+    float x_16 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_16), 15.0);
+    float t_4 = (x_16 - piece);
     vec4 c = frame.filterPieces[uint(piece)];
     float offset_2 = (c.x + (t_4 * (c.y + (t_4 * (c.z + (t_4 * c.w))))));
     return pick((across < 0.0), -(offset_2), offset_2);
@@ -423,101 +432,107 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-float toUnit(uint scrambled) {
-    uint _e3 = reversedHigh((scrambled & 65535u));
-    float digits_2 = (float(int(_e3)) * 4.656613e-10);
-    return (digits_2 + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+uvec2 scramble(uvec2 x_6, uvec2 seed_2) {
+    uvec2 y_2 = uvec2(0u);
+    y_2 = (x_6 ^ (x_6 * 1025551850u));
+    uvec2 _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> uvec2(16u)) | uvec2(1u)));
+    uvec2 _e15 = y_2;
+    uvec2 _e16 = y_2;
+    y_2 = (_e15 ^ (_e16 * 89287766u));
+    uvec2 _e20 = y_2;
+    uvec2 _e21 = y_2;
+    return (_e20 ^ (_e21 * 1403136100u));
 }
 
-uint scramble(uint x_5, uint seed_2) {
-    uint y_2 = 0u;
-    y_2 = (x_5 ^ (x_5 * 1025551850u));
-    uint _e6 = y_2;
-    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
-    uint _e13 = y_2;
-    uint _e14 = y_2;
-    y_2 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_2;
-    uint _e19 = y_2;
-    return (_e18 ^ (_e19 * 1403136100u));
+uvec2 timesW(uvec2 x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & uvec2(43690u)) | ((x_7 >> uvec2(1u)) & uvec2(21845u)));
 }
 
-uint pascal(uint x_6) {
-    uint y_3 = 0u;
-    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
-    uint _e7 = y_3;
-    uint _e8 = y_3;
-    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_3;
-    uint _e15 = y_3;
-    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_3;
-    uint _e22 = y_3;
-    return (_e21 ^ ((_e22 >> 8u) & 255u));
+uvec2 timesW2_(uvec2 x_8) {
+    return (((x_8 * 2u) & uvec2(43690u)) | ((x_8 ^ (x_8 >> uvec2(1u))) & uvec2(21845u)));
 }
 
-uint timesW(uint x_7) {
-    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
+uvec2 shiftOfPlace(uvec2 x_9) {
+    uvec2 y_3 = uvec2(0u);
+    uvec2 _e7 = timesW(((x_9 >> uvec2(2u)) & uvec2(51u)));
+    y_3 = (x_9 ^ _e7);
+    uvec2 _e10 = y_3;
+    uvec2 _e11 = y_3;
+    uvec2 _e18 = timesW2_(((_e11 >> uvec2(4u)) & uvec2(15u)));
+    y_3 = (_e10 ^ _e18);
+    uvec2 _e20 = y_3;
+    uvec2 _e21 = timesW(_e20);
+    uvec2 _e22 = y_3;
+    return (_e21 | (_e22 * 256u));
 }
 
-vec2 points2d(Group g) {
-    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    float _e6 = toUnit(_e5);
-    uint _e9 = timesW(g.shift);
-    uint _e11 = pascal((g.index ^ _e9));
-    uint _e13 = scramble(_e11, g.seedB);
-    float _e14 = toUnit(_e13);
-    return vec2(_e6, _e14);
+Groups nextGroups(Sampler s) {
+    uvec2 _e7 = mixBits2_((uvec2(s.key) + uvec2(1u, 2u)));
+    uvec2 half_ = ((_e7 ^ uvec2(s.salt)) * 2654435761u);
+    uvec2 b_5 = (half_ ^ (half_ >> uvec2(16u)));
+    uvec2 _e19 = scramble(uvec2(s.place), b_5);
+    uvec2 own_1 = (s.sample_ * ((_e19 >> uvec2(7u)) & uvec2(4294967294u)));
+    uvec2 _e31 = scramble((uvec2(s.sample_) ^ own_1), _e7);
+    uvec2 _e35 = reversed((_e31 & uvec2(65535u)));
+    uvec2 _e39 = shiftOfPlace((_e19 & uvec2(255u)));
+    return Groups(_e35, _e39, ((_e7 >> uvec2(16u)) | (_e7 * 65536u)), ((b_5 >> uvec2(16u)) | (b_5 * 65536u)));
 }
 
-uint timesW2_(uint x_8) {
-    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
+void skipGroup(inout Sampler s_1) {
+    uint _e3 = s_1.key;
+    s_1.key = (_e3 + 1u);
+    return;
 }
 
-uint shiftOfPlace(uint x_9) {
-    uint y_4 = 0u;
-    uint _e5 = timesW(((x_9 >> 2u) & 51u));
-    y_4 = (x_9 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
-    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
-    uint _e17 = timesW(_e16);
-    uint _e18 = y_4;
-    return (_e17 | (_e18 * 256u));
+vec2 toUnit(uvec2 scrambled) {
+    uvec2 _e4 = reversedHigh((scrambled & uvec2(65535u)));
+    vec2 digits_3 = (vec2(ivec2(_e4)) * 4.656613e-10);
+    return (digits_3 + (vec2((scrambled & uvec2(4278190080u))) * 3.5527137e-15));
 }
 
-Group nextGroup(inout Sampler s) {
-    uint _e3 = s.key;
-    s.key = (_e3 + 1u);
-    uint _e7 = s.key;
-    uint _e8 = mixBits(_e7);
-    uint _e10 = s.salt;
-    uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_5 = (half_ ^ (half_ >> 16u));
-    uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_5);
-    uint _e21 = s.sample_;
-    uint own_1 = (_e21 * ((_e19 >> 7u) & 4294967294u));
-    uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own_1), _e8);
-    uint _e33 = reversed((_e30 & 65535u));
-    uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_5 >> 16u) | (b_5 * 65536u)));
+vec2 firstOf(Groups g) {
+    uvec2 _e5 = scramble((g.index ^ g.shift), g.seedA);
+    vec2 _e6 = toUnit(_e5);
+    return _e6;
 }
 
-vec2 next2d(inout Sampler s_1) {
-    Group _e1 = nextGroup(s_1);
-    vec2 _e2 = points2d(_e1);
-    return _e2;
+uvec2 pascal(uvec2 x_10) {
+    uvec2 y_4 = uvec2(0u);
+    y_4 = (x_10 ^ ((x_10 >> uvec2(1u)) & uvec2(21845u)));
+    uvec2 _e9 = y_4;
+    uvec2 _e10 = y_4;
+    y_4 = (_e9 ^ ((_e10 >> uvec2(2u)) & uvec2(13107u)));
+    uvec2 _e18 = y_4;
+    uvec2 _e19 = y_4;
+    y_4 = (_e18 ^ ((_e19 >> uvec2(4u)) & uvec2(3855u)));
+    uvec2 _e27 = y_4;
+    uvec2 _e28 = y_4;
+    return (_e27 ^ ((_e28 >> uvec2(8u)) & uvec2(255u)));
+}
+
+vec2 secondOf(Groups g_1) {
+    uvec2 _e3 = timesW(g_1.shift);
+    uvec2 _e5 = pascal((g_1.index ^ _e3));
+    uvec2 _e7 = scramble(_e5, g_1.seedB);
+    vec2 _e8 = toUnit(_e7);
+    return _e8;
+}
+
+vec2 next2d(inout Sampler s_2) {
+    Sampler _e1 = s_2;
+    Groups _e2 = nextGroups(_e1);
+    skipGroup(s_2);
+    vec2 _e3 = firstOf(_e2);
+    vec2 _e5 = secondOf(_e2);
+    return vec2(_e3.x, _e5.x);
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_12 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_12.x) > abs(p_12.y));
-    float radius_1 = pick(wide, p_12.x, p_12.y);
-    float ratio_4 = (pick(wide, p_12.y, p_12.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_14 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_14.x) > abs(p_14.y));
+    float radius_1 = pick(wide, p_14.x, p_14.y);
+    float ratio_4 = (pick(wide, p_14.y, p_14.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_4), (1.5707964 - (0.7853982 * ratio_4)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -525,12 +540,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_16 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_17 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_16 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_17 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -547,7 +562,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_16);
+            float longitude = (3.1415927 * x_17);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -570,12 +585,6 @@ CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
     vec2 _e8 = lensPoint_1;
     CameraRay _e9 = rayThroughLens(filmPosition_1, _e8);
     return _e9;
-}
-
-void skipGroup(inout Sampler s_2) {
-    uint _e3 = s_2.key;
-    s_2.key = (_e3 + 1u);
-    return;
 }
 
 vec2 lensPoint_2(inout Sampler s_3) {
@@ -614,8 +623,8 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     Sampler _e18 = s_5;
     uint _e19 = numberOfNext(_e18);
     RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
-    Sampler _e34 = s_5;
-    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
+    Sampler _e35 = s_5;
+    return Path(_e20, vec3(0.0), true, vec3(1.0), false, 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e35);
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -718,8 +727,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_7);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_8 = (dot(toCenter_1, normal_7) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_13 = ((t_8 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_13, reciprocalU)), abs(dot(p_13, reciprocalV))) <= 0.500001);
+    vec3 p_15 = ((t_8 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_15, reciprocalU)), abs(dot(p_15, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_8 > tMin_2), (t_8 < 1e30), false), within, false), t_8, 1e30);
 }
 
@@ -888,12 +897,13 @@ vec3 normalAt(RayPair p_7, float t_1, uint i_11) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_11);
-        normal_1 = pick(_e47, (origin_8 + (t_1 * p_7.direction)), _e43);
+        vec3 outwards = (origin_8 + (t_1 * p_7.direction));
+        vec3 _e46 = normal_1;
+        bool _e53 = isSphere(i_11);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_7.direction), outwards), _e46);
     }
-    vec3 _e49 = normal_1;
-    return normalize(_e49);
+    vec3 _e55 = normal_1;
+    return normalize(_e55);
 }
 
 Surface fetchSurface(uint i_12) {
@@ -977,91 +987,6 @@ int emitterOf(float code_6) {
     return ((int(code_6) >> 7u) - 1);
 }
 
-vec2 quadrantAngles(vec2 x_10, vec2 y_5) {
-    vec2 low_1 = min(x_10, y_5);
-    vec2 high_1 = max(x_10, y_5);
-    bvec2 middle_1 = greaterThan(low_1, (0.41421357 * high_1));
-    vec2 r = (mix(low_1, (low_1 - high_1), middle_1) / max(mix(high_1, (low_1 + high_1), middle_1), vec2(1e-30)));
-    vec2 z_1 = (r * r);
-    vec2 series = ((((((0.080537446 * z_1) - vec2(0.13877685)) * z_1) + vec2(0.19977711)) * z_1) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_1) * r) + r));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_10));
-}
-
-EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
-    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
-}
-
-vec4 environmentTexel(uint column_1, uint row_1) {
-    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_1)), 0);
-    return _e5;
-}
-
-Corners environmentCorners(uvec2 cell) {
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size = uvec2(_e3);
-    uint left = (pick((cell.x == 0u), size.x, cell.x) - 1u);
-    uint right = pick((cell.x == size.x), 0u, cell.x);
-    uint upper = (max(cell.y, 1u) - 1u);
-    uint lower = min(cell.y, (size.y - 1u));
-    vec4 above = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size.y), -1.0, 1.0));
-    vec4 _e49 = environmentTexel(left, upper);
-    vec4 _e51 = environmentTexel(right, upper);
-    vec4 _e53 = environmentTexel(left, lower);
-    vec4 _e55 = environmentTexel(right, lower);
-    return Corners((above * _e49), (above * _e51), (below * _e53), (below * _e55));
-}
-
-EnvironmentLight lookUpEnvironment(vec3 direction_7) {
-    vec2 size_1 = frame.environmentSize;
-    float sine_1 = max(length(direction_7.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_7.z, direction_7.y)), vec2(abs(direction_7.x), sine_1));
-    float turn = (pick((direction_7.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_7.x < 0.0), -1.0, 1.0));
-    float _e35 = frame.environmentTurn;
-    float column_2 = ((fract(((turn * 0.15915494) + _e35)) * size_1.x) + 0.5);
-    float fromPole = ((_e15.y * (size_1.y / 3.1415927)) + 0.5);
-    float row_2 = floor(fromPole);
-    bool isLower = (direction_7.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_2), pick(isLower, (size_1.y - row_2), row_2));
-    float within_1 = (fromPole - row_2);
-    vec2 at_1 = vec2((column_2 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
-    Corners _e66 = environmentCorners(uvec2(cell_1));
-    EnvironmentLight _e67 = lightWithin(_e66, at_1, sine_1);
-    return _e67;
-}
-
-vec3 sky0_(vec3 direction_8) {
-    vec3 _e3 = frame.horizon;
-    vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_8.y, 0.0));
-}
-
-EnvironmentLight skyLight(vec3 direction_9) {
-    EnvironmentLight light = white;
-    const bool _e4 = hasEnvironment;
-    if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_9);
-        light = _e5;
-    }
-    vec3 _e7 = light.radiance;
-    vec3 _e8 = sky0_(direction_9);
-    float _e11 = light.pdf;
-    return EnvironmentLight((_e7 * _e8), _e11);
-}
-
-FarLight skySeen(vec3 direction_10) {
-    FarLight far = FarLight(vec3(0.0), 0.0);
-    const bool _e7 = hasSky;
-    if (_e7) {
-        EnvironmentLight _e8 = skyLight(direction_10);
-        far = FarLight(_e8.radiance, _e8.pdf);
-    }
-    FarLight _e12 = far;
-    return _e12;
-}
-
 Emitter emitterAt(uint i_14, Emitter only) {
     Emitter emitter = Emitter(vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     emitter = only;
@@ -1079,18 +1004,18 @@ SphereView viewSphere(Emitter e, vec3 point) {
     float d_1 = length(toCenter_2);
     float power = abs(((d_1 - e.radius) * (d_1 + e.radius)));
     bool inside_1 = (d_1 <= e.radius);
-    float sine_2 = min((e.radius / max(d_1, 1e-30)), 1.0);
+    float sine_1 = min((e.radius / max(d_1, 1e-30)), 1.0);
     float cosine_10 = (sqrt(power) / max(d_1, 1e-30));
-    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_10))));
+    return SphereView(toCenter_2, d_1, power, inside_1, pick(inside_1, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_10))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_1, vec3 point_1, vec3 direction_11) {
+float spherePdf(Emitter e_1, vec3 point_1, vec3 direction_7) {
     SphereView _e3 = viewSphere(e_1, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_11, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_7, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -1109,18 +1034,18 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
 float arctangent(float x_11) {
     float a_3 = abs(x_11);
     bool steep = (a_3 > 2.4142137);
-    bool middle_2 = pick((a_3 > 0.41421357), !(steep), false);
-    float r_1 = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_2, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
-    float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_2 = (r_1 * r_1);
-    float series_1 = ((((((0.080537446 * z_2) - 0.13877685) * z_2) + 0.19977711) * z_2) - 0.3333295);
-    return (sign(x_11) * (base_1 + (((series_1 * z_2) * r_1) + r_1)));
+    bool middle_1 = pick((a_3 > 0.41421357), !(steep), false);
+    float r = pick(steep, (-1.0 / max(a_3, 1.0)), pick(middle_1, ((a_3 - 1.0) / (a_3 + 1.0)), a_3));
+    float base_1 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
+    float z_1 = (r * r);
+    float series = ((((((0.080537446 * z_1) - 0.13877685) * z_1) + 0.19977711) * z_1) - 0.3333295);
+    return (sign(x_11) * (base_1 + (((series * z_1) * r) + r)));
 }
 
-float stretch(float x_12, vec2 y_6, float h) {
-    vec2 r_2 = sqrt(((vec2((x_12 * x_12)) + (y_6 * y_6)) + vec2((h * h))));
-    float _e16 = arctangent(((x_12 * y_6.y) / (h * r_2.y)));
-    float _e22 = arctangent(((x_12 * y_6.x) / (h * r_2.x)));
+float stretch(float x_12, vec2 y_5, float h) {
+    vec2 r_1 = sqrt(((vec2((x_12 * x_12)) + (y_5 * y_5)) + vec2((h * h))));
+    float _e16 = arctangent(((x_12 * y_5.y) / (h * r_1.y)));
+    float _e22 = arctangent(((x_12 * y_5.x) / (h * r_1.x)));
     return (_e16 - _e22);
 }
 
@@ -1134,15 +1059,15 @@ QuadView viewQuad(Emitter e_2, vec3 point_2) {
     float least = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least);
     bool lit = pick((abs(signedHeight) > least), pick((e_2.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high_2 = (low_2 + lengths);
-    vec2 y_10 = vec2(low_2.y, high_2.y);
-    float _e44 = stretch(low_2.x, y_10, height_1);
-    float _e46 = stretch(high_2.x, y_10, height_1);
+    vec2 low_1 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_1 + lengths);
+    vec2 y_10 = vec2(low_1.y, high_1.y);
+    float _e44 = stretch(low_1.x, y_10, height_1);
+    float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_8 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_2, high_2, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    return QuadView(corner, axisX, axisY, axisZ, low_1, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 float quadPdf(Emitter e_3, vec3 point_3, float distance_2) {
@@ -1160,19 +1085,19 @@ BoxView viewBox(Emitter e_4, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_5, vec3 point_5, vec3 direction_12, float distance_3, vec3 normal_2) {
+float boxPdf(Emitter e_5, vec3 point_5, vec3 direction_8, float distance_3, vec3 normal_2) {
     BoxView _e5 = viewBox(e_5, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_12, normal_2))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_8, normal_2))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_13, float distance_4, vec3 normal_3, uint place) {
+float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_9, float distance_4, vec3 normal_3, uint place) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
         if ((e_6.kind == 0.0)) {
-            float _e13 = spherePdf(e_6, point_6, direction_13);
+            float _e13 = spherePdf(e_6, point_6, direction_9);
             pdf = _e13;
         }
     }
@@ -1186,7 +1111,7 @@ float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_13, float distance_4, v
     const bool _e21 = hasBoxLights;
     if (_e21) {
         if ((e_6.kind == 2.0)) {
-            float _e25 = boxPdf(e_6, point_6, direction_13, distance_4, normal_3);
+            float _e25 = boxPdf(e_6, point_6, direction_9, distance_4, normal_3);
             pdf = _e25;
         }
     }
@@ -1194,79 +1119,50 @@ float shapePdf(Emitter e_6, vec3 point_6, vec3 direction_13, float distance_4, v
     return _e26;
 }
 
-bool isOnDisc(Emitter e_7, vec3 direction_14) {
-    vec3 chord = (direction_14 + e_7.u);
-    return ((3.1415927 * dot(chord, chord)) < e_7.area);
-}
-
-float directionalPdf(Emitter e_8, vec3 direction_15) {
-    bool _e7 = isOnDisc(e_8, direction_15);
-    return pick(_e7, (1.0 / max(e_8.area, 1e-31)), 0.0);
-}
-
-FarLight farLight(Emitter e_9, vec3 direction_16, FarLight sky) {
-    FarLight far_1 = FarLight(vec3(0.0), 0.0);
-    const bool _e9 = hasSuns;
-    if (_e9) {
-        bool _e13 = isOnDisc(e_9, direction_16);
-        bool seen_1 = pick((e_9.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_9, direction_16);
-        far_1 = FarLight(pick(seen_1, e_9.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
-    }
-    const bool _e24 = hasSky;
-    if (_e24) {
-        if ((e_9.kind == 6.0)) {
-            far_1 = sky;
-        }
-    }
-    FarLight _e28 = far_1;
-    return _e28;
-}
-
-float spotFalloff(Emitter e_10, vec3 toLight) {
-    float share = clamp(((-(dot(toLight, e_10.u)) - e_10.radius) / (e_10.cosInner - e_10.radius)), 0.0, 1.0);
+float spotFalloff(Emitter e_7, vec3 toLight) {
+    float share = clamp(((-(dot(toLight, e_7.u)) - e_7.radius) / (e_7.cosInner - e_7.radius)), 0.0, 1.0);
     return (share * share);
 }
 
-float estimatedIrradiance(Emitter e_11, vec3 point_7, vec3 normal_4) {
+float estimatedIrradiance(Emitter e_8, vec3 point_7, vec3 normal_4) {
     float estimate = 0.0;
     const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_11.kind == 1.0), false);
+    bool isQuad = pick(_e4, (e_8.kind == 1.0), false);
     const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_11.kind == 5.0), false);
-    vec3 middle_3 = (e_11.position + pick(isQuad, (0.5 * (e_11.u + e_11.v)), vec3(0.0)));
-    vec3 toLight_2 = pick(isFar, -(e_11.u), (middle_3 - point_7));
+    bool isFar = pick(_e10, (e_8.kind == 5.0), false);
+    vec3 middle_2 = (e_8.position + pick(isQuad, (0.5 * (e_8.u + e_8.v)), vec3(0.0)));
+    vec3 toLight_2 = pick(isFar, -(e_8.u), (middle_2 - point_7));
     float distance2_ = dot(toLight_2, toLight_2);
     float distance_5 = sqrt(distance2_);
-    float grown = max((distance_5 + e_11.reach), 1e-15);
-    float above_1 = clamp(((dot(normal_4, toLight_2) + e_11.reach) / grown), 0.0, 1.0);
-    float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above_1);
-    float square = pick(isQuad, (distance2_ + (e_11.area / 3.1415927)), max(distance2_, (e_11.area / 12.566371)));
-    estimate = ((e_11.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
+    float grown = max((distance_5 + e_8.reach), 1e-15);
+    float above = clamp(((dot(normal_4, toLight_2) + e_8.reach) / grown), 0.0, 1.0);
+    float cosine_11 = pick((dot(normal_4, normal_4) == 0.0), 1.0, above);
+    float square = pick(isQuad, (distance2_ + (e_8.area / 3.1415927)), max(distance2_, (e_8.area / 12.566371)));
+    estimate = ((e_8.power * cosine_11) / pick(isFar, 1.0, max(square, 1e-15)));
     const bool _e65 = hasQuadLights;
     if (_e65) {
-        float height_2 = (-(dot(cross(e_11.u, e_11.v), toLight_2)) / max(e_11.area, 1e-30));
-        float side_2 = pick((e_11.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_11.reach) / grown), 0.0);
+        float height_2 = (-(dot(cross(e_8.u, e_8.v), toLight_2)) / max(e_8.area, 1e-30));
+        float side_2 = pick((e_8.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_2 > 0.0), ((side_2 + e_8.reach) / grown), 0.0);
         float _e89 = estimate;
         estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
     }
     const bool _e94 = hasPointLights;
     if (_e94) {
         float _e95 = estimate;
-        float _e100 = spotFalloff(e_11, (toLight_2 / vec3(max(distance_5, 1e-15))));
-        estimate = (_e95 * pick((e_11.kind == 4.0), _e100, 1.0));
+        float _e100 = spotFalloff(e_8, (toLight_2 / vec3(max(distance_5, 1e-15))));
+        estimate = (_e95 * pick((e_8.kind == 4.0), _e100, 1.0));
     }
     const bool _e108 = hasSky;
     if (_e108) {
         float _e109 = estimate;
-        estimate = pick((e_11.kind == 6.0), e_11.power, _e109);
+        estimate = pick((e_8.kind == 6.0), e_8.power, _e109);
     }
     float _e115 = estimate;
     return _e115;
 }
 
-float listedProbability(Emitter e_12, vec3 point_8, vec3 normal_5, Odds odds) {
+float listedProbability(Emitter e_9, vec3 point_8, vec3 normal_5, Odds odds) {
     float probability = 0.0;
     uint _e6 = frame.emitterCount;
     probability = float(min(_e6, 1u));
@@ -1274,7 +1170,7 @@ float listedProbability(Emitter e_12, vec3 point_8, vec3 normal_5, Odds odds) {
     if (_e12) {
         uint _e15 = frame.emitterCount;
         if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_12, point_8, normal_5);
+            float _e18 = estimatedIrradiance(e_9, point_8, normal_5);
             probability = (_e18 / max(odds.total, 1e-37));
         }
     }
@@ -1287,84 +1183,62 @@ float misWeight(float own, float other) {
     return (1.0 / (1.0 + (ratio_5 * ratio_5)));
 }
 
-vec3 foundLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
+vec3 metLight(Path p_8, PairHit hit_1, Surface s_6, vec3 outward, Emitter only_1) {
     vec3 found_6 = vec3(0.0);
     uint i_15 = 0u;
-    float byTree = 0.0;
     float probability_1 = 0.0;
-    bool escaped = (hit_1.shape == noShape);
     vec3 direction_17 = p_8.rays.direction;
     bool hidden = pick(((uint(s_6.code) & 16u) != 0u), (dot(outward, direction_17) > 0.0), false);
-    int _e21 = emitterOf(s_6.code);
-    found_6 = pick(pick(hidden, true, escaped), vec3(0.0), s_6.emission);
-    bool weighed = pick(escaped, true, (_e21 >= 0));
-    uint _e33 = frame.emitterCount;
-    if (pick(weighed, (_e33 > 0u), false)) {
-        vec3 emission = found_6;
-        found_6 = vec3(0.0);
-        i_15 = pick(escaped, 0u, uint(max(_e21, 0)));
-        FarLight _e46 = skySeen(direction_17);
-        uint _e47 = i_15;
-        Emitter _e48 = emitterAt(_e47, only_1);
-        float _e54 = shapePdf(_e48, p_8.rays.point, direction_17, hit_1.t, outward, hit_1.triangle.triangle);
-        while(true) {
-            uint _e56 = i_15;
-            Emitter _e57 = emitterAt(_e56, only_1);
-            FarLight _e58 = farLight(_e57, direction_17, _e46);
-            float _e63 = listedProbability(_e57, p_8.rays.point, p_8.litSide, p_8.odds);
-            probability_1 = _e63;
-            float _e67 = probability_1;
-            float pdf_3 = (pick(escaped, _e58.pdf, _e54) * _e67);
-            vec3 radiance = pick(escaped, _e58.radiance, emission);
-            vec3 _e71 = found_6;
-            float _e73 = misWeight(p_8.pdf, pdf_3);
-            found_6 = (_e71 + (radiance * pick((p_8.pdf <= 0.0), 1.0, _e73)));
-            uint _e82 = i_15;
-            i_15 = (_e82 + 1u);
-            const bool _e85 = hasManyLights;
-            if (!(_e85)) {
-                break;
-            }
-            const bool _e88 = hasSky;
-            if (!(_e88)) {
-                const bool _e91 = hasSuns;
-                if (!(_e91)) {
-                    break;
-                }
-            }
-            uint _e94 = i_15;
-            uint _e97 = frame.farEmitters;
-            if (pick(!(escaped), true, (_e94 >= _e97))) {
-                break;
-            }
-        }
+    int _e18 = emitterOf(s_6.code);
+    found_6 = pick(hidden, vec3(0.0), s_6.emission);
+    uint _e28 = frame.emitterCount;
+    if (pick((_e18 >= 0), (_e28 > 0u), false)) {
+        i_15 = uint(max(_e18, 0));
+        uint _e36 = i_15;
+        Emitter _e37 = emitterAt(_e36, only_1);
+        float _e43 = shapePdf(_e37, p_8.rays.point, direction_17, hit_1.t, outward, hit_1.triangle.triangle);
+        float _e48 = listedProbability(_e37, p_8.rays.point, p_8.litSide, p_8.odds);
+        probability_1 = _e48;
+        vec3 _e50 = found_6;
+        float _e52 = probability_1;
+        float _e54 = misWeight(p_8.pdf, (_e43 * _e52));
+        found_6 = (_e50 * pick((p_8.pdf <= 0.0), 1.0, _e54));
     }
-    vec3 _e100 = found_6;
-    return _e100;
+    vec3 _e61 = found_6;
+    return _e61;
 }
 
-uint pascalW2_(uint x_13) {
-    uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_13 >> 2u) & 13107u));
-    y_7 = (x_13 ^ _e5);
-    uint _e8 = y_7;
-    uint _e9 = y_7;
-    uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_7 = (_e8 ^ _e14);
-    uint _e16 = y_7;
-    uint _e17 = y_7;
-    uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
-    return (_e16 ^ _e22);
+uvec2 pascalW2_(uvec2 x_13) {
+    uvec2 y_6 = uvec2(0u);
+    uvec2 _e7 = timesW2_(((x_13 >> uvec2(2u)) & uvec2(13107u)));
+    y_6 = (x_13 ^ _e7);
+    uvec2 _e10 = y_6;
+    uvec2 _e11 = y_6;
+    uvec2 _e18 = timesW(((_e11 >> uvec2(4u)) & uvec2(3855u)));
+    y_6 = (_e10 ^ _e18);
+    uvec2 _e20 = y_6;
+    uvec2 _e21 = y_6;
+    uvec2 _e28 = timesW2_(((_e21 >> uvec2(8u)) & uvec2(255u)));
+    return (_e20 ^ _e28);
 }
 
-vec3 next3d(inout Sampler s_7) {
-    Group _e1 = nextGroup(s_7);
-    uint _e4 = timesW2_(_e1.shift);
-    uint _e6 = pascalW2_((_e1.index ^ _e4));
-    uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
-    vec2 _e13 = points2d(_e1);
-    float _e14 = toUnit(_e12);
-    return vec3(_e13, _e14);
+vec2 thirdOf(Groups g_2) {
+    uvec2 _e3 = timesW2_(g_2.shift);
+    uvec2 _e5 = pascalW2_((g_2.index ^ _e3));
+    uvec2 _e11 = scramble(_e5, (g_2.seedA ^ (g_2.seedB * 2654435761u)));
+    vec2 _e12 = toUnit(_e11);
+    return _e12;
+}
+
+TwoPoints nextTwo3d(inout Sampler s_7) {
+    Sampler _e1 = s_7;
+    Groups _e2 = nextGroups(_e1);
+    uint _e5 = s_7.key;
+    s_7.key = (_e5 + 2u);
+    vec2 _e8 = firstOf(_e2);
+    vec2 _e9 = secondOf(_e2);
+    vec2 _e10 = thirdOf(_e2);
+    return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
 }
 
 EmitterChoice chooseEmitter(vec3 point_9, vec3 normal_6, float u_4) {
@@ -1428,40 +1302,40 @@ vec3 turnTo(vec3 axis, vec3 v_4) {
     float s_20 = pick((axis.z >= 0.0), 1.0, -1.0);
     float a_4 = (-1.0 / (s_20 + axis.z));
     float b_7 = ((axis.x * axis.y) * a_4);
-    vec3 x_17 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
+    vec3 x_18 = vec3((1.0 + (((s_20 * axis.x) * axis.x) * a_4)), (s_20 * b_7), (-(s_20) * axis.x));
     vec3 y_11 = vec3(b_7, (s_20 + ((axis.y * axis.y) * a_4)), -(axis.y));
-    return (((v_4.x * x_17) + (v_4.y * y_11)) + (v_4.z * axis));
+    return (((v_4.x * x_18) + (v_4.y * y_11)) + (v_4.z * axis));
 }
 
 ConeDirection sampleCone(vec3 axis_1, float width_1, vec2 u_5) {
     float oneMinusCosine = (u_5.x * width_1);
     float cosine_12 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_3 = sqrt(max(sine2_, 0.0));
+    float sine_2 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_5.y);
-    vec2 turn_1 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_1, vec3(((sine_3 / length(turn_1)) * turn_1), cosine_12));
+    vec2 turn = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_1, vec3(((sine_2 / length(turn)) * turn), cosine_12));
     return ConeDirection(_e23, cosine_12, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_13, vec3 point_10, vec2 u_6) {
-    SphereView _e3 = viewSphere(e_13, point_10);
+LightSample sampleSphere(Emitter e_10, vec3 point_10, vec2 u_6) {
+    SphereView _e3 = viewSphere(e_10, point_10);
     vec3 axis_2 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_2, _e3.width, u_6);
     float along_1 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_10.radius * e_10.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_1) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_1 > 0.0), false);
     float distance_6 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_6, e_13.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_6, e_10.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_14) {
     float h_4 = (0.5 * x_14);
-    float z_3 = (h_4 * h_4);
-    float sine_4 = (((((((-0.00019515296 * z_3) + 0.008332161) * z_3) - 0.16666655) * z_3) * h_4) + h_4);
-    return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
+    float z_2 = (h_4 * h_4);
+    float sine_3 = (((((((-0.00019515296 * z_2) + 0.008332161) * z_2) - 0.16666655) * z_2) * h_4) + h_4);
+    return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
@@ -1471,34 +1345,34 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_7) {
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_7.x * q_4.solidAngle))));
     vec2 across_3 = (vec2((s_21.y - s_21.x), (s_21.y + s_21.x)) * _e21);
     float w_3 = (((2.0 * _e21.x) * _e21.y) / max(length(across_3), 1e-15));
-    float x_18 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_18 * x_18) + (h_5 * h_5));
+    float x_19 = clamp(((h_5 * w_3) * inversesqrt(max((1.0 - (w_3 * w_3)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_19 * x_19) + (h_5 * h_5));
     vec2 ends_2 = (y_12 * inversesqrt((vec2(d2_) + (y_12 * y_12))));
     float v_8 = mix(ends_2.x, ends_2.y, u_7.y);
     float atY = clamp(((v_8 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_8 * v_8)), 1e-12))), y_12.x, y_12.y);
-    return (((x_18 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
+    return (((x_19 * q_4.axisX) + (atY * q_4.axisY)) + (h_5 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_14, vec3 point_11, vec2 u_8) {
-    QuadView _e3 = viewQuad(e_14, point_11);
-    vec3 onArea = ((_e3.corner + (u_8.x * e_14.u)) + (u_8.y * e_14.v));
+LightSample sampleQuad(Emitter e_11, vec3 point_11, vec2 u_8) {
+    QuadView _e3 = viewQuad(e_11, point_11);
+    vec3 onArea = ((_e3.corner + (u_8.x * e_11.u)) + (u_8.y * e_11.v));
     vec3 _e13 = sphericalRectangle(_e3, u_8);
     vec3 toLight_3 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_7 = max(length(toLight_3), _e3.height);
-    float _e23 = pdfOfView(_e3, e_14.area, distance_7);
-    return LightSample((toLight_3 / vec3(distance_7)), distance_7, e_14.radiance, _e23, false);
+    float _e23 = pdfOfView(_e3, e_11.area, distance_7);
+    return LightSample((toLight_3 / vec3(distance_7)), distance_7, e_11.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_15, BoxView b_1, vec2 u_9) {
+vec4 pointOnFaces(Emitter e_12, BoxView b_1, vec2 u_9) {
     float both = (b_1.faces.x + b_1.faces.y);
-    float at_2 = (u_9.x * b_1.area);
-    bool onX_1 = (at_2 < b_1.faces.x);
-    bool onY_1 = pick(!(onX_1), (at_2 < both), false);
+    float at_1 = (u_9.x * b_1.area);
+    bool onX_1 = (at_1 < b_1.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_1 < both), false);
     float face = pick(onX_1, b_1.faces.x, pick(onY_1, b_1.faces.y, b_1.faces.z));
-    float within_2 = clamp(((at_2 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float within_1 = clamp(((at_1 - pick(onX_1, 0.0, pick(onY_1, b_1.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_3 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_14 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_9.y) - 1.0));
-    vec3 toLight_4 = ((pick(onX_1, p_14.xyz, pick(onY_1, p_14.zxy, p_14.yzx)) * e_15.u) - b_1.point);
+    vec3 p_16 = vec3(pick((dot(axis_3, b_1.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_9.y) - 1.0));
+    vec3 toLight_4 = ((pick(onX_1, p_16.xyz, pick(onY_1, p_16.zxy, p_16.yzx)) * e_12.u) - b_1.point);
     return vec4(toLight_4, abs(dot(axis_3, toLight_4)));
 }
 
@@ -1507,34 +1381,34 @@ vec3 rotateBack(vec4 q_5, vec3 v_5) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_16, vec3 point_12, vec2 u_10) {
-    BoxView _e3 = viewBox(e_16, point_12);
-    vec4 _e4 = pointOnFaces(e_16, _e3, u_10);
+LightSample sampleBox(Emitter e_13, vec3 point_12, vec2 u_10) {
+    BoxView _e3 = viewBox(e_13, point_12);
+    vec4 _e4 = pointOnFaces(e_13, _e3, u_10);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_10);
-    vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_16.u);
+    vec3 outwards_1 = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_13.u);
     float distance_8 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_18 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_8, 1e-30))));
+    vec3 direction_18 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_8, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_8);
     float _e33 = conePdf(2.0);
-    float pdf_4 = pick(_e3.inside, _e33, _e31);
+    float pdf_3 = pick(_e3.inside, _e33, _e31);
     vec3 _e37 = rotateBack(_e3.rotation, direction_18);
-    return LightSample(_e37, distance_8, e_16.radiance, pdf_4, false);
+    return LightSample(_e37, distance_8, e_13.radiance, pdf_3, false);
 }
 
-LightSample samplePoint(Emitter e_17, vec3 point_13) {
-    vec3 toLight_5 = (e_17.position - point_13);
+LightSample samplePoint(Emitter e_14, vec3 point_13) {
+    vec3 toLight_5 = (e_14.position - point_13);
     float distance_9 = length(toLight_5);
     float safe = max(distance_9, 1e-15);
-    return LightSample((toLight_5 / vec3(safe)), distance_9, (e_17.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_5 / vec3(safe)), distance_9, (e_14.radiance / vec3((safe * safe))), pick((distance_9 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_18, vec3 point_14) {
+LightSample sampleSpot(Emitter e_15, vec3 point_14) {
     LightSample s_8 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_18, point_14);
+    LightSample _e2 = samplePoint(e_15, point_14);
     s_8 = _e2;
     vec3 _e5 = s_8.direction;
-    float _e6 = spotFalloff(e_18, _e5);
+    float _e6 = spotFalloff(e_15, _e5);
     vec3 _e8 = s_8.radiance;
     s_8.radiance = (_e8 * _e6);
     float _e12 = s_8.pdf;
@@ -1543,18 +1417,23 @@ LightSample sampleSpot(Emitter e_18, vec3 point_14) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_19, vec2 u_11) {
-    bool delta = (e_19.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_19.u), (e_19.area / 6.2831855), u_11);
-    return LightSample(_e10.direction, 1e30, e_19.radiance, pick(delta, 1.0, (1.0 / max(e_19.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_16, vec2 u_11) {
+    bool delta = (e_16.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_16.u), (e_16.area / 6.2831855), u_11);
+    return LightSample(_e10.direction, 1e30, e_16.radiance, pick(delta, 1.0, (1.0 / max(e_16.area, 1e-31))), delta);
+}
+
+vec4 environmentTexel(uint column_1, uint row_1) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_1)), 0);
+    return _e5;
 }
 
 vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
-    uint i_18 = (t_2.first + pair);
-    uint row_3 = (i_18 / width_2);
-    vec4 _e12 = environmentTexel((i_18 - (row_3 * width_2)), row_3);
+    uint i_19 = (t_2.first + pair);
+    uint row_3 = (i_19 / width_2);
+    vec4 _e12 = environmentTexel((i_19 - (row_3 * width_2)), row_3);
     return _e12;
 }
 
@@ -1563,66 +1442,127 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
+ChosenCell chooseCell(vec2 u_12) {
+    Table t_3 = Table(0u, 0u);
+    uint digits_1 = 0u;
+    uint fine_1 = 0u;
+    bool isRow = true;
+    bool begins = true;
+    uint pairs = 0u;
     uint low = 0u;
     uint high = 0u;
-    vec2 ends = vec2(1.0);
     uint step_ = 0u;
-    uint pairs = ((t_3.entries + 1u) / 2u);
-    uint part = ((((digits_1 >> 12u) * t_3.entries) + (((digits_1 & 4095u) * t_3.entries) >> 12u)) >> 12u);
-    vec4 _e23 = fetchEntries(t_3, (part / 2u));
-    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
-    high = pairs;
+    vec2 ends = vec2(1.0);
+    Choice row_2 = Choice(0u, 0.0);
+    Choice chosen_1 = Choice(0u, 0.0);
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size = uvec2(_e3);
+    uvec2 all_ = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((all_.x ^ (all_.y * 2654435761u)));
+    uint tables = (size.x * size.y);
+    t_3 = Table(tables, (size.y + 1u));
+    digits_1 = all_.y;
+    fine_1 = (_e13 & 4095u);
     while(true) {
-        uint _e41 = low;
-        uint _e42 = step_;
-        uint _e47 = low;
-        uint _e48 = high;
-        uint _e52 = high;
-        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
-        vec4 _e55 = fetchEntries(t_3, next);
-        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
-        bool found_7 = (_e56.y > 0.0);
-        vec2 _e60 = ends;
-        ends = pick(found_7, _e56, _e60);
-        uint _e62 = high;
-        high = pick(found_7, next, _e62);
-        uint _e66 = low;
-        low = pick(found_7, _e66, (next + 1u));
-        uint _e69 = step_;
-        step_ = ((2u * _e69) + 1u);
-        uint _e73 = low;
-        uint _e74 = high;
-        if ((_e73 >= _e74)) {
-            break;
+        bool _e50 = begins;
+        if (_e50) {
+            uint _e52 = t_3.entries;
+            pairs = ((_e52 + 1u) / 2u);
+            uint _e57 = digits_1;
+            uint _e61 = t_3.entries;
+            uint _e63 = digits_1;
+            uint _e67 = t_3.entries;
+            uint part = ((((_e57 >> 12u) * _e61) + (((_e63 & 4095u) * _e67) >> 12u)) >> 12u);
+            Table _e74 = t_3;
+            vec4 _e77 = fetchEntries(_e74, (part / 2u));
+            low = (uint(pick(((part & 1u) == 1u), _e77.w, _e77.y)) >> 12u);
+            uint _e88 = pairs;
+            high = _e88;
+            ends = vec2(1.0);
+            step_ = 0u;
+            begins = false;
+        }
+        uint _e93 = low;
+        uint _e94 = step_;
+        uint _e96 = pairs;
+        uint _e100 = low;
+        uint _e101 = high;
+        uint _e105 = high;
+        uint _e106 = pairs;
+        uint next = pick((_e105 < _e106), ((_e100 + _e101) / 2u), min((_e93 + _e94), (_e96 - 1u)));
+        Table _e109 = t_3;
+        vec4 _e110 = fetchEntries(_e109, next);
+        uint _e111 = digits_1;
+        uint _e112 = fine_1;
+        vec2 _e113 = sharesBeyond(_e110, _e111, _e112);
+        bool found_8 = (_e113.y > 0.0);
+        vec2 _e117 = ends;
+        ends = pick(found_8, _e113, _e117);
+        uint _e119 = high;
+        high = pick(found_8, next, _e119);
+        uint _e123 = low;
+        low = pick(found_8, _e123, (next + 1u));
+        uint _e126 = step_;
+        step_ = ((2u * _e126) + 1u);
+        uint _e130 = low;
+        uint _e131 = high;
+        if ((_e130 >= _e131)) {
+            uint _e133 = high;
+            uint _e134 = pairs;
+            uint pair_3 = min(_e133, (_e134 - 1u));
+            Table _e138 = t_3;
+            vec4 _e143 = fetchEntries(_e138, (max(pair_3, 1u) - 1u));
+            uint _e144 = digits_1;
+            uint _e145 = fine_1;
+            vec2 _e146 = sharesBeyond(_e143, _e144, _e145);
+            float before = _e146.y;
+            uint _e148 = digits_1;
+            uint _e150 = fine_1;
+            float none = -((float(_e148) + (float(_e150) * 0.00024414063)));
+            float _e157 = ends.x;
+            bool isFirst = (_e157 > 0.0);
+            float _e161 = ends.x;
+            float start = pick(isFirst, pick((pair_3 == 0u), none, before), _e161);
+            float _e167 = ends.y;
+            float _e169 = ends.x;
+            float end = pick(isFirst, _e169, _e167);
+            uint _e178 = t_3.entries;
+            chosen_1 = Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (_e178 - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+            bool _e191 = isRow;
+            if (!(_e191)) {
+                break;
+            }
+            Choice _e193 = chosen_1;
+            row_2 = _e193;
+            uint _e201 = row_2.entry;
+            t_3 = Table(((tables + ((size.y + 2u) / 2u)) + (_e201 * ((size.x + 1u) / 2u))), size.x);
+            digits_1 = all_.x;
+            fine_1 = (_e13 >> 20u);
+            isRow = false;
+            begins = true;
         }
     }
-    uint _e76 = high;
-    uint pair_3 = min(_e76, (pairs - 1u));
-    vec4 _e84 = fetchEntries(t_3, (max(pair_3, 1u) - 1u));
-    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
-    float before = _e85.y;
-    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
-    float _e94 = ends.x;
-    bool isFirst = (_e94 > 0.0);
-    float _e98 = ends.x;
-    float start = pick(isFirst, pick((pair_3 == 0u), none, before), _e98);
-    float _e104 = ends.y;
-    float _e106 = ends.x;
-    float end = pick(isFirst, _e106, _e104);
-    return Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (t_3.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+    uint _e217 = chosen_1.entry;
+    uint _e219 = row_2.entry;
+    float _e222 = chosen_1.rest;
+    float _e224 = row_2.rest;
+    return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
 }
 
-ChosenCell chooseCell(vec2 u_12) {
+Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_2 = uvec2(_e3);
-    uvec2 digits_3 = uvec2((u_12 * 16777216.0));
-    uint _e13 = mixBits((digits_3.x ^ (digits_3.y * 2654435761u)));
-    uint columns = ((size_2.x + 1u) / 2u);
-    uint tables = (size_2.x * size_2.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_2.y + 1u)), digits_3.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_2.y + 2u) / 2u)) + (_e29.entry * columns)), size_2.x), digits_3.x, (_e13 >> 20u));
-    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
+    uvec2 size_1 = uvec2(_e3);
+    uint left = (pick((cell.x == 0u), size_1.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_1.x), 0u, cell.x);
+    uint upper = (max(cell.y, 1u) - 1u);
+    uint lower = min(cell.y, (size_1.y - 1u));
+    vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below = vec4(1.0, 1.0, 1.0, pick((cell.y == size_1.y), -1.0, 1.0));
+    vec4 _e49 = environmentTexel(left, upper);
+    vec4 _e51 = environmentTexel(right, upper);
+    vec4 _e53 = environmentTexel(left, lower);
+    vec4 _e55 = environmentTexel(right, lower);
+    return Corners((above_1 * _e49), (above_1 * _e51), (below * _e53), (below * _e55));
 }
 
 float linearSample(float u_13, float a, float b_2) {
@@ -1630,28 +1570,39 @@ float linearSample(float u_13, float a, float b_2) {
     return min((u_13 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_13))), 1e-9)), 1.0);
 }
 
+EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
+    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
+}
+
 EnvironmentSample sampleEnvironment(vec2 u_14) {
-    vec2 size_3 = frame.environmentSize;
+    vec2 size_2 = frame.environmentSize;
     ChosenCell _e4 = chooseCell(u_14);
     Corners _e6 = environmentCorners(_e4.cell);
-    vec2 cell_2 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_3.y));
+    vec2 cell_1 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_1.y == 0.0), (cell_1.y == size_2.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
     float t_11 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
     float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_11), mix(_e6.b.w, _e6.d.w, t_11));
-    bool isLower_1 = ((2.0 * cell_2.y) > size_3.y);
-    float fromPole_1 = pick(isLower_1, ((size_3.y - cell_2.y) + (0.5 - t_11)), (cell_2.y + (t_11 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_3.y)));
+    bool isLower = ((2.0 * cell_1.y) > size_2.y);
+    float fromPole = pick(isLower, ((size_2.y - cell_1.y) + (0.5 - t_11)), (cell_1.y + (t_11 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_2.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_3.x) - _e85));
+    float halfTurns = (2.0 * (((cell_1.x + (_e55 - 0.5)) / size_2.x) - _e85));
     float nearest = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
-    float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_19 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_5);
+    float sine_4 = max(_e76.y, 1e-9);
+    vec3 direction_19 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_11), sine_4);
     return EnvironmentSample(direction_19, _e119);
+}
+
+vec3 sky(vec3 direction_10) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_10.y, 0.0));
 }
 
 LightSample sampleSky(vec2 u_15) {
@@ -1666,58 +1617,58 @@ LightSample sampleSky(vec2 u_15) {
     vec3 _e15 = s_9.direction;
     vec3 _e18 = s_9.light.radiance;
     vec3 _e20 = s_9.direction;
-    vec3 _e21 = sky0_(_e20);
+    vec3 _e21 = sky(_e20);
     float _e25 = s_9.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_20, vec3 point_15, vec2 u_16) {
+LightSample sampleEmitter(Emitter e_17, vec3 point_15, vec2 u_16) {
     LightSample s_10 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_20.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_20, point_15, u_16);
+        if ((e_17.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_17, point_15, u_16);
             s_10 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_20.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_20, point_15, u_16);
+        if ((e_17.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_17, point_15, u_16);
             s_10 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_20.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_20, point_15, u_16);
+        if ((e_17.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_17, point_15, u_16);
             s_10 = _e31;
         }
     }
     const bool _e33 = hasPointLights;
     if (_e33) {
-        if ((e_20.kind == 3.0)) {
-            LightSample _e37 = samplePoint(e_20, point_15);
+        if ((e_17.kind == 3.0)) {
+            LightSample _e37 = samplePoint(e_17, point_15);
             s_10 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_20.kind == 4.0)) {
-            LightSample _e43 = sampleSpot(e_20, point_15);
+        if ((e_17.kind == 4.0)) {
+            LightSample _e43 = sampleSpot(e_17, point_15);
             s_10 = _e43;
         }
     }
     const bool _e45 = hasSuns;
     if (_e45) {
-        if ((e_20.kind == 5.0)) {
-            LightSample _e49 = sampleDirectional(e_20, u_16);
+        if ((e_17.kind == 5.0)) {
+            LightSample _e49 = sampleDirectional(e_17, u_16);
             s_10 = _e49;
         }
     }
     const bool _e51 = hasSky;
     if (_e51) {
-        if ((e_20.kind == 6.0)) {
+        if ((e_17.kind == 6.0)) {
             LightSample _e55 = sampleSky(u_16);
             s_10 = _e55;
         }
@@ -1830,8 +1781,8 @@ vec3 sampleVisibleNormal(vec3 wo_2, float alpha_2, float bound, vec2 u_18) {
     vec3 w_4 = (vec3((alpha_2 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_3 = ((6.2831855 * u_18.x) - 3.1415927);
     float drop = (u_18.y * (1.0 + (bound * w_4.z)));
-    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_6 = (w_4 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    float sine_5 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_6 = (w_4 + vec3((sine_5 * cos(phi_3)), (sine_5 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_2 * h_6.xy), max(h_6.z, 1e-7)));
 }
 
@@ -1996,8 +1947,8 @@ bool hidesApart(uint code_9) {
 }
 
 float singleScatteringAlbedo(float cosine_8, float alpha_5) {
-    float x_19 = (cosine_8 / (cosine_8 + alpha_5));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_19 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_19 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_19 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_19 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_20 = (cosine_8 / (cosine_8 + alpha_5));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_20 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_20 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_20 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_20 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_1 = (alpha_5 * alpha_5);
     return min(dot(byAlpha, vec4(1.0, alpha_5, a2_1, (a2_1 * alpha_5))), 1.0);
 }
@@ -2034,7 +1985,7 @@ FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
     bool _e82 = hidesApart(uint(s_15.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_3.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
-    float chosen_1 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
+    float chosen_2 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
@@ -2042,7 +1993,7 @@ FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
-    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_2) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
 }
 
 vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
@@ -2085,9 +2036,9 @@ vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
 }
 
 BsdfSample completed(BsdfSample drawn_1, vec4 value_1) {
-    float pdf_5 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_5), pick(drawn_1.delta, drawn_1.weight, weight_2), drawn_1.delta);
+    float pdf_4 = pick((drawn_1.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_2 = pick((pdf_4 > 0.0), (value_1.xyz / vec3(max(pdf_4, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_1.direction, pick(drawn_1.delta, drawn_1.pdf, pdf_4), pick(drawn_1.delta, drawn_1.weight, weight_2), drawn_1.delta);
 }
 
 Pair evaluatePair(Surface s_17, Outgoing o_5, vec3 toLight_1, BsdfSample drawn_2) {
@@ -2139,8 +2090,8 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 hero_1 = vec3(1.0);
     RayPair rays_1 = p_9.rays;
-    bool escaped_1 = (hit_2.shape == noShape);
-    uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
+    bool escaped = (hit_2.shape == noShape);
+    uint shape_1 = pick(escaped, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_1, hit_2, shape_1);
     surface_1 = _e10.surface;
     float _e14 = surface_1.code;
@@ -2157,74 +2108,81 @@ void meetSurface(inout Path p_9, PairHit hit_2) {
     if (pick(_e41, true, hasTransmission)) {
         float _e45 = surface_1.code;
         bool _e47 = isThin(uint(_e45));
-        bool inside_4 = pick(pick(pick(_e19, !(_e47), false), (_e39.z < 0.0), false), !(escaped_1), false);
+        bool inside_4 = pick(pick(pick(_e19, !(_e47), false), (_e39.z < 0.0), false), !(escaped), false);
         vec3 _e57 = p_9.throughput;
         vec3 _e59 = surface_1.absorption;
         p_9.throughput = (_e57 * exp((-(_e59) * pick(inside_4, hit_2.t, 0.0))));
     }
     Emitter _e68 = fetchEmitter(0u);
-    vec3 _e70 = p_9.radiance;
-    vec3 _e72 = p_9.throughput;
-    Path _e73 = p_9;
-    Surface _e74 = surface_1;
-    vec3 _e76 = foundLight(_e73, hit_2, _e74, _e10.geometric, _e68);
-    p_9.radiance = (_e70 + (_e72 * _e76));
+    p_9.escaped = escaped;
+    Path _e70 = p_9;
+    Surface _e71 = surface_1;
+    vec3 _e73 = metLight(_e70, hit_2, _e71, _e10.geometric, _e68);
+    vec3 _e75 = p_9.radiance;
+    vec3 _e77 = p_9.throughput;
+    p_9.radiance = (_e75 + (_e77 * pick(escaped, vec3(0.0), _e73)));
     vec3 litSide = pick(_e19, vec3(0.0), normal_9);
-    vec3 _e83 = next3d(p_9.sampler_);
-    vec3 _e85 = next3d(p_9.sampler_);
-    EmitterChoice _e87 = chooseEmitter(point_16, litSide, _e83.z);
-    Emitter _e89 = emitterAt(_e87.index, _e68);
-    LightSample _e91 = sampleEmitter(_e89, point_16, _e83.xy);
-    float lightPdf = (_e91.pdf * _e87.probability);
-    Surface _e98 = surface_1;
-    vec3 _e99 = hero_1;
-    Outgoing _e100 = outgoing(_e98, _e39, _e99);
-    Surface _e101 = surface_1;
-    BsdfSample _e102 = sampleLobe(_e101, _e100, _e85);
-    Surface _e103 = surface_1;
-    Basis _e104 = basis;
-    vec3 _e106 = toLocal(_e104, _e91.direction);
-    Pair _e107 = evaluatePair(_e103, _e100, _e106, _e102);
+    TwoPoints _e87 = nextTwo3d(p_9.sampler_);
+    EmitterChoice _e90 = chooseEmitter(point_16, litSide, _e87.first.z);
+    Emitter _e92 = emitterAt(_e90.index, _e68);
+    LightSample _e95 = sampleEmitter(_e92, point_16, _e87.first.xy);
+    float lightPdf = (_e95.pdf * _e90.probability);
+    Surface _e102 = surface_1;
+    vec3 _e103 = hero_1;
+    Outgoing _e104 = outgoing(_e102, _e39, _e103);
+    Surface _e105 = surface_1;
+    BsdfSample _e107 = sampleLobe(_e105, _e104, _e87.second);
+    Surface _e108 = surface_1;
+    Basis _e109 = basis;
+    vec3 _e111 = toLocal(_e109, _e95.direction);
+    Pair _e112 = evaluatePair(_e108, _e104, _e111, _e107);
     bool opaque = pick(hasMeshes, !(_e19), false);
-    bool _e115 = crosses(_e10.geometric, _e91.direction, -(rays_1.direction));
-    bool lightLeaks = pick(opaque, _e115, false);
-    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e107.toLight);
-    bool alone = pick(_e91.delta, true, pick((_e89.shape < 0.0), (_e91.distance_ < 1e30), false));
-    float _e131 = misWeight(lightPdf, toLight_6.w);
-    float lightWeight = (pick(alone, 1.0, _e131) / lightPdf);
-    BsdfSample bsdf = _e107.drawn;
-    Basis _e136 = basis;
-    vec3 _e138 = toWorld(_e136, bsdf.direction);
-    bool _e142 = crosses(_e10.geometric, _e138, -(rays_1.direction));
-    bool leaks = pick(opaque, _e142, false);
-    uint _e146 = p_9.depth;
-    uint _e149 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e146 != _e149), false);
-    vec3 _e153 = p_9.throughput;
-    vec3 contribution = (((_e153 * toLight_6.xyz) * _e91.radiance) * lightWeight);
-    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e91.radiance), vec3(0.0))), false);
+    bool _e120 = crosses(_e10.geometric, _e95.direction, -(rays_1.direction));
+    bool lightLeaks = pick(opaque, _e120, false);
+    vec4 toLight_6 = pick(lightLeaks, vec4(0.0), _e112.toLight);
+    bool alone = pick(_e95.delta, true, pick((_e92.shape < 0.0), (_e95.distance_ < 1e30), false));
+    float _e136 = misWeight(lightPdf, toLight_6.w);
+    float lightWeight = (pick(alone, 1.0, _e136) / lightPdf);
+    BsdfSample bsdf = _e112.drawn;
+    Basis _e141 = basis;
+    vec3 _e143 = toWorld(_e141, bsdf.direction);
+    bool _e147 = crosses(_e10.geometric, _e143, -(rays_1.direction));
+    bool leaks = pick(opaque, _e147, false);
+    uint _e151 = p_9.depth;
+    uint _e154 = frame.maxDepth;
+    bool goesOn = pick(!(escaped), (_e151 != _e154), false);
+    vec3 _e158 = p_9.throughput;
+    vec3 contribution = (((_e158 * toLight_6.xyz) * _e95.radiance) * lightWeight);
+    bool lit_1 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_6.xyz * _e95.radiance), vec3(0.0))), false);
     p_9.light = pick(lit_1, contribution, vec3(0.0));
-    vec3 _e175 = p_9.throughput;
-    vec3 throughput = (_e175 * bsdf.weight);
-    float _e178 = max3_(throughput);
-    uint _e184 = p_9.depth;
-    float survival = pick((_e184 < rouletteDepth), 1.0, min((_e178 / 0.33333334), 0.95));
-    float _e196 = max3_(throughput);
-    float _e201 = nextHash(p_9.sampler_);
-    p_9.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e196 > 0.0), false), (_e201 < survival), false);
-    p_9.throughput = (throughput / vec3(survival));
-    uint _e209 = p_9.depth;
-    p_9.depth = (_e209 + 1u);
-    p_9.pdf = pick(bsdf.delta, 0.0, bsdf.pdf);
-    p_9.litSide = litSide;
-    p_9.odds = _e87.odds;
-    bool _e219 = isFlat(shape_1);
-    bool solid = !(_e219);
-    uint lightShape = pick((_e89.shape >= 0.0), uint(max(_e89.shape, 0.0)), noShape);
-    bool _e236 = p_9.alive;
-    Sampler _e251 = p_9.sampler_;
-    uint _e252 = numberOfNext(_e251);
-    p_9.rays = RayPair(point_16, shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e236, _e138, pick(solid, (dot(_e138, outward_1) < 0.0), false), _e91.direction, pick(solid, (dot(_e91.direction, outward_1) < 0.0), false), pick(lit_1, _e91.distance_, -1.0), lightShape, _e252);
+    vec3 _e180 = p_9.throughput;
+    vec3 throughput = (_e180 * bsdf.weight);
+    float _e183 = max3_(throughput);
+    uint _e189 = p_9.depth;
+    float survival = pick((_e189 < rouletteDepth), 1.0, min((_e183 / 0.33333334), 0.95));
+    float _e201 = max3_(throughput);
+    float _e206 = nextHash(p_9.sampler_);
+    p_9.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e201 > 0.0), false), (_e206 < survival), false);
+    uint _e211 = p_9.depth;
+    p_9.depth = (_e211 + 1u);
+    bool stays = pick(true, escaped, false);
+    vec3 _e219 = p_9.throughput;
+    p_9.throughput = pick(stays, _e219, (throughput / vec3(survival)));
+    float _e227 = p_9.pdf;
+    p_9.pdf = pick(stays, _e227, pick(bsdf.delta, 0.0, bsdf.pdf));
+    vec3 _e231 = p_9.litSide;
+    p_9.litSide = pick(stays, _e231, litSide);
+    float _e239 = p_9.odds.total;
+    p_9.odds.total = pick(stays, _e239, _e90.odds.total);
+    float _e247 = p_9.odds.tree;
+    p_9.odds.tree = pick(stays, _e247, _e90.odds.tree);
+    bool _e249 = isFlat(shape_1);
+    bool solid = !(_e249);
+    uint lightShape = pick((_e92.shape >= 0.0), uint(max(_e92.shape, 0.0)), noShape);
+    bool _e268 = p_9.alive;
+    Sampler _e285 = p_9.sampler_;
+    uint _e286 = numberOfNext(_e285);
+    p_9.rays = RayPair(pick(stays, rays_1.point, point_16), shape_1, hit_2.triangle, (1e-5 * length(point_16)), _e268, pick(stays, rays_1.direction, _e143), pick(solid, (dot(_e143, outward_1) < 0.0), false), _e95.direction, pick(solid, (dot(_e95.direction, outward_1) < 0.0), false), pick(lit_1, _e95.distance_, -1.0), lightShape, _e286);
     return;
 }
 
@@ -2248,9 +2206,146 @@ bool isOver(Path p_11) {
     return pick(!(p_11.alive), (p_11.rays.lightDistance < 0.0), false);
 }
 
+vec2 quadrantAngles(vec2 x_15, vec2 y_7) {
+    vec2 low_2 = min(x_15, y_7);
+    vec2 high_2 = max(x_15, y_7);
+    bvec2 middle_3 = greaterThan(low_2, (0.41421357 * high_2));
+    vec2 r_2 = (mix(low_2, (low_2 - high_2), middle_3) / max(mix(high_2, (low_2 + high_2), middle_3), vec2(1e-30)));
+    vec2 z_3 = (r_2 * r_2);
+    vec2 series_1 = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_3) * r_2) + r_2));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_15));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_11) {
+    vec2 size_3 = frame.environmentSize;
+    float sine_6 = max(length(direction_11.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_6));
+    float turn_1 = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
+    float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
+    float row_4 = floor(fromPole_1);
+    bool isLower_1 = (direction_11.y < 0.0);
+    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_3.y - row_4), row_4));
+    float within_2 = (fromPole_1 - row_4);
+    vec2 at_2 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
+    Corners _e66 = environmentCorners(uvec2(cell_2));
+    EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_6);
+    return _e67;
+}
+
+EnvironmentLight skyLight(vec3 direction_12) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_12);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_12);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight skySeen(vec3 direction_13) {
+    FarLight far = FarLight(vec3(0.0), 0.0);
+    const bool _e7 = hasSky;
+    if (_e7) {
+        EnvironmentLight _e8 = skyLight(direction_13);
+        far = FarLight(_e8.radiance, _e8.pdf);
+    }
+    FarLight _e12 = far;
+    return _e12;
+}
+
+bool isOnDisc(Emitter e_18, vec3 direction_14) {
+    vec3 chord = (direction_14 + e_18.u);
+    return ((3.1415927 * dot(chord, chord)) < e_18.area);
+}
+
+float directionalPdf(Emitter e_19, vec3 direction_15) {
+    bool _e7 = isOnDisc(e_19, direction_15);
+    return pick(_e7, (1.0 / max(e_19.area, 1e-31)), 0.0);
+}
+
+FarLight farLight(Emitter e_20, vec3 direction_16, FarLight sky_1) {
+    FarLight far_1 = FarLight(vec3(0.0), 0.0);
+    const bool _e9 = hasSuns;
+    if (_e9) {
+        bool _e13 = isOnDisc(e_20, direction_16);
+        bool seen_1 = pick((e_20.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_20, direction_16);
+        far_1 = FarLight(pick(seen_1, e_20.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+    }
+    const bool _e24 = hasSky;
+    if (_e24) {
+        if ((e_20.kind == 6.0)) {
+            far_1 = sky_1;
+        }
+    }
+    FarLight _e28 = far_1;
+    return _e28;
+}
+
+void addSkyAndSuns(inout Path p_12) {
+    vec3 found_7 = vec3(0.0);
+    uint i_18 = 0u;
+    vec3 direction_20 = p_12.rays.direction;
+    FarLight _e4 = skySeen(direction_20);
+    while(true) {
+        uint _e10 = i_18;
+        Emitter _e11 = fetchEmitter(_e10);
+        FarLight _e12 = farLight(_e11, direction_20, _e4);
+        vec3 _e16 = p_12.rays.point;
+        vec3 _e18 = p_12.litSide;
+        Odds _e20 = p_12.odds;
+        float _e21 = listedProbability(_e11, _e16, _e18, _e20);
+        float pdf_5 = (_e12.pdf * _e21);
+        vec3 _e23 = found_7;
+        float _e26 = p_12.pdf;
+        float _e27 = misWeight(_e26, pdf_5);
+        float _e29 = p_12.pdf;
+        found_7 = (_e23 + (_e12.radiance * pick((_e29 <= 0.0), 1.0, _e27)));
+        uint _e37 = i_18;
+        i_18 = (_e37 + 1u);
+        const bool _e40 = hasManyLights;
+        if (!(_e40)) {
+            break;
+        }
+        uint _e42 = i_18;
+        uint _e45 = frame.farEmitters;
+        if ((_e42 >= _e45)) {
+            break;
+        }
+    }
+    vec3 _e48 = p_12.radiance;
+    vec3 _e50 = p_12.throughput;
+    vec3 _e51 = found_7;
+    p_12.radiance = (_e48 + (_e50 * _e51));
+    return;
+}
+
+void addFarLight(inout Path p_13) {
+    const bool _e2 = hasSky;
+    const bool _e4 = hasSuns;
+    if (pick(_e2, true, _e4)) {
+        bool _e7 = p_13.escaped;
+        uint _e10 = frame.emitterCount;
+        if (pick(_e7, (_e10 > 0u), false)) {
+            addSkyAndSuns(p_13);
+            return;
+        } else {
+            return;
+        }
+    } else {
+        return;
+    }
+}
+
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 texel = uvec2(fragment.xy);
     uvec2 _e5 = frame.origin;
@@ -2265,6 +2360,7 @@ void main() {
             break;
         }
     }
+    addFarLight(p);
     uint _e22 = frame.sampleIndex;
     if ((_e22 > 0u)) {
         vec4 _e27 = texelFetch(previousFilm, ivec2(texel), 0);

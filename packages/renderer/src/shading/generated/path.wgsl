@@ -15,6 +15,7 @@ struct Film {
       break;
     }
   }
+  addFarLight(&p);
   var film = Film(vec4f(0.0), vec4f(0.0));
   if (frame.sampleIndex > 0u) {
     film = Film(textureLoad(previousFilm, texel, 0), textureLoad(previousSquares, texel, 0));
@@ -42,10 +43,22 @@ var<private> ownSums: array<vec3f, 8>;
 
 var<private> ownSquares: array<vec3f, 8>;
 
-// All shares of one group.
-var<workgroup> sums: array<vec3f, 128>;
+// Shares of one group, sum and squares one after the other, which a pixel's threads hand to the first of them. Not in shared memory: code
+// that sets it to zero element by element takes Windows' compiler (FXC) longer than all the rest.
+@group(0) @binding(10) var<storage, read_write> handed: array<vec4f>;
 
-var<workgroup> squares: array<vec3f, 128>;
+struct Share {
+  sum: vec3f,
+  square: vec3f,
+}
+
+
+// By the thread `i` of the pixel whose threads' room begins at `first`; nothing by one that is not there.
+fn handedBy(first: u32, i: u32, shares: u32) -> Share {
+  let row = 2u * (first + min(i, shares - 1u));
+  let counts = i < shares;
+  return Share(select(vec3f(0.0), handed[row].xyz, counts), select(vec3f(0.0), handed[row + 1u].xyz, counts));
+}
 
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let shares = frame.shares;
@@ -70,6 +83,7 @@ var<workgroup> squares: array<vec3f, 128>;
     }
     extendPath(&p);
     if (isOver(p)) {
+      addFarLight(&p);
       let i = index / group - firstGroup;
       ownSums[i] += p.radiance;
       ownSquares[i] += p.radiance * p.radiance;
@@ -84,21 +98,34 @@ var<workgroup> squares: array<vec3f, 128>;
     square = textureLoad(previousSquares, texel, 0);
   }
   let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
+  let first = (inRegion.y * region.y + inRegion.x) * shares;
+  let own = 2u * (first + thread % shares);
   for (var g = 0u; g < groups; g++) {
-    sums[thread] = ownSums[g];
-    squares[thread] = ownSquares[g];
-    workgroupBarrier();
+    if (inside) {
+      handed[own] = vec4f(ownSums[g], 0.0);
+      handed[own + 1u] = vec4f(ownSquares[g], 0.0);
+    }
+    storageBarrier();
     if (adds) {
-      var groupSum = sums[thread];
-      var groupSquare = squares[thread];
-      for (var i = thread + 1u; i < thread + shares; i++) {
-        groupSum += sums[i];
-        groupSquare += squares[i];
+      var groupSum = vec3f(0.0);
+      var groupSquare = vec3f(0.0);
+      // Several at a time, so that a GPU waits for them together.
+      for (var i = 0u; i < shares; i += 8u) {
+        let a = handedBy(first, i, shares);
+        let b = handedBy(first, i + 1u, shares);
+        let c = handedBy(first, i + 2u, shares);
+        let d = handedBy(first, i + 3u, shares);
+        let e = handedBy(first, i + 4u, shares);
+        let f = handedBy(first, i + 5u, shares);
+        let h = handedBy(first, i + 6u, shares);
+        let k = handedBy(first, i + 7u, shares);
+        groupSum = groupSum + a.sum + b.sum + c.sum + d.sum + e.sum + f.sum + h.sum + k.sum;
+        groupSquare = groupSquare + a.square + b.square + c.square + d.square + e.square + f.square + h.square + k.square;
       }
       sum += vec4f(groupSum, 0.0);
       square += vec4f(groupSquare, 0.0);
     }
-    workgroupBarrier();
+    storageBarrier();
   }
   if (!adds) {
     return;
@@ -112,10 +139,20 @@ fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
   let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
   let camera = cameraRay(filmPosition, lensPoint(&s));
   let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
+  return Path(rays, vec3f(0.0), true, vec3f(1.0), false, 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
+
+// And of what is infinitely far, sky and suns: asked for once a path is over. In the loop over its vertices it would stand in the way of
+// those that go on, and Windows' shader compiler takes the longer for a loop the more is in it.
+fn addFarLight(p: ptr<function, Path>) {
+  if (hasSky | hasSuns) {
+    if ((*p).escaped & (frame.emitterCount > 0u)) {
+      addSkyAndSuns(p);
+    }
+  }
+}
 
 // The rays traced, and what they met taken up; the next two rays are ready, if any.
 fn extendPath(p: ptr<function, Path>) {
@@ -192,6 +229,8 @@ struct Path {
   // Whether the path's own ray goes on.
   alive: bool,
   throughput: vec3f,
+  // Whether its ray has met nothing: addFarLight.
+  escaped: bool,
   depth: u32,
   radiance: vec3f,
   // Density of the present direction by the BSDF, per steradian; 0: only the BSDF could find it.
@@ -276,23 +315,23 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   
   
   let only = fetchEmitter(0u);
-  (*p).radiance += (*p).throughput * foundLight(*p, hit, surface, met.geometric, only);
-
+  (*p).escaped = escaped;
   // Among meshes many paths end in the sky, side by side. A branch would cost other scenes more than it saves.
   
+  let found = metLight(*p, hit, surface, met.geometric, only);
+  (*p).radiance += (*p).throughput * select(found, vec3f(0.0), escaped);
 
   // Light that must come from this side to count: none is excluded where light goes through.
   let litSide = select(normal, vec3f(0.0), isClear);
-  let uLight = next3d(&(*p).sampler);
-  let uBsdf = next3d(&(*p).sampler);
-  let choice = chooseEmitter(point, litSide, uLight.z);
+  let u = nextTwo3d(&(*p).sampler);
+  let choice = chooseEmitter(point, litSide, u.first.z);
   let emitter = emitterAt(choice.index, only);
-  let light = sampleEmitter(emitter, point, uLight.xy);
+  let light = sampleEmitter(emitter, point, u.first.xy);
   let lightPdf = light.pdf * choice.probability;
   var hero = vec3f(1.0);
   
   let o = outgoing(surface, wo, hero);
-  let drawn = sampleLobe(surface, o, uBsdf);
+  let drawn = sampleLobe(surface, o, u.second);
   let values = evaluatePair(surface, o, toLocal(basis, light.direction), drawn);
   // What is opaque lets no light through, even where a shading normal says that it comes from the front.
   let opaque = hasMeshes & !isClear;
@@ -311,14 +350,17 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
   (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
-  (*p).throughput = throughput / survival;
   (*p).depth++;
-  (*p).pdf = select(bsdf.pdf, 0.0, bsdf.delta);
-  (*p).litSide = litSide;
-  (*p).odds = choice.odds;
+  // A ray that escaped is still asked for.
+  let stays = !hasMeshes & escaped;
+  (*p).throughput = select(throughput / survival, (*p).throughput, stays);
+  (*p).pdf = select(select(bsdf.pdf, 0.0, bsdf.delta), (*p).pdf, stays);
+  (*p).litSide = select(litSide, (*p).litSide, stays);
+  (*p).odds.total = select(choice.odds.total, (*p).odds.total, stays);
+  (*p).odds.tree = select(choice.odds.tree, (*p).odds.tree, stays);
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(point, shape, hit.triangle, relativeTMin * length(point), (*p).alive, direction, solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
+  (*p).rays = RayPair(select(point, rays.point, stays), shape, hit.triangle, relativeTMin * length(point), (*p).alive, select(direction, rays.direction, stays), solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
@@ -370,58 +412,35 @@ fn fetchEmitter(i: u32) -> Emitter {
   return Emitter(t0.xyz, t0.w, t1.xyz, t1.w, t2.xyz, t2.w, t3.xyz, t3.w, t4.x, t4.y, t4.z, t4.w, t5.x, t5.y, t5.z, t5.w);
 }
 
-// Light that the ray found by itself: of the surface that it met, or of what is infinitely far, sky and suns.
-fn foundLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
-  let escaped = hit.shape == noShape;
+// Triangle meshes, and such with shading normals of their own.
+const hasMeshes = false;
+
+// Light that the ray found by itself: of the surface that it met.
+fn metLight(p: Path, hit: PairHit, s: Surface, outward: vec3f, only: Emitter) -> vec3f {
   let direction = p.rays.direction;
   let hidden = ((u32(s.code) & 16u) != 0u) & (dot(outward, direction) > 0.0);
   let own = emitterOf(s.code);
-  var found = select(s.emission, vec3f(0.0), hidden | escaped);
+  var found = select(s.emission, vec3f(0.0), hidden);
   // A lamp beyond the number of emitters that light sampling knows counts whole.
-  let weighed = escaped | (own >= 0);
-  if (weighed & (frame.emitterCount > 0u)) {
-    let emission = found;
-    found = vec3f(0.0);
-    var i = select(u32(max(own, 0)), 0u, escaped);
+  if ((own >= 0) & (frame.emitterCount > 0u)) {
+    var i = u32(max(own, 0));
     
-    // One sky, or one lamp that was met: looked up before the loop. A compiler takes the longer for a loop the more is in it.
-    let sky = skySeen(direction);
     let met = emitterAt(i, only);
     let density = shapePdf(met, p.rays.point, direction, hit.t, outward, hit.triangle.triangle);
-    var byTree = 0.0;
+    var probability = listedProbability(met, p.rays.point, p.litSide, p.odds);
     
-    loop {
-      let e = emitterAt(i, only);
-      let far = farLight(e, direction, sky);
-      var probability = listedProbability(e, p.rays.point, p.litSide, p.odds);
-      
-      let pdf = select(density, far.pdf, escaped) * probability;
-      let radiance = select(emission, far.radiance, escaped);
-      found += radiance * select(misWeight(p.pdf, pdf), 1.0, p.pdf <= 0.0);
-      i++;
-      if (!hasManyLights) {
-        break;
-      }
-      if (!hasSky) {
-        if (!hasSuns) {
-          break;
-        }
-      }
-      if (!escaped | (i >= frame.farEmitters)) {
-        break;
-      }
-    }
+    found *= select(misWeight(p.pdf, density * probability), 1.0, p.pdf <= 0.0);
   }
   return found;
 }
 
-// Triangle meshes, and such with shading normals of their own.
-const hasMeshes = false;
-
-fn next3d(s: ptr<function, Sampler>) -> vec3f {
-  let g = nextGroup(s);
-  let z = scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u));
-  return vec3f(points2d(g), toUnit(z));
+fn nextTwo3d(s: ptr<function, Sampler>) -> TwoPoints {
+  let g = nextGroups(*s);
+  (*s).key = (*s).key + 2u;
+  let x = firstOf(g);
+  let y = secondOf(g);
+  let z = thirdOf(g);
+  return TwoPoints(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
 }
 
 // `normal` is that of the side that the point is seen from, or vec3f(0) where light comes through from both. One loop: weighted
@@ -663,12 +682,16 @@ fn unitFloat(h: u32) -> f32 {
   return f32(h >> 8u) * 5.9604644775390625e-8;
 }
 
+fn mixBits(x: u32) -> u32 {
+  return mixBits2(vec2u(x)).x;
+}
+
 // A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
 // C. Wellons, "Prospecting for Hash Functions", 2018, with the constants found by T. Ettinger.
-fn mixBits(x: u32) -> u32 {
-  var y = (x ^ (x >> 16u)) * 0x21f0aaadu;
-  y = (y ^ (y >> 15u)) * 0x735a2d97u;
-  return y ^ (y >> 15u);
+fn mixBits2(x: vec2u) -> vec2u {
+  var y = (x ^ (x >> vec2u(16u))) * 0x21f0aaadu;
+  y = (y ^ (y >> vec2u(15u))) * 0x735a2d97u;
+  return y ^ (y >> vec2u(15u));
 }
 
 // The geometric normal where the path's ray ends on a shape that is no mesh: unit length, out of solids.
@@ -687,7 +710,9 @@ fn normalAt(p: RayPair, t: f32, i: u32) -> vec3f {
     normal = select(normal, turnedBack(e.a, face), isBox(i));
   }
   if (hasSpheres) {
-    normal = select(normal, origin + t * p.direction, isSphere(i));
+    // From so far away that its hits are rounded to its centre, a sphere faces the ray.
+    let outwards = origin + t * p.direction;
+    normal = select(normal, select(outwards, -p.direction, dot(outwards, outwards) == 0.0), isSphere(i));
   }
   return normalize(normal);
 }
@@ -949,16 +974,6 @@ fn emitterOf(code: f32) -> i32 {
   return (i32(code) >> 7u) - 1;
 }
 
-// Of the sky, whichever emitter it is.
-fn skySeen(direction: vec3f) -> FarLight {
-  var far = FarLight(vec3f(0.0), 0.0);
-  if (hasSky) {
-    let seen = skyLight(direction);
-    far = FarLight(seen.radiance, seen.pdf);
-  }
-  return far;
-}
-
 // The density with which sampleEmitter gives that direction, for an emitter that is a shape. The ray met it `distance` away, with that
 // outward normal; of a mesh, the triangle at that place.
 fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: vec3f, place: u32) -> f32 {
@@ -982,21 +997,6 @@ fn shapePdf(e: Emitter, point: vec3f, direction: vec3f, distance: f32, normal: v
   return pdf;
 }
 
-// `sky`: skySeen in that direction.
-fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
-  var far = FarLight(vec3f(0.0), 0.0);
-  if (hasSuns) {
-    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
-    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
-  }
-  if (hasSky) {
-    if (e.kind == skyKind) {
-      far = sky;
-    }
-  }
-  return far;
-}
-
 // With which chooseEmitter would have chosen this one there, which is not in the tree.
 fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32 {
   var probability = f32(min(frame.emitterCount, 1u));
@@ -1009,171 +1009,10 @@ fn listedProbability(e: Emitter, point: vec3f, normal: vec3f, odds: Odds) -> f32
   return probability;
 }
 
-override hasManyLights = true;
-
-override hasSky = true;
-
-override hasSuns = false;
-
-// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
-// before the sky and add to it.
-struct FarLight {
-  radiance: vec3f,
-  pdf: f32,
-}
-
-
-const directionalKind = 5.0;
-
-// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
-fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
-  let chord = direction + e.u;
-  return pi * dot(chord, chord) < e.area;
-}
-
-fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
-  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
-}
-
-const pi = 3.14159265359;
-
-const skyKind = 6.0;
-
-// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
-// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
-fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
-  let isQuad = hasQuadLights & (e.kind == quadKind);
-  let isFar = hasSuns & (e.kind == directionalKind);
-  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
-  let toLight = select(middle - point, -e.u, isFar);
-  let distance2 = dot(toLight, toLight);
-  let distance = sqrt(distance2);
-  let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
-  // On the axis of a disc the first is exact, outside of a sphere the second.
-  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
-  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
-  if (hasQuadLights) {
-    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
-    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
-    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
-    estimate *= select(1.0, lampCosine, isQuad);
-  }
-  
-  if (hasPointLights) {
-    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
-  }
-  if (hasSky) {
-    estimate = select(estimate, e.power, e.kind == skyKind);
-  }
-  return estimate;
-}
-
-override hasQuadLights = false;
-
-const quadKind = 1.0;
-
-override hasPointLights = false;
-
-// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
-fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
-  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
-  return share * share;
-}
-
-const spotKind = 4.0;
-
-// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
-fn skyLight(direction: vec3f) -> EnvironmentLight {
-  var light = white;
-  if (hasEnvironment) {
-    light = lookUpEnvironment(direction);
-  }
-  return EnvironmentLight(light.radiance * sky0(direction), light.pdf);
-}
-
-// Without a map: white, uniform in all directions.
-const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
-
-// A sky with a map.
-override hasEnvironment = false;
-
-fn sky0(direction: vec3f) -> vec3f {
-  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
-}
-
-fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
-  let size = frame.environmentSize;
-  let sine = max(length(direction.xz), 1e-9);
-  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
-  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
-  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
-  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
-  let fromPole = angles.y * (size.y / pi) + 0.5;
-  let row = floor(fromPole);
-  let isLower = direction.y < 0.0;
-  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
-  let within = fromPole - row;
-  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
-  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
-}
-
-// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
-fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
-  let low = min(x, y);
-  let high = max(x, y);
-  let middle = low > 0.4142135624 * high;
-  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
-  let z = r * r;
-  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
-  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
-  return select(angle, 1.570796327 - angle, y > x);
-}
-
-fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
-  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
-}
-
-fn environmentCorners(cell: vec2u) -> Corners {
-  let size = vec2u(frame.environmentSize);
-  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
-  let right = select(cell.x, 0u, cell.x == size.x);
-  let upper = max(cell.y, 1u) - 1u;
-  let lower = min(cell.y, size.y - 1u);
-  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
-  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
-  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
-}
-
-struct EnvironmentLight {
-  radiance: vec3f,
-  // Per solid angle.
-  pdf: f32,
-}
-
-
-// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
-// the upper pole, j = rows that at the lower.
-struct Corners {
-  a: vec4f,
-  b: vec4f,
-  c: vec4f,
-  d: vec4f,
-}
-
-
-// As in table_texel.wesl.
-fn environmentTexel(column: u32, row: u32) -> vec4f {
-  return textureLoad(environment, vec2u(column, row), 0);
-}
-
-// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
-@group(0) @binding(4) var environment: texture_2d<f32>;
-
 // Kinds of light, and more than one of them.
 override hasSphereLights = true;
+
+override hasQuadLights = false;
 
 override hasBoxLights = false;
 
@@ -1212,6 +1051,10 @@ struct SphereView {
   width: f32,
 }
 
+
+const pi = 3.14159265359;
+
+const quadKind = 1.0;
 
 fn quadPdf(e: Emitter, point: vec3f, distance: f32) -> f32 {
   return pdfOfView(viewQuad(e, point), e.area, distance);
@@ -1321,83 +1164,151 @@ struct BoxView {
 }
 
 
-fn nextGroup(s: ptr<function, Sampler>) -> Group {
-  (*s).key = (*s).key + 1u;
-  let a = mixBits((*s).key);
-  let half = (a ^ (*s).salt) * 0x9e3779b1u;
-  let b = half ^ (half >> 16u);
-  let place = scramble((*s).place, b);
+override hasManyLights = true;
+
+// `power` is the intensity towards the brightest side, so that power / distance^2 is an irradiance. Both cosines are taken with the
+// light grown to its bounding sphere: 0 only where all of it lies below the horizon, and right from afar.
+fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
+  let isQuad = hasQuadLights & (e.kind == quadKind);
+  let isFar = hasSuns & (e.kind == directionalKind);
+  let middle = e.position + select(vec3f(0.0), 0.5 * (e.u + e.v), isQuad);
+  let toLight = select(middle - point, -e.u, isFar);
+  let distance2 = dot(toLight, toLight);
+  let distance = sqrt(distance2);
+  let grown = max(distance + e.reach, 1e-15);
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  // On the axis of a disc the first is exact, outside of a sphere the second.
+  let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
+  var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
+  if (hasQuadLights) {
+    let height = -dot(cross(e.u, e.v), toLight) / max(e.area, 1e-30);
+    let side = select(abs(height), max(height, 0.0), e.oneSided == 1.0);
+    let lampCosine = select(0.0, (side + e.reach) / grown, side > 0.0);
+    estimate *= select(1.0, lampCosine, isQuad);
+  }
+  
+  if (hasPointLights) {
+    estimate *= select(1.0, spotFalloff(e, toLight / max(distance, 1e-15)), e.kind == spotKind);
+  }
+  if (hasSky) {
+    estimate = select(estimate, e.power, e.kind == skyKind);
+  }
+  return estimate;
+}
+
+override hasSuns = false;
+
+const directionalKind = 5.0;
+
+override hasPointLights = false;
+
+override hasSky = true;
+
+// glTF's KHR_lights_punctual, "Inner and Outer Cone Angles": full within the inner cone, none outside of the outer.
+fn spotFalloff(e: Emitter, toLight: vec3f) -> f32 {
+  let share = clamp((-dot(toLight, e.u) - e.radius) / (e.cosInner - e.radius), 0.0, 1.0);
+  return share * share;
+}
+
+const spotKind = 4.0;
+
+const skyKind = 6.0;
+
+// The next one and the one after that, neither of them taken yet.
+fn nextGroups(s: Sampler) -> Groups {
+  let a = mixBits2(s.key + vec2u(1u, 2u));
+  let half = (a ^ vec2u(s.salt)) * 0x9e3779b1u;
+  let b = half ^ (half >> vec2u(16u));
+  let place = scramble(vec2u(s.place), b);
   // A product with an even number reaches only bits above the lowest one that is set. So the flips that decide where a run of the first
   // 2^m samples goes are the tile's, and the union of such runs is a net; all other flips are the pixel's own, or else the errors that
   // come from two groups together would be the same all over the tile.
-  let own = (*s).sample * ((place >> 7u) & 0xfffffffeu);
-  let index = reversed(scramble((*s).sample ^ own, a) & 0xffffu);
-  return Group(index, shiftOfPlace(place & 0xffu), (a >> 16u) | (a * 65536u), (b >> 16u) | (b * 65536u));
+  let own = s.sample * ((place >> vec2u(7u)) & vec2u(0xfffffffeu));
+  let index = reversed(scramble(vec2u(s.sample) ^ own, a) & vec2u(0xffffu));
+  return Groups(index, shiftOfPlace(place & vec2u(0xffu)), (a >> vec2u(16u)) | (a * 65536u), (b >> vec2u(16u)) | (b * 65536u));
 }
+
+// The first number of either group, the second, and the third.
+fn firstOf(g: Groups) -> vec2f {
+  return toUnit(scramble(g.index ^ g.shift, g.seedA));
+}
+
+fn secondOf(g: Groups) -> vec2f {
+  return toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB));
+}
+
+fn thirdOf(g: Groups) -> vec2f {
+  return toUnit(scramble(pascalW2(g.index ^ timesW2(g.shift)), g.seedA ^ (g.seedB * 0x9e3779b1u)));
+}
+
+// Three numbers of each of the next two groups.
+struct TwoPoints {
+  first: vec3f,
+  second: vec3f,
+}
+
 
 // Nested uniform scrambling of a number whose most significant digit is bit 0: each bit is flipped by a hash of the bits below.
 // Laine & Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, with the constants of N. Vegdahl, "Building a
 // Better LK Hash", 2021; as Owen scrambling: Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-fn scramble(x: u32, seed: u32) -> u32 {
+fn scramble(x: vec2u, seed: vec2u) -> vec2u {
   var y = x ^ (x * 0x3d20adeau);
-  y = (y + seed) * ((seed >> 16u) | 1u);
+  y = (y + seed) * ((seed >> vec2u(16u)) | vec2u(1u));
   y ^= y * 0x05526c56u;
   return y ^ (y * 0x53a22864u);
 }
 
-// The same with w^2 in place of w, of any eight digits.
-fn pascalW2(x: u32) -> u32 {
-  var y = x ^ timesW2((x >> 2u) & 0x3333u);
-  y ^= timesW((y >> 4u) & 0x0f0fu);
-  return y ^ timesW2((y >> 8u) & 0x00ffu);
+fn reversed(x: vec2u) -> vec2u {
+  return reverseBits(x) >> vec2u(16u);
 }
 
-fn timesW2(x: u32) -> u32 {
-  return ((x * 2u) & 0xaaaau) | ((x ^ (x >> 1u)) & 0x5555u);
-}
-
-fn points2d(g: Group) -> vec2f {
-  return vec2f(toUnit(scramble(g.index ^ g.shift, g.seedA)), toUnit(scramble(pascal(g.index ^ timesW(g.shift)), g.seedB)));
-}
-
-fn toUnit(scrambled: u32) -> f32 {
-  return f32(((reverseBits(scrambled) >> 8u) & 0xffff00u) | (scrambled >> 24u)) * 5.9604644775390625e-8;
-}
-
-fn reversed(x: u32) -> u32 {
-  return reverseBits(x) >> 16u;
-}
-
-// One padded sequence: what all its dimensions have in common.
-struct Group {
+// Padded sequences, two side by side: what all dimensions of each have in common. In Windows' shader compiler one operation with two
+// numbers takes half the time of two operations; all others make the same of both.
+struct Groups {
   // Shuffled sample index.
-  index: u32,
+  index: vec2u,
   // What sets this pixel apart from its neighbours.
-  shift: u32,
-  seedA: u32,
-  seedB: u32,
+  shift: vec2u,
+  seedA: vec2u,
+  seedB: vec2u,
 }
 
 
 // Pascal's triangle over the field of four, binomial(c, r) w^(c - r), of eight digits (pairs of bits), where the four in x are the
 // last ones.
-fn shiftOfPlace(x: u32) -> u32 {
-  var y = x ^ timesW((x >> 2u) & 0x33u);
-  y ^= timesW2((y >> 4u) & 0x0fu);
+fn shiftOfPlace(x: vec2u) -> vec2u {
+  var y = x ^ timesW((x >> vec2u(2u)) & vec2u(0x33u));
+  y ^= timesW2((y >> vec2u(4u)) & vec2u(0x0fu));
   return timesW(y) | (y * 256u);
 }
 
 // Pairs of bits as elements of the field of four, times its generator: w (a w + b) = (a + b) w + a; and times w^2 = w + 1.
-fn timesW(x: u32) -> u32 {
-  return ((x ^ (x * 2u)) & 0xaaaau) | ((x >> 1u) & 0x5555u);
+fn timesW(x: vec2u) -> vec2u {
+  return ((x ^ (x * 2u)) & vec2u(0xaaaau)) | ((x >> vec2u(1u)) & vec2u(0x5555u));
+}
+
+fn timesW2(x: vec2u) -> vec2u {
+  return ((x * 2u) & vec2u(0xaaaau)) | ((x ^ (x >> vec2u(1u))) & vec2u(0x5555u));
+}
+
+fn toUnit(scrambled: vec2u) -> vec2f {
+  return vec2f(((reverseBits(scrambled) >> vec2u(8u)) & vec2u(0xffff00u)) | (scrambled >> vec2u(24u))) * 5.9604644775390625e-8;
 }
 
 // Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
-fn pascal(x: u32) -> u32 {
-  var y = x ^ ((x >> 1u) & 0x5555u);
-  y ^= (y >> 2u) & 0x3333u;
-  y ^= (y >> 4u) & 0x0f0fu;
-  return y ^ ((y >> 8u) & 0x00ffu);
+fn pascal(x: vec2u) -> vec2u {
+  var y = x ^ ((x >> vec2u(1u)) & vec2u(0x5555u));
+  y ^= (y >> vec2u(2u)) & vec2u(0x3333u);
+  y ^= (y >> vec2u(4u)) & vec2u(0x0f0fu);
+  return y ^ ((y >> vec2u(8u)) & vec2u(0x00ffu));
+}
+
+// The same with w^2 in place of w, of any eight digits.
+fn pascalW2(x: vec2u) -> vec2u {
+  var y = x ^ timesW2((x >> vec2u(2u)) & vec2u(0x3333u));
+  y ^= timesW((y >> vec2u(4u)) & vec2u(0x0f0fu));
+  return y ^ timesW2((y >> vec2u(8u)) & vec2u(0x00ffu));
 }
 
 struct EmitterChoice {
@@ -1555,7 +1466,7 @@ fn sampleSky(u: vec2f) -> LightSample {
   if (hasEnvironment) {
     s = sampleEnvironment(u);
   }
-  return LightSample(s.direction, miss, s.light.radiance * sky0(s.direction), s.light.pdf, false);
+  return LightSample(s.direction, miss, s.light.radiance * sky(s.direction), s.light.pdf, false);
 }
 
 struct EnvironmentSample {
@@ -1563,6 +1474,16 @@ struct EnvironmentSample {
   light: EnvironmentLight,
 }
 
+
+// Without a map: white, uniform in all directions.
+const white = EnvironmentLight(vec3f(1.0), 0.25 / pi);
+
+// A sky with a map.
+override hasEnvironment = false;
+
+fn sky(direction: vec3f) -> vec3f {
+  return mix(frame.horizon, frame.zenith, max(direction.y, 0.0));
+}
 
 fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
   let size = frame.environmentSize;
@@ -1585,36 +1506,38 @@ fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
   return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
 }
 
+// First the row, then the column in its table, both in one loop: a compiler writes out each. A number is digits + fine / 4096, in steps of
+// 2^-24. From the guide's pair of entries on in steps that double, until the share is beyond it; then by halves.
 fn chooseCell(u: vec2f) -> ChosenCell {
   let size = vec2u(frame.environmentSize);
-  let digits = vec2u(u * 16777216.0);
+  let all = vec2u(u * 16777216.0);
   // Further digits, hashed: shares in a table may be small.
-  let hash = mixBits(digits.x ^ (digits.y * 0x9e3779b1u));
-  let columns = (size.x + 1u) / 2u;
+  let hash = mixBits(all.x ^ (all.y * 0x9e3779b1u));
   let tables = size.x * size.y;
-  let y = chooseEntry(Table(tables, size.y + 1u), digits.y, hash & 4095u);
-  let x = chooseEntry(Table(tables + (size.y + 2u) / 2u + y.entry * columns, size.x), digits.x, hash >> 20u);
-  return ChosenCell(vec2u(x.entry, y.entry), vec2f(x.rest, y.rest));
-}
-
-// Where in [0, 1] a number of a density that goes from a to b in a line lies.
-fn linearSample(u: f32, a: f32, b: f32) -> f32 {
-  let ends = vec2f(a, b) / max(a + b, 1e-37);
-  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
-}
-
-// The number is digits + fine / 4096, in steps of 2^-24. From the guide's pair of entries on in steps that double, until the share is
-// beyond it; then by halves.
-fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
-  let pairs = (t.entries + 1u) / 2u;
-  // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
-  let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
-  let guide = fetchEntries(t, part / 2u);
-  var low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
-  var high = pairs;
-  var ends = vec2f(1.0);
+  var t = Table(tables, size.y + 1u);
+  var digits = all.y;
+  var fine = hash & 4095u;
+  var isRow = true;
+  var begins = true;
+  var pairs = 0u;
+  var low = 0u;
+  var high = 0u;
   var step = 0u;
+  var ends = vec2f(1.0);
+  var row = Choice(0u, 0.0);
+  var chosen = Choice(0u, 0.0);
   loop {
+    if (begins) {
+      pairs = (t.entries + 1u) / 2u;
+      // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
+      let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
+      let guide = fetchEntries(t, part / 2u);
+      low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
+      high = pairs;
+      ends = vec2f(1.0);
+      step = 0u;
+      begins = false;
+    }
     let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
     let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
     let found = beyond.y > 0.0;
@@ -1623,22 +1546,60 @@ fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
     low = select(next + 1u, low, found);
     step = 2u * step + 1u;
     if (low >= high) {
-      break;
+      let pair = min(high, pairs - 1u);
+      let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
+      let none = -(f32(digits) + f32(fine) * 0.000244140625);
+      let isFirst = ends.x > 0.0;
+      let start = select(ends.x, select(before, none, pair == 0u), isFirst);
+      let end = select(ends.y, ends.x, isFirst);
+      chosen = Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
+      if (!isRow) {
+        break;
+      }
+      row = chosen;
+      t = Table(tables + (size.y + 2u) / 2u + row.entry * ((size.x + 1u) / 2u), size.x);
+      digits = all.x;
+      fine = hash >> 20u;
+      isRow = false;
+      begins = true;
     }
   }
-  let pair = min(high, pairs - 1u);
-  let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
-  let none = -(f32(digits) + f32(fine) * 0.000244140625);
-  let isFirst = ends.x > 0.0;
-  let start = select(ends.x, select(before, none, pair == 0u), isFirst);
-  let end = select(ends.y, ends.x, isFirst);
-  return Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
+  return ChosenCell(vec2u(chosen.entry, row.entry), vec2f(chosen.rest, row.rest));
+}
+
+fn environmentCorners(cell: vec2u) -> Corners {
+  let size = vec2u(frame.environmentSize);
+  let left = select(cell.x, size.x, cell.x == 0u) - 1u;
+  let right = select(cell.x, 0u, cell.x == size.x);
+  let upper = max(cell.y, 1u) - 1u;
+  let lower = min(cell.y, size.y - 1u);
+  let above = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == 0u));
+  let below = vec4f(1.0, 1.0, 1.0, select(1.0, -1.0, cell.y == size.y));
+  return Corners(above * environmentTexel(left, upper), above * environmentTexel(right, upper), below * environmentTexel(left, lower), below * environmentTexel(right, lower));
+}
+
+// Where in [0, 1] a number of a density that goes from a to b in a line lies.
+fn linearSample(u: f32, a: f32, b: f32) -> f32 {
+  let ends = vec2f(a, b) / max(a + b, 1e-37);
+  return min(u / max(ends.x + sqrt(mix(ends.x * ends.x, ends.y * ends.y, u)), 1e-9), 1.0);
+}
+
+fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
+  let light = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+  return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
 }
 
 // packed-scene/inversion-table.ts says what is in a table: two entries a texel, from this texel on, row after row.
 struct Table {
   first: u32,
   entries: u32,
+}
+
+
+// The entry that was chosen, and where in its share the number lies, in [0, 1].
+struct Choice {
+  entry: u32,
+  rest: f32,
 }
 
 
@@ -1649,6 +1610,12 @@ struct ChosenCell {
 }
 
 
+// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
+fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
+  let further = vec2u(pair.yw) & vec2u(4095u);
+  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
+}
+
 fn fetchEntries(t: Table, pair: u32) -> vec4f {
   let width = u32(frame.environmentSize.x);
   let i = t.first + pair;
@@ -1656,18 +1623,30 @@ fn fetchEntries(t: Table, pair: u32) -> vec4f {
   return environmentTexel(i - row * width, row);
 }
 
-// The entry that was chosen, and where in its share the number lies, in [0, 1].
-struct Choice {
-  entry: u32,
-  rest: f32,
+// As in table_texel.wesl.
+fn environmentTexel(column: u32, row: u32) -> vec4f {
+  return textureLoad(environment, vec2u(column, row), 0);
+}
+
+// Radiance from all around, and below it what samples it: packed-scene/pack-environment.ts.
+@group(0) @binding(4) var environment: texture_2d<f32>;
+
+// The texels at the corners of a cell. Cell (i, j) lies between the columns i - 1 and i, the rows j - 1 and j: j = 0 is the half cell at
+// the upper pole, j = rows that at the lower.
+struct Corners {
+  a: vec4f,
+  b: vec4f,
+  c: vec4f,
+  d: vec4f,
 }
 
 
-// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
-fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
-  let further = vec2u(pair.yw) & vec2u(4095u);
-  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
+struct EnvironmentLight {
+  radiance: vec3f,
+  // Per solid angle.
+  pdf: f32,
 }
+
 
 // What follows from the direction that light leaves in, whichever it comes from.
 struct Outgoing {
@@ -2075,8 +2054,8 @@ fn startSampler(pixel: vec2u, sampleIndex: u32, seed: u32) -> Sampler {
   let independent = frame.independent != 0u;
   let hash = pixelHash(select(pixel >> vec2u(4u), pixel, independent), select(sampleIndex >> 16u, sampleIndex, independent), seed);
   let place = spread0(pixel.x & 15u) | (spread0(pixel.y & 15u) * 2u);
-  let sample = select(reversed(sampleIndex & 0xffffu), 0u, independent);
-  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), sample, select(reversed(place * 256u), 0u, independent));
+  let digits = select(reversed(vec2u(sampleIndex & 0xffffu, place * 256u)), vec2u(0u), independent);
+  return Sampler(hash, mixBits(hash ^ 0x6a09e667u), digits.x, digits.y);
 }
 
 // From the centre of the pixel, in pixels.
@@ -2089,7 +2068,9 @@ fn filterOffset(u: vec2f) -> vec2f {
 }
 
 fn next2d(s: ptr<function, Sampler>) -> vec2f {
-  return points2d(nextGroup(s));
+  let g = nextGroups(*s);
+  skipGroup(s);
+  return vec2f(firstOf(g).x, secondOf(g).x);
 }
 
 // `lens`: two random numbers in 0 … 1.
@@ -2141,6 +2122,10 @@ fn filterAxis(u: f32) -> f32 {
   return select(offset, -offset, across < 0.0);
 }
 
+fn skipGroup(s: ptr<function, Sampler>) {
+  (*s).key = (*s).key + 1u;
+}
+
 // Cameras other than pinholes, filters other than the box.
 override hasLens = false;
 
@@ -2188,10 +2173,6 @@ struct CameraRay {
   direction: vec3f,
 }
 
-
-fn skipGroup(s: ptr<function, Sampler>) {
-  (*s).key = (*s).key + 1u;
-}
 
 struct Frame {
   // camera r times half the width of what is seen: camera.wesl
@@ -2272,4 +2253,106 @@ struct Frame {
   lampTables: u32,
   // column and row of the picture that the first texel of the film holds
   origin: vec2u,
+}
+
+
+fn addSkyAndSuns(p: ptr<function, Path>) {
+  let direction = (*p).rays.direction;
+  let sky = skySeen(direction);
+  var found = vec3f(0.0);
+  var i = 0u;
+  loop {
+    let e = fetchEmitter(i);
+    let far = farLight(e, direction, sky);
+    let pdf = far.pdf * listedProbability(e, (*p).rays.point, (*p).litSide, (*p).odds);
+    found += far.radiance * select(misWeight((*p).pdf, pdf), 1.0, (*p).pdf <= 0.0);
+    i++;
+    if (!hasManyLights) {
+      break;
+    }
+    if (i >= frame.farEmitters) {
+      break;
+    }
+  }
+  (*p).radiance += (*p).throughput * found;
+}
+
+// Of the sky, whichever emitter it is.
+fn skySeen(direction: vec3f) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSky) {
+    let seen = skyLight(direction);
+    far = FarLight(seen.radiance, seen.pdf);
+  }
+  return far;
+}
+
+// `sky`: skySeen in that direction.
+fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
+  var far = FarLight(vec3f(0.0), 0.0);
+  if (hasSuns) {
+    let seen = (e.kind == directionalKind) & isOnDisc(e, direction);
+    far = FarLight(select(vec3f(0.0), e.radiance, seen), select(0.0, directionalPdf(e, direction), seen));
+  }
+  if (hasSky) {
+    if (e.kind == skyKind) {
+      far = sky;
+    }
+  }
+  return far;
+}
+
+// What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
+// before the sky and add to it.
+struct FarLight {
+  radiance: vec3f,
+  pdf: f32,
+}
+
+
+// Whether the disc is seen in that direction: by the chord, 1 - cos = |a - b|^2 / 2, as cosines round to 1 for small discs.
+fn isOnDisc(e: Emitter, direction: vec3f) -> bool {
+  let chord = direction + e.u;
+  return pi * dot(chord, chord) < e.area;
+}
+
+fn directionalPdf(e: Emitter, direction: vec3f) -> f32 {
+  return select(0.0, 1.0 / max(e.area, 1e-31), isOnDisc(e, direction));
+}
+
+// What a ray that escapes in this direction sees, and the density with which sampleSky gives it.
+fn skyLight(direction: vec3f) -> EnvironmentLight {
+  var light = white;
+  if (hasEnvironment) {
+    light = lookUpEnvironment(direction);
+  }
+  return EnvironmentLight(light.radiance * sky(direction), light.pdf);
+}
+
+fn lookUpEnvironment(direction: vec3f) -> EnvironmentLight {
+  let size = frame.environmentSize;
+  let sine = max(length(direction.xz), 1e-9);
+  // Of the azimuth from the z axis, and of theta from the nearer pole, where it keeps its digits.
+  let angles = quadrantAngles(abs(vec2f(direction.z, direction.y)), vec2f(abs(direction.x), sine));
+  let turn = select(angles.x, pi - angles.x, direction.z > 0.0) * select(1.0, -1.0, direction.x < 0.0);
+  let column = fract(turn * (0.5 / pi) + frame.environmentTurn) * size.x + 0.5;
+  let fromPole = angles.y * (size.y / pi) + 0.5;
+  let row = floor(fromPole);
+  let isLower = direction.y < 0.0;
+  let cell = vec2f(floor(column), select(row, size.y - row, isLower));
+  let within = fromPole - row;
+  let at = vec2f(column - cell.x, select(within, 1.0 - within, isLower));
+  return lightWithin(environmentCorners(vec2u(cell)), at, sine);
+}
+
+// Angles of the two vectors (x, y) from the x axis, x and y >= 0, by the polynomial of Cephes' atanf, for all of the first quadrant.
+fn quadrantAngles(x: vec2f, y: vec2f) -> vec2f {
+  let low = min(x, y);
+  let high = max(x, y);
+  let middle = low > 0.4142135624 * high;
+  let r = select(low, low - high, middle) / max(select(high, low + high, middle), vec2f(1e-30));
+  let z = r * r;
+  let series = ((8.05374449538e-2 * z - 1.38776856032e-1) * z + 1.99777106478e-1) * z - 3.33329491539e-1;
+  let angle = select(vec2f(0.0), vec2f(0.7853981634), middle) + (series * z * r + r);
+  return select(angle, 1.570796327 - angle, y > x);
 }

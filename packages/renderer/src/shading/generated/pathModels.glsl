@@ -49,6 +49,7 @@ struct Path {
     vec3 light;
     bool alive;
     vec3 throughput;
+    bool escaped;
     uint depth;
     vec3 radiance;
     float pdf;
@@ -97,11 +98,11 @@ struct Frame {
     uint lampTables;
     uvec2 origin;
 };
-struct Group {
-    uint index;
-    uint shift;
-    uint seedA;
-    uint seedB;
+struct Groups {
+    uvec2 index;
+    uvec2 shift;
+    uvec2 seedA;
+    uvec2 seedB;
 };
 struct CameraRay {
     vec3 origin;
@@ -297,20 +298,6 @@ struct Emitter {
     float triangles;
     float instance;
 };
-struct FarLight {
-    vec3 radiance;
-    float pdf;
-};
-struct EnvironmentLight {
-    vec3 radiance;
-    float pdf;
-};
-struct Corners {
-    vec4 a;
-    vec4 b;
-    vec4 c;
-    vec4 d;
-};
 struct SphereView {
     vec3 toCenter;
     float distance_;
@@ -364,6 +351,10 @@ struct LightNode {
     vec4 power;
     vec4 emitters;
 };
+struct TwoPoints {
+    vec3 first;
+    vec3 second;
+};
 struct EmitterChoice {
     uint index;
     float probability;
@@ -386,6 +377,10 @@ struct ChosenTriangle {
     float density;
     vec2 u;
 };
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf;
+};
 struct EnvironmentSample {
     vec3 direction;
     EnvironmentLight light;
@@ -401,6 +396,12 @@ struct Table {
 struct Choice {
     uint entry;
     float rest;
+};
+struct Corners {
+    vec4 a;
+    vec4 b;
+    vec4 c;
+    vec4 d;
 };
 struct Outgoing {
     vec3 wo;
@@ -467,6 +468,10 @@ struct Facets {
 struct Cover0_ {
     float left;
     vec4 fibres;
+};
+struct FarLight {
+    vec3 radiance;
+    float pdf;
 };
 const uint noShape = 4294967295u;
 const uint noInstance = 4294967295u;
@@ -594,25 +599,25 @@ const bool hasMeshLamps = false;
 
 const bool hasManyLights = true;
 
-const bool hasSky = true;
-
-const bool hasEnvironment = false;
-
-uniform highp sampler2D environment;
-
 const bool hasSphereLights = true;
 
 const bool hasQuadLights = false;
 
 const bool hasBoxLights = false;
 
-const bool hasLightTree = false;
-
 const bool hasSuns = false;
 
 const bool hasPointLights = false;
 
+const bool hasSky = true;
+
+const bool hasLightTree = false;
+
 const bool hasVariedLamps = false;
+
+const bool hasEnvironment = false;
+
+uniform highp sampler2D environment;
 
 const bool hasConductors = false;
 
@@ -648,34 +653,39 @@ uint spread0_(uint x_1) {
     return ((y_8 | (y_8 * 2u)) & 85u);
 }
 
-uint reversedHigh(uint x_2) {
-    uint y = 0u;
-    y = (x_2 + ((x_2 & 21845u) * 3u));
-    uint _e7 = y;
-    uint _e8 = y;
-    y = (_e7 + ((_e8 & 26214u) * 15u));
-    uint _e14 = y;
-    uint _e15 = y;
-    y = (_e14 + ((_e15 & 30840u) * 255u));
-    uint _e21 = y;
-    uint _e22 = y;
-    return (_e21 + ((_e22 & 32640u) * 65535u));
+uvec2 reversedHigh(uvec2 x_2) {
+    uvec2 y = uvec2(0u);
+    y = (x_2 + ((x_2 & uvec2(21845u)) * 3u));
+    uvec2 _e8 = y;
+    uvec2 _e9 = y;
+    y = (_e8 + ((_e9 & uvec2(26214u)) * 15u));
+    uvec2 _e16 = y;
+    uvec2 _e17 = y;
+    y = (_e16 + ((_e17 & uvec2(30840u)) * 255u));
+    uvec2 _e24 = y;
+    uvec2 _e25 = y;
+    return (_e24 + ((_e25 & uvec2(32640u)) * 65535u));
 }
 
-uint reversed(uint x_3) {
-    uint _e1 = reversedHigh(x_3);
-    return (_e1 >> 15u);
+uvec2 reversed(uvec2 x_3) {
+    uvec2 _e1 = reversedHigh(x_3);
+    return (_e1 >> uvec2(15u));
 }
 
-uint mixBits(uint x_4) {
-    uint y_1 = 0u;
-    y_1 = ((x_4 ^ (x_4 >> 16u)) * 569420461u);
-    uint _e7 = y_1;
-    uint _e8 = y_1;
-    y_1 = ((_e7 ^ (_e8 >> 15u)) * 1935289751u);
-    uint _e14 = y_1;
-    uint _e15 = y_1;
-    return (_e14 ^ (_e15 >> 15u));
+uvec2 mixBits2_(uvec2 x_4) {
+    uvec2 y_1 = uvec2(0u);
+    y_1 = ((x_4 ^ (x_4 >> uvec2(16u))) * 569420461u);
+    uvec2 _e8 = y_1;
+    uvec2 _e9 = y_1;
+    y_1 = ((_e8 ^ (_e9 >> uvec2(15u))) * 1935289751u);
+    uvec2 _e16 = y_1;
+    uvec2 _e17 = y_1;
+    return (_e16 ^ (_e17 >> uvec2(15u)));
+}
+
+uint mixBits(uint x_5) {
+    uvec2 _e2 = mixBits2_(uvec2(x_5));
+    return _e2.x;
 }
 
 Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
@@ -685,18 +695,17 @@ Sampler startSampler(uvec2 pixel_1, uint sampleIndex_1, uint seed_1) {
     uint _e19 = spread0_((pixel_1.x & 15u));
     uint _e23 = spread0_((pixel_1.y & 15u));
     uint place_5 = (_e19 | (_e23 * 2u));
-    uint _e29 = reversed((sampleIndex_1 & 65535u));
-    uint sample_ = pick(independent, 0u, _e29);
-    uint _e34 = mixBits((_e15 ^ 1779033703u));
-    uint _e37 = reversed((place_5 * 256u));
-    return Sampler(_e15, _e34, sample_, pick(independent, 0u, _e37));
+    uvec2 _e32 = reversed(uvec2((sampleIndex_1 & 65535u), (place_5 * 256u)));
+    uvec2 digits_2 = pick(independent, uvec2(0u), _e32);
+    uint _e38 = mixBits((_e15 ^ 1779033703u));
+    return Sampler(_e15, _e38, digits_2.x, digits_2.y);
 }
 
 float filterAxis(float u) {
     float across = ((2.0 * u) - 1.0);
-    float x_18 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
-    float piece = min(floor(x_18), 15.0);
-    float t_7 = (x_18 - piece);
+    float x_19 = (16.0 - (16.0 * sqrt((1.0 - abs(across)))));
+    float piece = min(floor(x_19), 15.0);
+    float t_7 = (x_19 - piece);
     vec4 c_3 = frame.filterPieces[uint(piece)];
     float offset_3 = (c_3.x + (t_7 * (c_3.y + (t_7 * (c_3.z + (t_7 * c_3.w))))));
     return pick((across < 0.0), -(offset_3), offset_3);
@@ -715,101 +724,107 @@ vec2 filterOffset(vec2 u_1) {
     return _e12;
 }
 
-float toUnit(uint scrambled) {
-    uint _e3 = reversedHigh((scrambled & 65535u));
-    float digits_2 = (float(int(_e3)) * 4.656613e-10);
-    return (digits_2 + (float((scrambled & 4278190080u)) * 3.5527137e-15));
+uvec2 scramble(uvec2 x_6, uvec2 seed_2) {
+    uvec2 y_2 = uvec2(0u);
+    y_2 = (x_6 ^ (x_6 * 1025551850u));
+    uvec2 _e6 = y_2;
+    y_2 = ((_e6 + seed_2) * ((seed_2 >> uvec2(16u)) | uvec2(1u)));
+    uvec2 _e15 = y_2;
+    uvec2 _e16 = y_2;
+    y_2 = (_e15 ^ (_e16 * 89287766u));
+    uvec2 _e20 = y_2;
+    uvec2 _e21 = y_2;
+    return (_e20 ^ (_e21 * 1403136100u));
 }
 
-uint scramble(uint x_5, uint seed_2) {
-    uint y_2 = 0u;
-    y_2 = (x_5 ^ (x_5 * 1025551850u));
-    uint _e6 = y_2;
-    y_2 = ((_e6 + seed_2) * ((seed_2 >> 16u) | 1u));
-    uint _e13 = y_2;
-    uint _e14 = y_2;
-    y_2 = (_e13 ^ (_e14 * 89287766u));
-    uint _e18 = y_2;
-    uint _e19 = y_2;
-    return (_e18 ^ (_e19 * 1403136100u));
+uvec2 timesW(uvec2 x_7) {
+    return (((x_7 ^ (x_7 * 2u)) & uvec2(43690u)) | ((x_7 >> uvec2(1u)) & uvec2(21845u)));
 }
 
-uint pascal(uint x_6) {
-    uint y_3 = 0u;
-    y_3 = (x_6 ^ ((x_6 >> 1u) & 21845u));
-    uint _e7 = y_3;
-    uint _e8 = y_3;
-    y_3 = (_e7 ^ ((_e8 >> 2u) & 13107u));
-    uint _e14 = y_3;
-    uint _e15 = y_3;
-    y_3 = (_e14 ^ ((_e15 >> 4u) & 3855u));
-    uint _e21 = y_3;
-    uint _e22 = y_3;
-    return (_e21 ^ ((_e22 >> 8u) & 255u));
+uvec2 timesW2_(uvec2 x_8) {
+    return (((x_8 * 2u) & uvec2(43690u)) | ((x_8 ^ (x_8 >> uvec2(1u))) & uvec2(21845u)));
 }
 
-uint timesW(uint x_7) {
-    return (((x_7 ^ (x_7 * 2u)) & 43690u) | ((x_7 >> 1u) & 21845u));
+uvec2 shiftOfPlace(uvec2 x_9) {
+    uvec2 y_3 = uvec2(0u);
+    uvec2 _e7 = timesW(((x_9 >> uvec2(2u)) & uvec2(51u)));
+    y_3 = (x_9 ^ _e7);
+    uvec2 _e10 = y_3;
+    uvec2 _e11 = y_3;
+    uvec2 _e18 = timesW2_(((_e11 >> uvec2(4u)) & uvec2(15u)));
+    y_3 = (_e10 ^ _e18);
+    uvec2 _e20 = y_3;
+    uvec2 _e21 = timesW(_e20);
+    uvec2 _e22 = y_3;
+    return (_e21 | (_e22 * 256u));
 }
 
-vec2 points2d(Group g) {
-    uint _e5 = scramble((g.index ^ g.shift), g.seedA);
-    float _e6 = toUnit(_e5);
-    uint _e9 = timesW(g.shift);
-    uint _e11 = pascal((g.index ^ _e9));
-    uint _e13 = scramble(_e11, g.seedB);
-    float _e14 = toUnit(_e13);
-    return vec2(_e6, _e14);
+Groups nextGroups(Sampler s) {
+    uvec2 _e7 = mixBits2_((uvec2(s.key) + uvec2(1u, 2u)));
+    uvec2 half_ = ((_e7 ^ uvec2(s.salt)) * 2654435761u);
+    uvec2 b_8 = (half_ ^ (half_ >> uvec2(16u)));
+    uvec2 _e19 = scramble(uvec2(s.place), b_8);
+    uvec2 own_3 = (s.sample_ * ((_e19 >> uvec2(7u)) & uvec2(4294967294u)));
+    uvec2 _e31 = scramble((uvec2(s.sample_) ^ own_3), _e7);
+    uvec2 _e35 = reversed((_e31 & uvec2(65535u)));
+    uvec2 _e39 = shiftOfPlace((_e19 & uvec2(255u)));
+    return Groups(_e35, _e39, ((_e7 >> uvec2(16u)) | (_e7 * 65536u)), ((b_8 >> uvec2(16u)) | (b_8 * 65536u)));
 }
 
-uint timesW2_(uint x_8) {
-    return (((x_8 * 2u) & 43690u) | ((x_8 ^ (x_8 >> 1u)) & 21845u));
+void skipGroup(inout Sampler s_1) {
+    uint _e3 = s_1.key;
+    s_1.key = (_e3 + 1u);
+    return;
 }
 
-uint shiftOfPlace(uint x_9) {
-    uint y_4 = 0u;
-    uint _e5 = timesW(((x_9 >> 2u) & 51u));
-    y_4 = (x_9 ^ _e5);
-    uint _e8 = y_4;
-    uint _e9 = y_4;
-    uint _e14 = timesW2_(((_e9 >> 4u) & 15u));
-    y_4 = (_e8 ^ _e14);
-    uint _e16 = y_4;
-    uint _e17 = timesW(_e16);
-    uint _e18 = y_4;
-    return (_e17 | (_e18 * 256u));
+vec2 toUnit(uvec2 scrambled) {
+    uvec2 _e4 = reversedHigh((scrambled & uvec2(65535u)));
+    vec2 digits_3 = (vec2(ivec2(_e4)) * 4.656613e-10);
+    return (digits_3 + (vec2((scrambled & uvec2(4278190080u))) * 3.5527137e-15));
 }
 
-Group nextGroup(inout Sampler s) {
-    uint _e3 = s.key;
-    s.key = (_e3 + 1u);
-    uint _e7 = s.key;
-    uint _e8 = mixBits(_e7);
-    uint _e10 = s.salt;
-    uint half_ = ((_e8 ^ _e10) * 2654435761u);
-    uint b_8 = (half_ ^ (half_ >> 16u));
-    uint _e18 = s.place;
-    uint _e19 = scramble(_e18, b_8);
-    uint _e21 = s.sample_;
-    uint own_3 = (_e21 * ((_e19 >> 7u) & 4294967294u));
-    uint _e28 = s.sample_;
-    uint _e30 = scramble((_e28 ^ own_3), _e8);
-    uint _e33 = reversed((_e30 & 65535u));
-    uint _e36 = shiftOfPlace((_e19 & 255u));
-    return Group(_e33, _e36, ((_e8 >> 16u) | (_e8 * 65536u)), ((b_8 >> 16u) | (b_8 * 65536u)));
+vec2 firstOf(Groups g) {
+    uvec2 _e5 = scramble((g.index ^ g.shift), g.seedA);
+    vec2 _e6 = toUnit(_e5);
+    return _e6;
 }
 
-vec2 next2d(inout Sampler s_1) {
-    Group _e1 = nextGroup(s_1);
-    vec2 _e2 = points2d(_e1);
-    return _e2;
+uvec2 pascal(uvec2 x_10) {
+    uvec2 y_4 = uvec2(0u);
+    y_4 = (x_10 ^ ((x_10 >> uvec2(1u)) & uvec2(21845u)));
+    uvec2 _e9 = y_4;
+    uvec2 _e10 = y_4;
+    y_4 = (_e9 ^ ((_e10 >> uvec2(2u)) & uvec2(13107u)));
+    uvec2 _e18 = y_4;
+    uvec2 _e19 = y_4;
+    y_4 = (_e18 ^ ((_e19 >> uvec2(4u)) & uvec2(3855u)));
+    uvec2 _e27 = y_4;
+    uvec2 _e28 = y_4;
+    return (_e27 ^ ((_e28 >> uvec2(8u)) & uvec2(255u)));
+}
+
+vec2 secondOf(Groups g_1) {
+    uvec2 _e3 = timesW(g_1.shift);
+    uvec2 _e5 = pascal((g_1.index ^ _e3));
+    uvec2 _e7 = scramble(_e5, g_1.seedB);
+    vec2 _e8 = toUnit(_e7);
+    return _e8;
+}
+
+vec2 next2d(inout Sampler s_2) {
+    Sampler _e1 = s_2;
+    Groups _e2 = nextGroups(_e1);
+    skipGroup(s_2);
+    vec2 _e3 = firstOf(_e2);
+    vec2 _e5 = secondOf(_e2);
+    return vec2(_e3.x, _e5.x);
 }
 
 vec2 concentricDisc(vec2 u_2) {
-    vec2 p_15 = ((2.0 * u_2) - vec2(1.0));
-    bool wide = (abs(p_15.x) > abs(p_15.y));
-    float radius_1 = pick(wide, p_15.x, p_15.y);
-    float ratio_6 = (pick(wide, p_15.y, p_15.x) / pick((radius_1 == 0.0), 1.0, radius_1));
+    vec2 p_17 = ((2.0 * u_2) - vec2(1.0));
+    bool wide = (abs(p_17.x) > abs(p_17.y));
+    float radius_1 = pick(wide, p_17.x, p_17.y);
+    float ratio_6 = (pick(wide, p_17.y, p_17.x) / pick((radius_1 == 0.0), 1.0, radius_1));
     float angle = pick(wide, (0.7853982 * ratio_6), (1.5707964 - (0.7853982 * ratio_6)));
     return (radius_1 * vec2(cos(angle), sin(angle)));
 }
@@ -817,12 +832,12 @@ vec2 concentricDisc(vec2 u_2) {
 CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     CameraRay ray = CameraRay(vec3(0.0), vec3(0.0));
     float _e7 = frame.width;
-    float x_19 = (((2.0 * filmPosition.x) / _e7) - 1.0);
+    float x_20 = (((2.0 * filmPosition.x) / _e7) - 1.0);
     float _e16 = frame.height;
     float y_9 = (1.0 - ((2.0 * filmPosition.y) / _e16));
     vec3 _e22 = frame.right;
     vec3 _e26 = frame.up;
-    vec3 across_1 = ((x_19 * _e22) + (y_9 * _e26));
+    vec3 across_1 = ((x_20 * _e22) + (y_9 * _e26));
     const bool _e30 = hasOtherProjections;
     uint _e33 = frame.projection;
     bool orthographic = pick(_e30, (_e33 == 1u), false);
@@ -839,7 +854,7 @@ CameraRay rayThroughLens(vec2 filmPosition, vec2 lensPoint) {
     if (_e74) {
         uint _e77 = frame.projection;
         if ((_e77 == 2u)) {
-            float longitude = (3.1415927 * x_19);
+            float longitude = (3.1415927 * x_20);
             float latitude = (1.5707964 * y_9);
             vec3 _e87 = frame.right;
             vec3 _e92 = frame.forward;
@@ -862,12 +877,6 @@ CameraRay cameraRay(vec2 filmPosition_1, vec2 lens) {
     vec2 _e8 = lensPoint_1;
     CameraRay _e9 = rayThroughLens(filmPosition_1, _e8);
     return _e9;
-}
-
-void skipGroup(inout Sampler s_2) {
-    uint _e3 = s_2.key;
-    s_2.key = (_e3 + 1u);
-    return;
 }
 
 vec2 lensPoint_2(inout Sampler s_3) {
@@ -906,8 +915,8 @@ Path startPath(uvec2 pixel_2, uint sampleIndex_2) {
     Sampler _e18 = s_5;
     uint _e19 = numberOfNext(_e18);
     RayPair _e20 = oneRay(_e15.origin, _e15.direction, _e19);
-    Sampler _e34 = s_5;
-    return Path(_e20, vec3(0.0), true, vec3(1.0), 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e34);
+    Sampler _e35 = s_5;
+    return Path(_e20, vec3(0.0), true, vec3(1.0), false, 1u, vec3(0.0), 0.0, vec3(0.0), Odds(1.0, 0.0), _e35);
 }
 
 vec4 tableTexel(uint column, uint row) {
@@ -1010,8 +1019,8 @@ float intersectQuad(vec3 origin_5, vec3 direction_4, vec3 center_1, vec3 recipro
     float speed = dot(direction_4, normal_13);
     vec3 toCenter_1 = (center_1 - origin_5);
     float t_11 = (dot(toCenter_1, normal_13) / pick((speed == 0.0), 1e-30, speed));
-    vec3 p_16 = ((t_11 * direction_4) - toCenter_1);
-    bool within = (max(abs(dot(p_16, reciprocalU)), abs(dot(p_16, reciprocalV))) <= 0.500001);
+    vec3 p_18 = ((t_11 * direction_4) - toCenter_1);
+    bool within = (max(abs(dot(p_18, reciprocalU)), abs(dot(p_18, reciprocalV))) <= 0.500001);
     return pick(pick(pick((t_11 > tMin_2), (t_11 < 1e30), false), within, false), t_11, 1e30);
 }
 
@@ -1106,9 +1115,9 @@ vec4 enterChildren(uint node, SlabRay r, float t_1) {
 }
 
 float edge(vec2 a_2, vec2 b_2) {
-    float p_17 = (a_2.x * b_2.y);
+    float p_19 = (a_2.x * b_2.y);
     float q_6 = (a_2.y * b_2.x);
-    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_17)));
+    return ((a_2.x * b_2.y + -(q_6)) - (a_2.y * b_2.x + -(p_19)));
 }
 
 bool isWithin(float u_4, float v_3, float w_1) {
@@ -1195,8 +1204,8 @@ TextureUse fetchTextureUse(uint row_7) {
     return TextureUse(uintBitsToFloat(_e3.xyz), _e3.w, uintBitsToFloat(_e6.xyz), _e6.w, _e9.x, _e9.y, _e9.z, uintBitsToFloat(_e9.w));
 }
 
-Neighbours neighbours(float x_10, uint size, bool clamps, bool mirrors, bool nearest) {
-    float inside = pick(clamps, clamp(x_10, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_10))) - 1.0))), fract(x_10)));
+Neighbours neighbours(float x_11, uint size, bool clamps, bool mirrors, bool nearest) {
+    float inside = pick(clamps, clamp(x_11, 0.0, 1.0), pick(mirrors, (1.0 - abs(((2.0 * fract((0.5 * x_11))) - 1.0))), fract(x_11)));
     float at_1 = ((inside * float(size)) - pick(nearest, 0.0, 0.5));
     float low_1 = floor(at_1);
     int last = (int(size) - 1);
@@ -1256,12 +1265,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_11 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_11);
+    uint row_12 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_12);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
         float _e43 = opacity;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
@@ -1329,8 +1338,8 @@ MeshHit traverse(MeshRays rays, LeftTriangle left) {
                 uint _e104 = instance_1;
                 Instance _e108 = fetchInstance((_e103 + (_e104 * instanceRows)));
                 vec3 _e109 = o;
-                vec4 p_18 = vec4(_e109, 1.0);
-                o = vec3(dot(_e108.toMeshX, p_18), dot(_e108.toMeshY, p_18), dot(_e108.toMeshZ, p_18));
+                vec4 p_20 = vec4(_e109, 1.0);
+                o = vec3(dot(_e108.toMeshX, p_20), dot(_e108.toMeshY, p_20), dot(_e108.toMeshZ, p_20));
                 vec3 _e121 = d_1;
                 vec3 _e125 = d_1;
                 vec3 _e129 = d_1;
@@ -1690,12 +1699,13 @@ vec3 normalAt(RayPair p_8, float t_3, uint i_14) {
     }
     const bool _e42 = hasSpheres;
     if (_e42) {
-        vec3 _e43 = normal_1;
-        bool _e47 = isSphere(i_14);
-        normal_1 = pick(_e47, (origin_10 + (t_3 * p_8.direction)), _e43);
+        vec3 outwards = (origin_10 + (t_3 * p_8.direction));
+        vec3 _e46 = normal_1;
+        bool _e53 = isSphere(i_14);
+        normal_1 = pick(_e53, pick((dot(outwards, outwards) == 0.0), -(p_8.direction), outwards), _e46);
     }
-    vec3 _e49 = normal_1;
-    return normalize(_e49);
+    vec3 _e55 = normal_1;
+    return normalize(_e55);
 }
 
 Surface fetchSurface(uint i_15) {
@@ -1749,10 +1759,10 @@ Layers layersOf(uint code_3, float eta) {
 }
 
 vec3 fromOctahedral(uint code_4) {
-    vec2 p_19 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
-    float z_2 = ((1.0 - abs(p_19.x)) - abs(p_19.y));
-    vec2 folded = ((vec2(1.0) - abs(p_19.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_19, vec2(0.0))));
-    return normalize(vec3(pick((z_2 < 0.0), folded, p_19), z_2));
+    vec2 p_21 = ((vec2(float((code_4 & 65535u)), float((code_4 >> 16u))) * 3.051851e-5) - vec2(1.0));
+    float z_2 = ((1.0 - abs(p_21.x)) - abs(p_21.y));
+    vec2 folded = ((vec2(1.0) - abs(p_21.yx)) * mix(vec2(1.0), vec2(-1.0), lessThan(p_21, vec2(0.0))));
+    return normalize(vec3(pick((z_2 < 0.0), folded, p_21), z_2));
 }
 
 MeshPoint meshPoint(uint instance_3, uint place_1, vec2 weights_2) {
@@ -1882,8 +1892,8 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     uint i_17 = 0u;
     vec2 place_2 = vec2(0.0);
     float _e4 = s_6.textures;
-    uint row_12 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_12);
+    uint row_13 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_13);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1892,7 +1902,7 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
-            TextureUse _e42 = fetchTextureUse(((row_12 + materialTexturesRows) + (_e38 * textureUseRows)));
+            TextureUse _e42 = fetchTextureUse(((row_13 + materialTexturesRows) + (_e38 * textureUseRows)));
             place_2 = uv_1.xy;
             const bool _e46 = hasVertexMore;
             if (_e46) {
@@ -1937,20 +1947,20 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     return _e140;
 }
 
-vec3 bent(vec3 g_1, vec3 o_1, vec3 n) {
-    float oz = max(dot(o_1, g_1), 0.0);
+vec3 bent(vec3 g_2, vec3 o_1, vec3 n) {
+    float oz = max(dot(o_1, g_2), 0.0);
     float least = min((0.9 * oz), 0.01);
-    vec3 across_3 = (n - (dot(n, g_1) * g_1));
-    vec3 x_20 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
-    float ox = dot(o_1, x_20);
+    vec3 across_3 = (n - (dot(n, g_2) * g_2));
+    vec3 x_21 = (across_3 * inversesqrt(max(dot(across_3, across_3), 1e-20)));
+    float ox = dot(o_1, x_21);
     float a_6 = max(((ox * ox) + (oz * oz)), 1e-20);
     float b_10 = (2.0 * (a_6 + (oz * least)));
     float c_5 = ((least + oz) * (least + oz));
     float root = sqrt(max(((b_10 * b_10) - ((4.0 * a_6) * c_5)), 0.0));
     float z2_ = clamp(((0.25 * pick((ox < 0.0), (b_10 + root), (b_10 - root))) / a_6), 0.0, 1.0);
-    vec3 raised = ((sqrt((1.0 - z2_)) * x_20) + (sqrt(z2_) * g_1));
+    vec3 raised = ((sqrt((1.0 - z2_)) * x_21) + (sqrt(z2_) * g_2));
     vec3 reflected = (((2.0 * dot(n, o_1)) * n) - o_1);
-    return pick((dot(g_1, reflected) >= least), n, raised);
+    return pick((dot(g_2, reflected) >= least), n, raised);
 }
 
 vec3 validNormal(vec3 geometric, vec3 direction_9, vec3 mapped, vec3 otherwise) {
@@ -2084,8 +2094,8 @@ Basis basisAbout(vec3 n_1) {
     return Basis(vec3((1.0 + (((side_6 * n_1.x) * n_1.x) * a_7)), (side_6 * b_11), (-(side_6) * n_1.x)), vec3(b_11, (side_6 + ((n_1.y * n_1.y) * a_7)), -(n_1.y)), n_1);
 }
 
-Basis basisAlong(vec3 n_2, vec3 x_11) {
-    vec3 tangent_3 = normalize((x_11 - (dot(x_11, n_2) * n_2)));
+Basis basisAlong(vec3 n_2, vec3 x_12) {
+    vec3 tangent_3 = normalize((x_12 - (dot(x_12, n_2) * n_2)));
     return Basis(tangent_3, cross(n_2, tangent_3), n_2);
 }
 
@@ -2157,108 +2167,23 @@ Emitter emitterAt(uint i_19, Emitter only) {
     return _e6;
 }
 
-vec2 quadrantAngles(vec2 x_12, vec2 y_5) {
-    vec2 low_2 = min(x_12, y_5);
-    vec2 high_1 = max(x_12, y_5);
-    bvec2 middle_1 = greaterThan(low_2, (0.41421357 * high_1));
-    vec2 r_4 = (mix(low_2, (low_2 - high_1), middle_1) / max(mix(high_1, (low_2 + high_1), middle_1), vec2(1e-30)));
-    vec2 z_3 = (r_4 * r_4);
-    vec2 series = ((((((0.080537446 * z_3) - vec2(0.13877685)) * z_3) + vec2(0.19977711)) * z_3) - vec2(0.3333295));
-    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_1) + (((series * z_3) * r_4) + r_4));
-    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_5, x_12));
-}
-
-EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
-    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
-    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
-}
-
-vec4 environmentTexel(uint column_1, uint row_8) {
-    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_8)), 0);
-    return _e5;
-}
-
-Corners environmentCorners(uvec2 cell) {
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size_6 = uvec2(_e3);
-    uint left_1 = (pick((cell.x == 0u), size_6.x, cell.x) - 1u);
-    uint right = pick((cell.x == size_6.x), 0u, cell.x);
-    uint upper_1 = (max(cell.y, 1u) - 1u);
-    uint lower_1 = min(cell.y, (size_6.y - 1u));
-    vec4 above_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
-    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_6.y), -1.0, 1.0));
-    vec4 _e49 = environmentTexel(left_1, upper_1);
-    vec4 _e51 = environmentTexel(right, upper_1);
-    vec4 _e53 = environmentTexel(left_1, lower_1);
-    vec4 _e55 = environmentTexel(right, lower_1);
-    return Corners((above_1 * _e49), (above_1 * _e51), (below_1 * _e53), (below_1 * _e55));
-}
-
-EnvironmentLight lookUpEnvironment(vec3 direction_11) {
-    vec2 size_7 = frame.environmentSize;
-    float sine_1 = max(length(direction_11.xz), 1e-9);
-    vec2 _e15 = quadrantAngles(abs(vec2(direction_11.z, direction_11.y)), vec2(abs(direction_11.x), sine_1));
-    float turn_1 = (pick((direction_11.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_11.x < 0.0), -1.0, 1.0));
-    float _e35 = frame.environmentTurn;
-    float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_7.x) + 0.5);
-    float fromPole = ((_e15.y * (size_7.y / 3.1415927)) + 0.5);
-    float row_13 = floor(fromPole);
-    bool isLower = (direction_11.y < 0.0);
-    vec2 cell_1 = vec2(floor(column_2), pick(isLower, (size_7.y - row_13), row_13));
-    float within_1 = (fromPole - row_13);
-    vec2 at_2 = vec2((column_2 - cell_1.x), pick(isLower, (1.0 - within_1), within_1));
-    Corners _e66 = environmentCorners(uvec2(cell_1));
-    EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_1);
-    return _e67;
-}
-
-vec3 sky0_(vec3 direction_12) {
-    vec3 _e3 = frame.horizon;
-    vec3 _e6 = frame.zenith;
-    return mix(_e3, _e6, max(direction_12.y, 0.0));
-}
-
-EnvironmentLight skyLight(vec3 direction_13) {
-    EnvironmentLight light = white;
-    const bool _e4 = hasEnvironment;
-    if (_e4) {
-        EnvironmentLight _e5 = lookUpEnvironment(direction_13);
-        light = _e5;
-    }
-    vec3 _e7 = light.radiance;
-    vec3 _e8 = sky0_(direction_13);
-    float _e11 = light.pdf;
-    return EnvironmentLight((_e7 * _e8), _e11);
-}
-
-FarLight skySeen(vec3 direction_14) {
-    FarLight far = FarLight(vec3(0.0), 0.0);
-    const bool _e7 = hasSky;
-    if (_e7) {
-        EnvironmentLight _e8 = skyLight(direction_14);
-        far = FarLight(_e8.radiance, _e8.pdf);
-    }
-    FarLight _e12 = far;
-    return _e12;
-}
-
 SphereView viewSphere(Emitter e_1, vec3 point) {
     vec3 toCenter_2 = (e_1.position - point);
     float d_3 = length(toCenter_2);
     float power = abs(((d_3 - e_1.radius) * (d_3 + e_1.radius)));
     bool inside_2 = (d_3 <= e_1.radius);
-    float sine_2 = min((e_1.radius / max(d_3, 1e-30)), 1.0);
+    float sine_1 = min((e_1.radius / max(d_3, 1e-30)), 1.0);
     float cosine_20 = (sqrt(power) / max(d_3, 1e-30));
-    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_2 * sine_2) / (1.0 + cosine_20))));
+    return SphereView(toCenter_2, d_3, power, inside_2, pick(inside_2, 2.0, ((sine_1 * sine_1) / (1.0 + cosine_20))));
 }
 
 float conePdf(float width) {
     return (1.0 / (6.2831855 * max(width, 1e-31)));
 }
 
-float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_15) {
+float spherePdf(Emitter e_2, vec3 point_1, vec3 direction_11) {
     SphereView _e3 = viewSphere(e_2, point_1);
-    bool reached = pick(_e3.inside, true, (dot(direction_15, _e3.toCenter) > 0.0));
+    bool reached = pick(_e3.inside, true, (dot(direction_11, _e3.toCenter) > 0.0));
     float _e11 = conePdf(_e3.width);
     return pick(reached, _e11, 0.0);
 }
@@ -2277,18 +2202,18 @@ float pdfOfView(QuadView q_3, float area_1, float distance_1) {
 float arctangent(float x_13) {
     float a_8 = abs(x_13);
     bool steep = (a_8 > 2.4142137);
-    bool middle_2 = pick((a_8 > 0.41421357), !(steep), false);
-    float r_5 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_2, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
-    float base_1 = pick(steep, 1.5707964, pick(middle_2, 0.7853982, 0.0));
-    float z_4 = (r_5 * r_5);
-    float series_1 = ((((((0.080537446 * z_4) - 0.13877685) * z_4) + 0.19977711) * z_4) - 0.3333295);
-    return (sign(x_13) * (base_1 + (((series_1 * z_4) * r_5) + r_5)));
+    bool middle_1 = pick((a_8 > 0.41421357), !(steep), false);
+    float r_4 = pick(steep, (-1.0 / max(a_8, 1.0)), pick(middle_1, ((a_8 - 1.0) / (a_8 + 1.0)), a_8));
+    float base_1 = pick(steep, 1.5707964, pick(middle_1, 0.7853982, 0.0));
+    float z_3 = (r_4 * r_4);
+    float series = ((((((0.080537446 * z_3) - 0.13877685) * z_3) + 0.19977711) * z_3) - 0.3333295);
+    return (sign(x_13) * (base_1 + (((series * z_3) * r_4) + r_4)));
 }
 
-float stretch(float x_14, vec2 y_6, float h_1) {
-    vec2 r_6 = sqrt(((vec2((x_14 * x_14)) + (y_6 * y_6)) + vec2((h_1 * h_1))));
-    float _e16 = arctangent(((x_14 * y_6.y) / (h_1 * r_6.y)));
-    float _e22 = arctangent(((x_14 * y_6.x) / (h_1 * r_6.x)));
+float stretch(float x_14, vec2 y_5, float h_1) {
+    vec2 r_5 = sqrt(((vec2((x_14 * x_14)) + (y_5 * y_5)) + vec2((h_1 * h_1))));
+    float _e16 = arctangent(((x_14 * y_5.y) / (h_1 * r_5.y)));
+    float _e22 = arctangent(((x_14 * y_5.x) / (h_1 * r_5.x)));
     return (_e16 - _e22);
 }
 
@@ -2302,15 +2227,15 @@ QuadView viewQuad(Emitter e_3, vec3 point_2) {
     float least_1 = (1e-7 * (lengths.x + lengths.y));
     float height_1 = max(abs(signedHeight), least_1);
     bool lit = pick((abs(signedHeight) > least_1), pick((e_3.oneSided == 0.0), true, (signedHeight < 0.0)), false);
-    vec2 low_3 = vec2(dot(corner, axisX), dot(corner, axisY));
-    vec2 high_2 = (low_3 + lengths);
-    vec2 y_10 = vec2(low_3.y, high_2.y);
-    float _e44 = stretch(low_3.x, y_10, height_1);
-    float _e46 = stretch(high_2.x, y_10, height_1);
+    vec2 low_2 = vec2(dot(corner, axisX), dot(corner, axisY));
+    vec2 high_1 = (low_2 + lengths);
+    vec2 y_10 = vec2(low_2.y, high_1.y);
+    float _e44 = stretch(low_2.x, y_10, height_1);
+    float _e46 = stretch(high_1.x, y_10, height_1);
     float solidAngle = (_e46 - _e44);
     bool rectangle = (abs(dot(axisX, axisY)) <= 1e-5);
     vec3 axisZ = (normal_15 * pick((signedHeight > 0.0), 1.0, -1.0));
-    return QuadView(corner, axisX, axisY, axisZ, low_3, high_2, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
+    return QuadView(corner, axisX, axisY, axisZ, low_2, high_1, height_1, _e44, solidAngle, lit, pick(rectangle, (solidAngle > 0.01), false));
 }
 
 float quadPdf(Emitter e_4, vec3 point_3, float distance_2) {
@@ -2328,32 +2253,32 @@ BoxView viewBox(Emitter e_5, vec3 point_4) {
     return BoxView(rotation, _e8, faces, ((faces.x + faces.y) + faces.z), !(any(seen)));
 }
 
-float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_16, float distance_3, vec3 normal_4) {
+float boxPdf(Emitter e_6, vec3 point_5, vec3 direction_12, float distance_3, vec3 normal_4) {
     BoxView _e5 = viewBox(e_6, point_5);
-    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_16, normal_4))), distance_3);
+    float _e10 = areaPdf(_e5.area, (distance_3 * abs(dot(direction_12, normal_4))), distance_3);
     float _e12 = conePdf(2.0);
     return pick(_e5.inside, _e12, _e10);
 }
 
-LampTriangle fetchLampTriangle(uint row_9) {
-    uvec4 _e3 = geometryRow((row_9 + 0u));
+LampTriangle fetchLampTriangle(uint row_8) {
+    uvec4 _e3 = geometryRow((row_8 + 0u));
     return LampTriangle(uintBitsToFloat(_e3.x), _e3.y, _e3.z, uintBitsToFloat(_e3.w));
 }
 
-float meshPdf(Emitter e_7, vec3 direction_17, float distance_4, vec3 normal_5, uint place_3) {
+float meshPdf(Emitter e_7, vec3 direction_13, float distance_4, vec3 normal_5, uint place_3) {
     uint _e7 = frame.lampTables;
     uint row_14 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
-    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_17, normal_5))), distance_4);
+    float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_13, normal_5))), distance_4);
     LampTriangle _e24 = fetchLampTriangle(row_14);
     return (_e23 * _e24.density);
 }
 
-float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_18, float distance_5, vec3 normal_6, uint place_4) {
+float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_14, float distance_5, vec3 normal_6, uint place_4) {
     float pdf = 0.0;
     const bool _e9 = hasSphereLights;
     if (_e9) {
         if ((e_8.kind == 0.0)) {
-            float _e13 = spherePdf(e_8, point_6, direction_18);
+            float _e13 = spherePdf(e_8, point_6, direction_14);
             pdf = _e13;
         }
     }
@@ -2367,19 +2292,93 @@ float shapePdf(Emitter e_8, vec3 point_6, vec3 direction_18, float distance_5, v
     const bool _e21 = hasBoxLights;
     if (_e21) {
         if ((e_8.kind == 2.0)) {
-            float _e25 = boxPdf(e_8, point_6, direction_18, distance_5, normal_6);
+            float _e25 = boxPdf(e_8, point_6, direction_14, distance_5, normal_6);
             pdf = _e25;
         }
     }
     const bool _e27 = hasMeshLamps;
     if (_e27) {
         if ((e_8.kind == 7.0)) {
-            float _e31 = meshPdf(e_8, direction_18, distance_5, normal_6, place_4);
+            float _e31 = meshPdf(e_8, direction_14, distance_5, normal_6, place_4);
             pdf = _e31;
         }
     }
     float _e32 = pdf;
     return _e32;
+}
+
+float spotFalloff(Emitter e_9, vec3 toLight_1) {
+    float share_4 = clamp(((-(dot(toLight_1, e_9.u)) - e_9.radius) / (e_9.cosInner - e_9.radius)), 0.0, 1.0);
+    return (share_4 * share_4);
+}
+
+float estimatedIrradiance(Emitter e_10, vec3 point_7, vec3 normal_7) {
+    float estimate = 0.0;
+    const bool _e4 = hasQuadLights;
+    bool isQuad = pick(_e4, (e_10.kind == 1.0), false);
+    const bool _e10 = hasSuns;
+    bool isFar = pick(_e10, (e_10.kind == 5.0), false);
+    vec3 middle_2 = (e_10.position + pick(isQuad, (0.5 * (e_10.u + e_10.v)), vec3(0.0)));
+    vec3 toLight_4 = pick(isFar, -(e_10.u), (middle_2 - point_7));
+    float distance2_ = dot(toLight_4, toLight_4);
+    float distance_6 = sqrt(distance2_);
+    float grown = max((distance_6 + e_10.reach), 1e-15);
+    float above_1 = clamp(((dot(normal_7, toLight_4) + e_10.reach) / grown), 0.0, 1.0);
+    float cosine_21 = pick((dot(normal_7, normal_7) == 0.0), 1.0, above_1);
+    float square = pick(isQuad, (distance2_ + (e_10.area / 3.1415927)), max(distance2_, (e_10.area / 12.566371)));
+    estimate = ((e_10.power * cosine_21) / pick(isFar, 1.0, max(square, 1e-15)));
+    const bool _e65 = hasQuadLights;
+    if (_e65) {
+        float height_2 = (-(dot(cross(e_10.u, e_10.v), toLight_4)) / max(e_10.area, 1e-30));
+        float side_7 = pick((e_10.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
+        float lampCosine = pick((side_7 > 0.0), ((side_7 + e_10.reach) / grown), 0.0);
+        float _e89 = estimate;
+        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
+    }
+    const bool _e94 = hasMeshLamps;
+    if (_e94) {
+        float alike = length(e_10.v);
+        float across_5 = -(dot(e_10.v, toLight_4));
+        float side_8 = pick((e_10.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
+        float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_10.reach)) / grown));
+        float sizeOfMesh = (distance2_ + ((e_10.area * (1.0 + (3.0 * alike))) / 12.566371));
+        float _e125 = estimate;
+        estimate = pick((e_10.kind == 7.0), (((e_10.power * cosine_21) * shown) / max(sizeOfMesh, 1e-15)), _e125);
+    }
+    const bool _e137 = hasPointLights;
+    if (_e137) {
+        float _e138 = estimate;
+        float _e143 = spotFalloff(e_10, (toLight_4 / vec3(max(distance_6, 1e-15))));
+        estimate = (_e138 * pick((e_10.kind == 4.0), _e143, 1.0));
+    }
+    const bool _e151 = hasSky;
+    if (_e151) {
+        float _e152 = estimate;
+        estimate = pick((e_10.kind == 6.0), e_10.power, _e152);
+    }
+    float _e158 = estimate;
+    return _e158;
+}
+
+float listedProbability(Emitter e_11, vec3 point_8, vec3 normal_8, Odds odds) {
+    float probability = 0.0;
+    uint _e6 = frame.emitterCount;
+    probability = float(min(_e6, 1u));
+    const bool _e12 = hasManyLights;
+    if (_e12) {
+        uint _e15 = frame.emitterCount;
+        if ((_e15 > 1u)) {
+            float _e18 = estimatedIrradiance(e_11, point_8, normal_8);
+            probability = (_e18 / max(odds.total, 1e-37));
+            const bool _e24 = hasLightTree;
+            if (_e24) {
+                float _e25 = probability;
+                probability = (_e25 * (1.0 - odds.tree));
+            }
+        }
+    }
+    float _e30 = probability;
+    return _e30;
 }
 
 LightNode fetchLightNode(uint i_20) {
@@ -2406,17 +2405,17 @@ vec4 cosineLess(vec4 cosA, vec4 sinA, vec4 cosB, vec4 sinB) {
     return mix(((cosA * cosB) + (sinA * sinB)), vec4(1.0), greaterThan(cosA, cosB));
 }
 
-vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
-    vec4 x_21 = (n_3.x - vec4(point_7.x));
-    vec4 y_11 = (n_3.y - vec4(point_7.y));
-    vec4 z_5 = (n_3.z - vec4(point_7.z));
-    vec4 distance2_ = (((x_21 * x_21) + (y_11 * y_11)) + (z_5 * z_5));
-    vec4 inverse_3 = inversesqrt(max(distance2_, vec4(1e-30)));
-    bvec4 inside_3 = lessThanEqual(distance2_, (n_3.reach * n_3.reach));
+vec4 estimatesOfChildren(LightNode n_3, vec3 point_9, vec3 normal_9) {
+    vec4 x_22 = (n_3.x - vec4(point_9.x));
+    vec4 y_11 = (n_3.y - vec4(point_9.y));
+    vec4 z_4 = (n_3.z - vec4(point_9.z));
+    vec4 distance2_1 = (((x_22 * x_22) + (y_11 * y_11)) + (z_4 * z_4));
+    vec4 inverse_3 = inversesqrt(max(distance2_1, vec4(1e-30)));
+    bvec4 inside_3 = lessThanEqual(distance2_1, (n_3.reach * n_3.reach));
     vec4 sinB_1 = min((n_3.reach * inverse_3), vec4(1.0));
     vec4 _e33 = sineOf(sinB_1);
     vec4 cosB_1 = mix(_e33, vec4(-1.0), inside_3);
-    vec4 along_2 = (-((((n_3.axisX * x_21) + (n_3.axisY * y_11)) + (n_3.axisZ * z_5))) * inverse_3);
+    vec4 along_2 = (-((((n_3.axisX * x_22) + (n_3.axisY * y_11)) + (n_3.axisZ * z_4))) * inverse_3);
     vec4 cosW = clamp(mix(along_2, abs(along_2), greaterThan(n_3.bothSides, vec4(0.5))), vec4(-1.0), vec4(1.0));
     vec4 _e58 = sineOf(cosW);
     vec4 _e60 = sineOf(n_3.cosWidth);
@@ -2424,21 +2423,21 @@ vec4 estimatesOfChildren(LightNode n_3, vec3 point_7, vec3 normal_7) {
     vec4 _e63 = sineOf(_e62);
     vec4 _e64 = cosineLess(_e62, _e63, cosB_1, sinB_1);
     vec4 cosOut = mix(_e64, vec4(1.0), inside_3);
-    vec4 cosN = clamp(((((normal_7.x * x_21) + (normal_7.y * y_11)) + (normal_7.z * z_5)) * inverse_3), vec4(-1.0), vec4(1.0));
+    vec4 cosN = clamp(((((normal_9.x * x_22) + (normal_9.y * y_11)) + (normal_9.z * z_4)) * inverse_3), vec4(-1.0), vec4(1.0));
     vec4 _e82 = sineOf(cosN);
     vec4 _e83 = cosineLess(cosN, _e82, cosB_1, sinB_1);
     vec4 above_2 = mix(max(_e83, vec4(0.0)), vec4(1.0), inside_3);
-    vec4 cosIn = pick((dot(normal_7, normal_7) == 0.0), vec4(1.0), above_2);
-    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_, (n_3.reach * n_3.reach)), vec4(1e-15)));
+    vec4 cosIn = pick((dot(normal_9, normal_9) == 0.0), vec4(1.0), above_2);
+    vec4 estimate_1 = (((n_3.power * cosOut) * cosIn) / max(max(distance2_1, (n_3.reach * n_3.reach)), vec4(1e-15)));
     return mix(vec4(0.0), min(estimate_1, vec4(1e30)), greaterThan(cosOut, n_3.cosEdge));
 }
 
-float shareOfTree(float total, float far_1) {
-    float share_4 = (0.25 + ((0.5 * total) / max((total + far_1), 1e-37)));
-    return pick((total <= 0.0), 0.0, pick((far_1 <= 0.0), 1.0, share_4));
+float shareOfTree(float total, float far) {
+    float share_5 = (0.25 + ((0.5 * total) / max((total + far), 1e-37)));
+    return pick((total <= 0.0), 0.0, pick((far <= 0.0), 1.0, share_5));
 }
 
-TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2) {
+TreeChoice descend(vec3 point_10, vec3 normal_10, float u_5, int leaf, float far_1) {
     uint level = 0u;
     uint node_1 = 0u;
     float rest = 0.0;
@@ -2452,13 +2451,13 @@ TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2
         uint _e23 = frame.lightTree;
         uint _e24 = node_1;
         LightNode _e26 = fetchLightNode((_e23 + _e24));
-        vec4 _e27 = estimatesOfChildren(_e26, point_8, normal_8);
+        vec4 _e27 = estimatesOfChildren(_e26, point_10, normal_10);
         float two = (_e27.x + _e27.y);
         float three = (two + _e27.z);
         float total_2 = (three + _e27.w);
         uint _e35 = node_1;
         if ((_e35 == 0u)) {
-            float _e39 = shareOfTree(total_2, far_2);
+            float _e39 = shareOfTree(total_2, far_1);
             choice.share = _e39;
             float _e41 = rest;
             float _e43 = choice.share;
@@ -2468,18 +2467,18 @@ TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2
             rest = min((_e45 / max(_e47, 1e-37)), 0.99999994);
         }
         float _e53 = rest;
-        float at_3 = (_e53 * total_2);
-        uint byChance = ((uint((at_3 >= _e27.x)) + uint((at_3 >= two))) + uint((at_3 >= three)));
+        float at_2 = (_e53 * total_2);
+        uint byChance = ((uint((at_2 >= _e27.x)) + uint((at_2 >= two))) + uint((at_2 >= three)));
         uint _e68 = level;
         uint child = pick((leaf < 0), byChance, ((uint(max(leaf, 0)) >> (2u * _e68)) & 3u));
-        bool low_4 = (child < 2u);
+        bool low_3 = (child < 2u);
         bool odd = ((child & 1u) == 1u);
-        float own_9 = pick(low_4, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
-        float before_1 = pick(low_4, pick(odd, _e27.x, 0.0), pick(odd, three, two));
+        float own_9 = pick(low_3, pick(odd, _e27.y, _e27.x), pick(odd, _e27.w, _e27.z));
+        float before_1 = pick(low_3, pick(odd, _e27.x, 0.0), pick(odd, three, two));
         float _e95 = choice.probability;
         choice.probability = (_e95 * (own_9 / max(total_2, 1e-37)));
-        choice.emitter = uint(pick(low_4, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
-        rest = clamp(((at_3 - before_1) / max(own_9, 1e-37)), 0.0, 0.99999994);
+        choice.emitter = uint(pick(low_3, pick(odd, _e26.emitters.y, _e26.emitters.x), pick(odd, _e26.emitters.w, _e26.emitters.z)));
+        rest = clamp(((at_2 - before_1) / max(own_9, 1e-37)), 0.0, 0.99999994);
         uint _e121 = node_1;
         node_1 = (((4u * _e121) + 1u) + child);
         uint _e126 = level;
@@ -2491,118 +2490,15 @@ TreeChoice descend(vec3 point_8, vec3 normal_8, float u_5, int leaf, float far_2
     return _e129;
 }
 
-float treeProbability(Emitter e_9, vec3 point_9, vec3 normal_9, Odds odds) {
-    float probability = 0.0;
+float treeProbability(Emitter e_12, vec3 point_11, vec3 normal_11, Odds odds_1) {
+    float probability_1 = 0.0;
     uint _e8 = frame.lightTreeDepth;
     if ((_e8 > 0u)) {
-        TreeChoice _e17 = descend(point_9, normal_9, 0.0, int(max(e_9.leaf, 0.0)), odds.total);
-        probability = (_e17.probability * _e17.share);
+        TreeChoice _e17 = descend(point_11, normal_11, 0.0, int(max(e_12.leaf, 0.0)), odds_1.total);
+        probability_1 = (_e17.probability * _e17.share);
     }
-    float _e21 = probability;
+    float _e21 = probability_1;
     return _e21;
-}
-
-bool isOnDisc(Emitter e_10, vec3 direction_19) {
-    vec3 chord = (direction_19 + e_10.u);
-    return ((3.1415927 * dot(chord, chord)) < e_10.area);
-}
-
-float directionalPdf(Emitter e_11, vec3 direction_20) {
-    bool _e7 = isOnDisc(e_11, direction_20);
-    return pick(_e7, (1.0 / max(e_11.area, 1e-31)), 0.0);
-}
-
-FarLight farLight(Emitter e_12, vec3 direction_21, FarLight sky) {
-    FarLight far_3 = FarLight(vec3(0.0), 0.0);
-    const bool _e9 = hasSuns;
-    if (_e9) {
-        bool _e13 = isOnDisc(e_12, direction_21);
-        bool seen_1 = pick((e_12.kind == 5.0), _e13, false);
-        float _e19 = directionalPdf(e_12, direction_21);
-        far_3 = FarLight(pick(seen_1, e_12.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
-    }
-    const bool _e24 = hasSky;
-    if (_e24) {
-        if ((e_12.kind == 6.0)) {
-            far_3 = sky;
-        }
-    }
-    FarLight _e28 = far_3;
-    return _e28;
-}
-
-float spotFalloff(Emitter e_13, vec3 toLight_1) {
-    float share_5 = clamp(((-(dot(toLight_1, e_13.u)) - e_13.radius) / (e_13.cosInner - e_13.radius)), 0.0, 1.0);
-    return (share_5 * share_5);
-}
-
-float estimatedIrradiance(Emitter e_14, vec3 point_10, vec3 normal_10) {
-    float estimate = 0.0;
-    const bool _e4 = hasQuadLights;
-    bool isQuad = pick(_e4, (e_14.kind == 1.0), false);
-    const bool _e10 = hasSuns;
-    bool isFar = pick(_e10, (e_14.kind == 5.0), false);
-    vec3 middle_3 = (e_14.position + pick(isQuad, (0.5 * (e_14.u + e_14.v)), vec3(0.0)));
-    vec3 toLight_4 = pick(isFar, -(e_14.u), (middle_3 - point_10));
-    float distance2_1 = dot(toLight_4, toLight_4);
-    float distance_6 = sqrt(distance2_1);
-    float grown = max((distance_6 + e_14.reach), 1e-15);
-    float above_3 = clamp(((dot(normal_10, toLight_4) + e_14.reach) / grown), 0.0, 1.0);
-    float cosine_21 = pick((dot(normal_10, normal_10) == 0.0), 1.0, above_3);
-    float square = pick(isQuad, (distance2_1 + (e_14.area / 3.1415927)), max(distance2_1, (e_14.area / 12.566371)));
-    estimate = ((e_14.power * cosine_21) / pick(isFar, 1.0, max(square, 1e-15)));
-    const bool _e65 = hasQuadLights;
-    if (_e65) {
-        float height_2 = (-(dot(cross(e_14.u, e_14.v), toLight_4)) / max(e_14.area, 1e-30));
-        float side_7 = pick((e_14.oneSided == 1.0), max(height_2, 0.0), abs(height_2));
-        float lampCosine = pick((side_7 > 0.0), ((side_7 + e_14.reach) / grown), 0.0);
-        float _e89 = estimate;
-        estimate = (_e89 * pick(isQuad, lampCosine, 1.0));
-    }
-    const bool _e94 = hasMeshLamps;
-    if (_e94) {
-        float alike = length(e_14.v);
-        float across_5 = -(dot(e_14.v, toLight_4));
-        float side_8 = pick((e_14.oneSided == 1.0), max(across_5, 0.0), abs(across_5));
-        float shown = ((0.25 * (1.0 - alike)) + ((side_8 + (alike * e_14.reach)) / grown));
-        float sizeOfMesh = (distance2_1 + ((e_14.area * (1.0 + (3.0 * alike))) / 12.566371));
-        float _e125 = estimate;
-        estimate = pick((e_14.kind == 7.0), (((e_14.power * cosine_21) * shown) / max(sizeOfMesh, 1e-15)), _e125);
-    }
-    const bool _e137 = hasPointLights;
-    if (_e137) {
-        float _e138 = estimate;
-        float _e143 = spotFalloff(e_14, (toLight_4 / vec3(max(distance_6, 1e-15))));
-        estimate = (_e138 * pick((e_14.kind == 4.0), _e143, 1.0));
-    }
-    const bool _e151 = hasSky;
-    if (_e151) {
-        float _e152 = estimate;
-        estimate = pick((e_14.kind == 6.0), e_14.power, _e152);
-    }
-    float _e158 = estimate;
-    return _e158;
-}
-
-float listedProbability(Emitter e_15, vec3 point_11, vec3 normal_11, Odds odds_1) {
-    float probability_1 = 0.0;
-    uint _e6 = frame.emitterCount;
-    probability_1 = float(min(_e6, 1u));
-    const bool _e12 = hasManyLights;
-    if (_e12) {
-        uint _e15 = frame.emitterCount;
-        if ((_e15 > 1u)) {
-            float _e18 = estimatedIrradiance(e_15, point_11, normal_11);
-            probability_1 = (_e18 / max(odds_1.total, 1e-37));
-            const bool _e24 = hasLightTree;
-            if (_e24) {
-                float _e25 = probability_1;
-                probability_1 = (_e25 * (1.0 - odds_1.tree));
-            }
-        }
-    }
-    float _e30 = probability_1;
-    return _e30;
 }
 
 float misWeight(float own_1, float other) {
@@ -2610,105 +2506,79 @@ float misWeight(float own_1, float other) {
     return (1.0 / (1.0 + (ratio_7 * ratio_7)));
 }
 
-vec3 foundLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
+vec3 metLight(Path p_10, PairHit hit_1, Surface s_7, vec3 outward, Emitter only_1) {
     vec3 found_8 = vec3(0.0);
     uint i_21 = 0u;
-    float byTree = 0.0;
     float probability_2 = 0.0;
-    bool escaped = (hit_1.shape == noShape);
     vec3 direction_22 = p_10.rays.direction;
     bool hidden = pick(((uint(s_7.code) & 16u) != 0u), (dot(outward, direction_22) > 0.0), false);
-    int _e21 = emitterOf(s_7.code);
-    found_8 = pick(pick(hidden, true, escaped), vec3(0.0), s_7.emission);
-    bool weighed = pick(escaped, true, (_e21 >= 0));
-    uint _e33 = frame.emitterCount;
-    if (pick(weighed, (_e33 > 0u), false)) {
-        vec3 emission = found_8;
-        found_8 = vec3(0.0);
-        i_21 = pick(escaped, 0u, uint(max(_e21, 0)));
-        const bool _e47 = hasMeshLamps;
-        if (_e47) {
+    int _e18 = emitterOf(s_7.code);
+    found_8 = pick(hidden, vec3(0.0), s_7.emission);
+    uint _e28 = frame.emitterCount;
+    if (pick((_e18 >= 0), (_e28 > 0u), false)) {
+        i_21 = uint(max(_e18, 0));
+        const bool _e37 = hasMeshLamps;
+        if (_e37) {
             if ((hit_1.triangle.instance != noInstance)) {
-                uint _e52 = i_21;
-                uint _e53 = i_21;
-                Emitter _e54 = emitterAt(_e53, only_1);
-                uint _e56 = emitterOfTriangle(_e54, hit_1.triangle);
-                i_21 = (_e52 + _e56);
+                uint _e42 = i_21;
+                uint _e43 = i_21;
+                Emitter _e44 = emitterAt(_e43, only_1);
+                uint _e46 = emitterOfTriangle(_e44, hit_1.triangle);
+                i_21 = (_e42 + _e46);
             }
         }
-        FarLight _e58 = skySeen(direction_22);
-        uint _e59 = i_21;
-        Emitter _e60 = emitterAt(_e59, only_1);
-        float _e66 = shapePdf(_e60, p_10.rays.point, direction_22, hit_1.t, outward, hit_1.triangle.triangle);
-        const bool _e70 = hasLightTree;
-        if (_e70) {
-            float _e75 = treeProbability(_e60, p_10.rays.point, p_10.litSide, p_10.odds);
-            byTree = _e75;
-        }
-        while(true) {
-            uint _e76 = i_21;
-            Emitter _e77 = emitterAt(_e76, only_1);
-            FarLight _e78 = farLight(_e77, direction_22, _e58);
-            float _e83 = listedProbability(_e77, p_10.rays.point, p_10.litSide, p_10.odds);
-            probability_2 = _e83;
-            const bool _e86 = hasLightTree;
-            if (_e86) {
-                float _e87 = probability_2;
-                float _e88 = byTree;
-                probability_2 = pick(pick(!(escaped), (_e60.leaf >= 0.0), false), _e88, _e87);
-            }
-            float _e97 = probability_2;
-            float pdf_3 = (pick(escaped, _e78.pdf, _e66) * _e97);
-            vec3 radiance_1 = pick(escaped, _e78.radiance, emission);
-            vec3 _e101 = found_8;
-            float _e103 = misWeight(p_10.pdf, pdf_3);
-            found_8 = (_e101 + (radiance_1 * pick((p_10.pdf <= 0.0), 1.0, _e103)));
-            uint _e112 = i_21;
-            i_21 = (_e112 + 1u);
-            const bool _e115 = hasManyLights;
-            if (!(_e115)) {
-                break;
-            }
-            const bool _e118 = hasSky;
-            if (!(_e118)) {
-                const bool _e121 = hasSuns;
-                if (!(_e121)) {
-                    break;
-                }
-            }
-            uint _e124 = i_21;
-            uint _e127 = frame.farEmitters;
-            if (pick(!(escaped), true, (_e124 >= _e127))) {
-                break;
+        uint _e48 = i_21;
+        Emitter _e49 = emitterAt(_e48, only_1);
+        float _e55 = shapePdf(_e49, p_10.rays.point, direction_22, hit_1.t, outward, hit_1.triangle.triangle);
+        float _e60 = listedProbability(_e49, p_10.rays.point, p_10.litSide, p_10.odds);
+        probability_2 = _e60;
+        const bool _e63 = hasLightTree;
+        if (_e63) {
+            if ((_e49.leaf >= 0.0)) {
+                float _e71 = treeProbability(_e49, p_10.rays.point, p_10.litSide, p_10.odds);
+                probability_2 = _e71;
             }
         }
+        vec3 _e72 = found_8;
+        float _e74 = probability_2;
+        float _e76 = misWeight(p_10.pdf, (_e55 * _e74));
+        found_8 = (_e72 * pick((p_10.pdf <= 0.0), 1.0, _e76));
     }
-    vec3 _e130 = found_8;
-    return _e130;
+    vec3 _e83 = found_8;
+    return _e83;
 }
 
-uint pascalW2_(uint x_15) {
-    uint y_7 = 0u;
-    uint _e5 = timesW2_(((x_15 >> 2u) & 13107u));
-    y_7 = (x_15 ^ _e5);
-    uint _e8 = y_7;
-    uint _e9 = y_7;
-    uint _e14 = timesW(((_e9 >> 4u) & 3855u));
-    y_7 = (_e8 ^ _e14);
-    uint _e16 = y_7;
-    uint _e17 = y_7;
-    uint _e22 = timesW2_(((_e17 >> 8u) & 255u));
-    return (_e16 ^ _e22);
+uvec2 pascalW2_(uvec2 x_15) {
+    uvec2 y_6 = uvec2(0u);
+    uvec2 _e7 = timesW2_(((x_15 >> uvec2(2u)) & uvec2(13107u)));
+    y_6 = (x_15 ^ _e7);
+    uvec2 _e10 = y_6;
+    uvec2 _e11 = y_6;
+    uvec2 _e18 = timesW(((_e11 >> uvec2(4u)) & uvec2(3855u)));
+    y_6 = (_e10 ^ _e18);
+    uvec2 _e20 = y_6;
+    uvec2 _e21 = y_6;
+    uvec2 _e28 = timesW2_(((_e21 >> uvec2(8u)) & uvec2(255u)));
+    return (_e20 ^ _e28);
 }
 
-vec3 next3d(inout Sampler s_8) {
-    Group _e1 = nextGroup(s_8);
-    uint _e4 = timesW2_(_e1.shift);
-    uint _e6 = pascalW2_((_e1.index ^ _e4));
-    uint _e12 = scramble(_e6, (_e1.seedA ^ (_e1.seedB * 2654435761u)));
-    vec2 _e13 = points2d(_e1);
-    float _e14 = toUnit(_e12);
-    return vec3(_e13, _e14);
+vec2 thirdOf(Groups g_3) {
+    uvec2 _e3 = timesW2_(g_3.shift);
+    uvec2 _e5 = pascalW2_((g_3.index ^ _e3));
+    uvec2 _e11 = scramble(_e5, (g_3.seedA ^ (g_3.seedB * 2654435761u)));
+    vec2 _e12 = toUnit(_e11);
+    return _e12;
+}
+
+TwoPoints nextTwo3d(inout Sampler s_8) {
+    Sampler _e1 = s_8;
+    Groups _e2 = nextGroups(_e1);
+    uint _e5 = s_8.key;
+    s_8.key = (_e5 + 2u);
+    vec2 _e8 = firstOf(_e2);
+    vec2 _e9 = secondOf(_e2);
+    vec2 _e10 = thirdOf(_e2);
+    return TwoPoints(vec3(_e8.x, _e9.x, _e10.x), vec3(_e8.y, _e9.y, _e10.y));
 }
 
 EmitterChoice chooseEmitter(vec3 point_12, vec3 normal_12, float u_6) {
@@ -2791,40 +2661,40 @@ vec3 turnTo(vec3 axis_1, vec3 v_6) {
     float s_28 = pick((axis_1.z >= 0.0), 1.0, -1.0);
     float a_9 = (-1.0 / (s_28 + axis_1.z));
     float b_12 = ((axis_1.x * axis_1.y) * a_9);
-    vec3 x_22 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_9)), (s_28 * b_12), (-(s_28) * axis_1.x));
+    vec3 x_23 = vec3((1.0 + (((s_28 * axis_1.x) * axis_1.x) * a_9)), (s_28 * b_12), (-(s_28) * axis_1.x));
     vec3 y_12 = vec3(b_12, (s_28 + ((axis_1.y * axis_1.y) * a_9)), -(axis_1.y));
-    return (((v_6.x * x_22) + (v_6.y * y_12)) + (v_6.z * axis_1));
+    return (((v_6.x * x_23) + (v_6.y * y_12)) + (v_6.z * axis_1));
 }
 
 ConeDirection sampleCone(vec3 axis_2, float width_1, vec2 u_7) {
     float oneMinusCosine = (u_7.x * width_1);
     float cosine_22 = (1.0 - oneMinusCosine);
     float sine2_ = (oneMinusCosine * (2.0 - oneMinusCosine));
-    float sine_3 = sqrt(max(sine2_, 0.0));
+    float sine_2 = sqrt(max(sine2_, 0.0));
     float phi = (6.2831855 * u_7.y);
-    vec2 turn_2 = vec2(cos(phi), sin(phi));
-    vec3 _e23 = turnTo(axis_2, vec3(((sine_3 / length(turn_2)) * turn_2), cosine_22));
+    vec2 turn_1 = vec2(cos(phi), sin(phi));
+    vec3 _e23 = turnTo(axis_2, vec3(((sine_2 / length(turn_1)) * turn_1), cosine_22));
     return ConeDirection(_e23, cosine_22, sine2_);
 }
 
-LightSample sampleSphere(Emitter e_16, vec3 point_13, vec2 u_8) {
-    SphereView _e3 = viewSphere(e_16, point_13);
+LightSample sampleSphere(Emitter e_13, vec3 point_13, vec2 u_8) {
+    SphereView _e3 = viewSphere(e_13, point_13);
     vec3 axis_4 = pick((_e3.distance_ < 1e-30), vec3(0.0, 0.0, 1.0), (_e3.toCenter / vec3(max(_e3.distance_, 1e-30))));
     ConeDirection _e19 = sampleCone(axis_4, _e3.width, u_8);
     float along_3 = (_e3.distance_ * _e19.cosine);
-    float halfChord = sqrt(max(((e_16.radius * e_16.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
+    float halfChord = sqrt(max(((e_13.radius * e_13.radius) - ((_e3.distance_ * _e3.distance_) * _e19.sine2_)), 0.0));
     float larger = (abs(along_3) + halfChord);
     bool takeLarger = pick(_e3.inside, (along_3 > 0.0), false);
     float distance_7 = pick(takeLarger, larger, (_e3.power / max(larger, 1e-30)));
     float _e49 = conePdf(_e3.width);
-    return LightSample(_e19.direction, distance_7, e_16.radiance, _e49, false);
+    return LightSample(_e19.direction, distance_7, e_13.radiance, _e49, false);
 }
 
 vec2 cosineAndSine(float x_16) {
     float h_6 = (0.5 * x_16);
-    float z_6 = (h_6 * h_6);
-    float sine_4 = (((((((-0.00019515296 * z_6) + 0.008332161) * z_6) - 0.16666655) * z_6) * h_6) + h_6);
-    return vec2((1.0 - ((2.0 * sine_4) * sine_4)), ((2.0 * sine_4) * sqrt((1.0 - (sine_4 * sine_4)))));
+    float z_5 = (h_6 * h_6);
+    float sine_3 = (((((((-0.00019515296 * z_5) + 0.008332161) * z_5) - 0.16666655) * z_5) * h_6) + h_6);
+    return vec2((1.0 - ((2.0 * sine_3) * sine_3)), ((2.0 * sine_3) * sqrt((1.0 - (sine_3 * sine_3)))));
 }
 
 vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
@@ -2834,34 +2704,34 @@ vec3 sphericalRectangle(QuadView q_4, vec2 u_9) {
     vec2 _e21 = cosineAndSine((0.5 * (q_4.start + (u_9.x * q_4.solidAngle))));
     vec2 across_6 = (vec2((s_29.y - s_29.x), (s_29.y + s_29.x)) * _e21);
     float w_6 = (((2.0 * _e21.x) * _e21.y) / max(length(across_6), 1e-15));
-    float x_23 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
-    float d2_ = ((x_23 * x_23) + (h_7 * h_7));
+    float x_24 = clamp(((h_7 * w_6) * inversesqrt(max((1.0 - (w_6 * w_6)), 1e-12))), q_4.low.x, q_4.high.x);
+    float d2_ = ((x_24 * x_24) + (h_7 * h_7));
     vec2 ends_2 = (y_13 * inversesqrt((vec2(d2_) + (y_13 * y_13))));
     float v_12 = mix(ends_2.x, ends_2.y, u_9.y);
     float atY = clamp(((v_12 * sqrt(d2_)) * inversesqrt(max((1.0 - (v_12 * v_12)), 1e-12))), y_13.x, y_13.y);
-    return (((x_23 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
+    return (((x_24 * q_4.axisX) + (atY * q_4.axisY)) + (h_7 * q_4.axisZ));
 }
 
-LightSample sampleQuad(Emitter e_17, vec3 point_14, vec2 u_10) {
-    QuadView _e3 = viewQuad(e_17, point_14);
-    vec3 onArea = ((_e3.corner + (u_10.x * e_17.u)) + (u_10.y * e_17.v));
+LightSample sampleQuad(Emitter e_14, vec3 point_14, vec2 u_10) {
+    QuadView _e3 = viewQuad(e_14, point_14);
+    vec3 onArea = ((_e3.corner + (u_10.x * e_14.u)) + (u_10.y * e_14.v));
     vec3 _e13 = sphericalRectangle(_e3, u_10);
     vec3 toLight_5 = pick(_e3.bySolidAngle, _e13, onArea);
     float distance_8 = max(length(toLight_5), _e3.height);
-    float _e23 = pdfOfView(_e3, e_17.area, distance_8);
-    return LightSample((toLight_5 / vec3(distance_8)), distance_8, e_17.radiance, _e23, false);
+    float _e23 = pdfOfView(_e3, e_14.area, distance_8);
+    return LightSample((toLight_5 / vec3(distance_8)), distance_8, e_14.radiance, _e23, false);
 }
 
-vec4 pointOnFaces(Emitter e_18, BoxView b_4, vec2 u_11) {
+vec4 pointOnFaces(Emitter e_15, BoxView b_4, vec2 u_11) {
     float both = (b_4.faces.x + b_4.faces.y);
-    float at_4 = (u_11.x * b_4.area);
-    bool onX_1 = (at_4 < b_4.faces.x);
-    bool onY_1 = pick(!(onX_1), (at_4 < both), false);
+    float at_3 = (u_11.x * b_4.area);
+    bool onX_1 = (at_3 < b_4.faces.x);
+    bool onY_1 = pick(!(onX_1), (at_3 < both), false);
     float face = pick(onX_1, b_4.faces.x, pick(onY_1, b_4.faces.y, b_4.faces.z));
-    float within_2 = clamp(((at_4 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
+    float within_1 = clamp(((at_3 - pick(onX_1, 0.0, pick(onY_1, b_4.faces.x, both))) / max(face, 1e-30)), 0.0, 1.0);
     vec3 axis_5 = vec3(pick(onX_1, 1.0, 0.0), pick(onY_1, 1.0, 0.0), pick(pick(onX_1, true, onY_1), 0.0, 1.0));
-    vec3 p_20 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_2) - 1.0), ((2.0 * u_11.y) - 1.0));
-    vec3 toLight_6 = ((pick(onX_1, p_20.xyz, pick(onY_1, p_20.zxy, p_20.yzx)) * e_18.u) - b_4.point);
+    vec3 p_22 = vec3(pick((dot(axis_5, b_4.point) >= 0.0), 1.0, -1.0), ((2.0 * within_1) - 1.0), ((2.0 * u_11.y) - 1.0));
+    vec3 toLight_6 = ((pick(onX_1, p_22.xyz, pick(onY_1, p_22.zxy, p_22.yzx)) * e_15.u) - b_4.point);
     return vec4(toLight_6, abs(dot(axis_5, toLight_6)));
 }
 
@@ -2870,64 +2740,64 @@ vec3 rotateBack(vec4 q_5, vec3 v_7) {
     return _e6;
 }
 
-LightSample sampleBox(Emitter e_19, vec3 point_15, vec2 u_12) {
-    BoxView _e3 = viewBox(e_19, point_15);
-    vec4 _e4 = pointOnFaces(e_19, _e3, u_12);
+LightSample sampleBox(Emitter e_16, vec3 point_15, vec2 u_12) {
+    BoxView _e3 = viewBox(e_16, point_15);
+    vec4 _e4 = pointOnFaces(e_16, _e3, u_12);
     ConeDirection _e10 = sampleCone(vec3(0.0, 0.0, 1.0), 2.0, u_12);
-    vec3 outwards = _e10.direction;
-    Slabs _e16 = boxSlabs(_e3.point, outwards, e_19.u);
+    vec3 outwards_1 = _e10.direction;
+    Slabs _e16 = boxSlabs(_e3.point, outwards_1, e_16.u);
     float distance_9 = pick(_e3.inside, max(_e16.far, 0.0), length(_e4.xyz));
-    vec3 direction_23 = pick(_e3.inside, outwards, (_e4.xyz / vec3(max(distance_9, 1e-30))));
+    vec3 direction_23 = pick(_e3.inside, outwards_1, (_e4.xyz / vec3(max(distance_9, 1e-30))));
     float _e31 = areaPdf(_e3.area, _e4.w, distance_9);
     float _e33 = conePdf(2.0);
-    float pdf_4 = pick(_e3.inside, _e33, _e31);
+    float pdf_3 = pick(_e3.inside, _e33, _e31);
     vec3 _e37 = rotateBack(_e3.rotation, direction_23);
-    return LightSample(_e37, distance_9, e_19.radiance, pdf_4, false);
+    return LightSample(_e37, distance_9, e_16.radiance, pdf_3, false);
 }
 
-ChosenTriangle chooseTriangle(Emitter e_20, vec2 u_13) {
+ChosenTriangle chooseTriangle(Emitter e_17, vec2 u_13) {
     uint _e4 = frame.lampTables;
-    uint first_2 = (_e4 + uint(e_20.table));
-    uint column_3 = min(uint((u_13.x * e_20.triangles)), (uint(e_20.triangles) - 1u));
-    LampTriangle _e18 = fetchLampTriangle((first_2 + column_3));
+    uint first_2 = (_e4 + uint(e_17.table));
+    uint column_2 = min(uint((u_13.x * e_17.triangles)), (uint(e_17.triangles) - 1u));
+    LampTriangle _e18 = fetchLampTriangle((first_2 + column_2));
     uint _e26 = mixBits((floatBitsToUint(u_13.x) ^ (floatBitsToUint(u_13.y) * 2654435761u)));
     uint hash = (_e26 >> 8u);
-    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_20.triangles);
-    float x_24 = clamp((((u_13.x * e_20.triangles) - float(column_3)) + fine_2), 0.0, 0.99999994);
-    bool own_10 = (x_24 < _e18.own);
-    float rest_2 = pick(own_10, (x_24 / max(_e18.own, 1e-37)), ((x_24 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
+    float fine_2 = (((float(hash) * 5.9604645e-8) * 5.9604645e-8) * e_17.triangles);
+    float x_25 = clamp((((u_13.x * e_17.triangles) - float(column_2)) + fine_2), 0.0, 0.99999994);
+    bool own_10 = (x_25 < _e18.own);
+    float rest_2 = pick(own_10, (x_25 / max(_e18.own, 1e-37)), ((x_25 - _e18.own) / max((1.0 - _e18.own), 1e-7)));
     uint place_8 = pick(own_10, _e18.place, _e18.other);
-    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_3) + place_8) - _e18.place));
+    LampTriangle _e67 = fetchLampTriangle((((first_2 + column_2) + place_8) - _e18.place));
     float density = _e67.density;
     return ChosenTriangle(place_8, density, vec2(min(rest_2, 1.0), u_13.y));
 }
 
 vec2 weightsOnTriangle(vec2 u_14) {
-    float low_5 = (0.5 * min(u_14.x, u_14.y));
-    float high_3 = (max(u_14.x, u_14.y) - low_5);
-    return pick((u_14.x < u_14.y), vec2(low_5, high_3), vec2(high_3, low_5));
+    float low_4 = (0.5 * min(u_14.x, u_14.y));
+    float high_2 = (max(u_14.x, u_14.y) - low_4);
+    return pick((u_14.x < u_14.y), vec2(low_4, high_2), vec2(high_2, low_4));
 }
 
 vec3 outOfMesh(Instance i_23, vec3 p_11) {
     vec3 q_7 = (p_11 - vec3(i_23.toMeshX.w, i_23.toMeshY.w, i_23.toMeshZ.w));
-    vec3 x_25 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
+    vec3 x_26 = cross(i_23.toMeshY.xyz, i_23.toMeshZ.xyz);
     vec3 y_14 = cross(i_23.toMeshZ.xyz, i_23.toMeshX.xyz);
-    vec3 z_7 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
-    return ((((q_7.x * x_25) + (q_7.y * y_14)) + (q_7.z * z_7)) / vec3(dot(i_23.toMeshX.xyz, x_25)));
+    vec3 z_6 = cross(i_23.toMeshX.xyz, i_23.toMeshY.xyz);
+    return ((((q_7.x * x_26) + (q_7.y * y_14)) + (q_7.z * z_6)) / vec3(dot(i_23.toMeshX.xyz, x_26)));
 }
 
-vec3 radianceShare(uint row_10, Cover c_2, bool missing) {
+vec3 radianceShare(uint row_9, Cover c_2, bool missing) {
     vec3 share = vec3(1.0);
     float opacity_1 = 0.0;
     uint i_24 = 0u;
-    MaterialTextures _e3 = fetchMaterialTextures(row_10);
+    MaterialTextures _e3 = fetchMaterialTextures(row_9);
     bool hasFirst = ((_e3.flags & hasOpacityTexture) != 0u);
     uint wanted = min(_e3.count, pick(hasFirst, 2u, 1u));
     opacity_1 = (_e3.opacity * c_2.opacity);
     if ((wanted > 0u)) {
         while(true) {
             uint _e27 = i_24;
-            TextureUse _e31 = fetchTextureUse(((row_10 + materialTexturesRows) + (_e27 * textureUseRows)));
+            TextureUse _e31 = fetchTextureUse(((row_9 + materialTexturesRows) + (_e27 * textureUseRows)));
             vec4 _e42 = lookUp(_e31, pick(((_e31.flags & usesSecondSet) != 0u), c_2.uv.zw, c_2.uv.xy));
             vec3 _e43 = share;
             share = (_e43 * pick((_e31.slot == emissionSlot), _e42.xyz, vec3(1.0)));
@@ -2949,11 +2819,11 @@ vec3 radianceShare(uint row_10, Cover c_2, bool missing) {
     return (_e77 * pick(missing, there, 1.0));
 }
 
-LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_15) {
+LightSample sampleMesh(Emitter e_18, vec3 point_16, vec2 u_15) {
     vec3 radiance = vec3(0.0);
-    ChosenTriangle _e3 = chooseTriangle(e_21, u_15);
+    ChosenTriangle _e3 = chooseTriangle(e_18, u_15);
     uint _e6 = frame.instances;
-    Instance _e12 = fetchInstance((_e6 + (uint(e_21.instance) * instanceRows)));
+    Instance _e12 = fetchInstance((_e6 + (uint(e_18.instance) * instanceRows)));
     Triangle _e18 = fetchTriangle((_e12.triangles + (_e3.place * triangleRows)));
     vec2 _e20 = weightsOnTriangle(_e3.u);
     vec3 _e34 = outOfMesh(_e12, ((_e18.a + (_e20.x * (_e18.b - _e18.a))) + (_e20.y * (_e18.c - _e18.a))));
@@ -2961,39 +2831,39 @@ LightSample sampleMesh(Emitter e_21, vec3 point_16, vec2 u_15) {
     vec3 across_7 = (mat3x3(_e12.toMeshX.xyz, _e12.toMeshY.xyz, _e12.toMeshZ.xyz) * cross((_e18.b - _e18.a), (_e18.c - _e18.a)));
     float height_3 = (dot(across_7, toLight_7) * inversesqrt(max(dot(across_7, across_7), 1e-37)));
     float distance_10 = length(toLight_7);
-    float _e60 = areaPdf(e_21.area, abs(height_3), distance_10);
-    float pdf_5 = (_e60 * _e3.density);
-    bool lit_1 = pick((height_3 < 0.0), true, pick((e_21.oneSided == 0.0), (height_3 > 0.0), false));
+    float _e60 = areaPdf(e_18.area, abs(height_3), distance_10);
+    float pdf_4 = (_e60 * _e3.density);
+    bool lit_1 = pick((height_3 < 0.0), true, pick((e_18.oneSided == 0.0), (height_3 > 0.0), false));
     float reached_1 = max((distance_10 - (1e-5 * (length(point_16) + distance_10))), 0.0);
-    radiance = e_21.radiance;
+    radiance = e_18.radiance;
     const bool _e82 = hasVariedLamps;
     if (_e82) {
-        if ((e_21.u.y > 0.0)) {
+        if ((e_18.u.y > 0.0)) {
             uvec3 rows_2 = (uvec3(_e12.vertices) + (uvec3(_e18.vertexA, _e18.vertexB, _e18.vertexC) * _e12.vertexRows));
             Cover _e97 = coverAt(rows_2, _e12.vertexRows, _e20);
             vec3 _e98 = radiance;
-            Surface _e101 = fetchSurface(uint(e_21.shape));
+            Surface _e101 = fetchSurface(uint(e_18.shape));
             vec3 _e109 = radianceShare(uint(_e101.textures), _e97, ((_e12.cover & coverRow) != 0u));
             radiance = (_e98 * _e109);
         }
     }
     vec3 _e115 = radiance;
-    return LightSample((toLight_7 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_5, 0.0), false);
+    return LightSample((toLight_7 / vec3(max(distance_10, 1e-30))), reached_1, _e115, pick(lit_1, pdf_4, 0.0), false);
 }
 
-LightSample samplePoint(Emitter e_22, vec3 point_17) {
-    vec3 toLight_8 = (e_22.position - point_17);
+LightSample samplePoint(Emitter e_19, vec3 point_17) {
+    vec3 toLight_8 = (e_19.position - point_17);
     float distance_11 = length(toLight_8);
     float safe = max(distance_11, 1e-15);
-    return LightSample((toLight_8 / vec3(safe)), distance_11, (e_22.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
+    return LightSample((toLight_8 / vec3(safe)), distance_11, (e_19.radiance / vec3((safe * safe))), pick((distance_11 > 1e-15), 1.0, 0.0), true);
 }
 
-LightSample sampleSpot(Emitter e_23, vec3 point_18) {
+LightSample sampleSpot(Emitter e_20, vec3 point_18) {
     LightSample s_9 = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, false);
-    LightSample _e2 = samplePoint(e_23, point_18);
+    LightSample _e2 = samplePoint(e_20, point_18);
     s_9 = _e2;
     vec3 _e5 = s_9.direction;
-    float _e6 = spotFalloff(e_23, _e5);
+    float _e6 = spotFalloff(e_20, _e5);
     vec3 _e8 = s_9.radiance;
     s_9.radiance = (_e8 * _e6);
     float _e12 = s_9.pdf;
@@ -3002,18 +2872,23 @@ LightSample sampleSpot(Emitter e_23, vec3 point_18) {
     return _e17;
 }
 
-LightSample sampleDirectional(Emitter e_24, vec2 u_16) {
-    bool delta = (e_24.area == 0.0);
-    ConeDirection _e10 = sampleCone(-(e_24.u), (e_24.area / 6.2831855), u_16);
-    return LightSample(_e10.direction, 1e30, e_24.radiance, pick(delta, 1.0, (1.0 / max(e_24.area, 1e-31))), delta);
+LightSample sampleDirectional(Emitter e_21, vec2 u_16) {
+    bool delta = (e_21.area == 0.0);
+    ConeDirection _e10 = sampleCone(-(e_21.u), (e_21.area / 6.2831855), u_16);
+    return LightSample(_e10.direction, 1e30, e_21.radiance, pick(delta, 1.0, (1.0 / max(e_21.area, 1e-31))), delta);
+}
+
+vec4 environmentTexel(uint column_1, uint row_10) {
+    vec4 _e5 = texelFetch(environment, ivec2(uvec2(column_1, row_10)), 0);
+    return _e5;
 }
 
 vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
-    uint i_26 = (t_5.first + pair);
-    uint row_15 = (i_26 / width_2);
-    vec4 _e12 = environmentTexel((i_26 - (row_15 * width_2)), row_15);
+    uint i_27 = (t_5.first + pair);
+    uint row_15 = (i_27 / width_2);
+    vec4 _e12 = environmentTexel((i_27 - (row_15 * width_2)), row_15);
     return _e12;
 }
 
@@ -3022,66 +2897,127 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
+ChosenCell chooseCell(vec2 u_17) {
+    Table t_6 = Table(0u, 0u);
+    uint digits_1 = 0u;
+    uint fine_1 = 0u;
+    bool isRow = true;
+    bool begins = true;
+    uint pairs = 0u;
     uint low = 0u;
     uint high = 0u;
-    vec2 ends = vec2(1.0);
     uint step_ = 0u;
-    uint pairs = ((t_6.entries + 1u) / 2u);
-    uint part = ((((digits_1 >> 12u) * t_6.entries) + (((digits_1 & 4095u) * t_6.entries) >> 12u)) >> 12u);
-    vec4 _e23 = fetchEntries(t_6, (part / 2u));
-    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
-    high = pairs;
+    vec2 ends = vec2(1.0);
+    Choice row_11 = Choice(0u, 0.0);
+    Choice chosen_1 = Choice(0u, 0.0);
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_6 = uvec2(_e3);
+    uvec2 all_ = uvec2((u_17 * 16777216.0));
+    uint _e13 = mixBits((all_.x ^ (all_.y * 2654435761u)));
+    uint tables = (size_6.x * size_6.y);
+    t_6 = Table(tables, (size_6.y + 1u));
+    digits_1 = all_.y;
+    fine_1 = (_e13 & 4095u);
     while(true) {
-        uint _e41 = low;
-        uint _e42 = step_;
-        uint _e47 = low;
-        uint _e48 = high;
-        uint _e52 = high;
-        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
-        vec4 _e55 = fetchEntries(t_6, next);
-        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
-        bool found_9 = (_e56.y > 0.0);
-        vec2 _e60 = ends;
-        ends = pick(found_9, _e56, _e60);
-        uint _e62 = high;
-        high = pick(found_9, next, _e62);
-        uint _e66 = low;
-        low = pick(found_9, _e66, (next + 1u));
-        uint _e69 = step_;
-        step_ = ((2u * _e69) + 1u);
-        uint _e73 = low;
-        uint _e74 = high;
-        if ((_e73 >= _e74)) {
-            break;
+        bool _e50 = begins;
+        if (_e50) {
+            uint _e52 = t_6.entries;
+            pairs = ((_e52 + 1u) / 2u);
+            uint _e57 = digits_1;
+            uint _e61 = t_6.entries;
+            uint _e63 = digits_1;
+            uint _e67 = t_6.entries;
+            uint part = ((((_e57 >> 12u) * _e61) + (((_e63 & 4095u) * _e67) >> 12u)) >> 12u);
+            Table _e74 = t_6;
+            vec4 _e77 = fetchEntries(_e74, (part / 2u));
+            low = (uint(pick(((part & 1u) == 1u), _e77.w, _e77.y)) >> 12u);
+            uint _e88 = pairs;
+            high = _e88;
+            ends = vec2(1.0);
+            step_ = 0u;
+            begins = false;
+        }
+        uint _e93 = low;
+        uint _e94 = step_;
+        uint _e96 = pairs;
+        uint _e100 = low;
+        uint _e101 = high;
+        uint _e105 = high;
+        uint _e106 = pairs;
+        uint next = pick((_e105 < _e106), ((_e100 + _e101) / 2u), min((_e93 + _e94), (_e96 - 1u)));
+        Table _e109 = t_6;
+        vec4 _e110 = fetchEntries(_e109, next);
+        uint _e111 = digits_1;
+        uint _e112 = fine_1;
+        vec2 _e113 = sharesBeyond(_e110, _e111, _e112);
+        bool found_10 = (_e113.y > 0.0);
+        vec2 _e117 = ends;
+        ends = pick(found_10, _e113, _e117);
+        uint _e119 = high;
+        high = pick(found_10, next, _e119);
+        uint _e123 = low;
+        low = pick(found_10, _e123, (next + 1u));
+        uint _e126 = step_;
+        step_ = ((2u * _e126) + 1u);
+        uint _e130 = low;
+        uint _e131 = high;
+        if ((_e130 >= _e131)) {
+            uint _e133 = high;
+            uint _e134 = pairs;
+            uint pair_5 = min(_e133, (_e134 - 1u));
+            Table _e138 = t_6;
+            vec4 _e143 = fetchEntries(_e138, (max(pair_5, 1u) - 1u));
+            uint _e144 = digits_1;
+            uint _e145 = fine_1;
+            vec2 _e146 = sharesBeyond(_e143, _e144, _e145);
+            float before_2 = _e146.y;
+            uint _e148 = digits_1;
+            uint _e150 = fine_1;
+            float none = -((float(_e148) + (float(_e150) * 0.00024414063)));
+            float _e157 = ends.x;
+            bool isFirst_1 = (_e157 > 0.0);
+            float _e161 = ends.x;
+            float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e161);
+            float _e167 = ends.y;
+            float _e169 = ends.x;
+            float end = pick(isFirst_1, _e169, _e167);
+            uint _e178 = t_6.entries;
+            chosen_1 = Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (_e178 - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+            bool _e191 = isRow;
+            if (!(_e191)) {
+                break;
+            }
+            Choice _e193 = chosen_1;
+            row_11 = _e193;
+            uint _e201 = row_11.entry;
+            t_6 = Table(((tables + ((size_6.y + 2u) / 2u)) + (_e201 * ((size_6.x + 1u) / 2u))), size_6.x);
+            digits_1 = all_.x;
+            fine_1 = (_e13 >> 20u);
+            isRow = false;
+            begins = true;
         }
     }
-    uint _e76 = high;
-    uint pair_5 = min(_e76, (pairs - 1u));
-    vec4 _e84 = fetchEntries(t_6, (max(pair_5, 1u) - 1u));
-    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
-    float before_2 = _e85.y;
-    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
-    float _e94 = ends.x;
-    bool isFirst_1 = (_e94 > 0.0);
-    float _e98 = ends.x;
-    float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e98);
-    float _e104 = ends.y;
-    float _e106 = ends.x;
-    float end = pick(isFirst_1, _e106, _e104);
-    return Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+    uint _e217 = chosen_1.entry;
+    uint _e219 = row_11.entry;
+    float _e222 = chosen_1.rest;
+    float _e224 = row_11.rest;
+    return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
 }
 
-ChosenCell chooseCell(vec2 u_17) {
+Corners environmentCorners(uvec2 cell) {
     vec2 _e3 = frame.environmentSize;
-    uvec2 size_8 = uvec2(_e3);
-    uvec2 digits_3 = uvec2((u_17 * 16777216.0));
-    uint _e13 = mixBits((digits_3.x ^ (digits_3.y * 2654435761u)));
-    uint columns = ((size_8.x + 1u) / 2u);
-    uint tables = (size_8.x * size_8.y);
-    Choice _e29 = chooseEntry(Table(tables, (size_8.y + 1u)), digits_3.y, (_e13 & 4095u));
-    Choice _e44 = chooseEntry(Table(((tables + ((size_8.y + 2u) / 2u)) + (_e29.entry * columns)), size_8.x), digits_3.x, (_e13 >> 20u));
-    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
+    uvec2 size_7 = uvec2(_e3);
+    uint left_1 = (pick((cell.x == 0u), size_7.x, cell.x) - 1u);
+    uint right = pick((cell.x == size_7.x), 0u, cell.x);
+    uint upper_1 = (max(cell.y, 1u) - 1u);
+    uint lower_1 = min(cell.y, (size_7.y - 1u));
+    vec4 above_3 = vec4(1.0, 1.0, 1.0, pick((cell.y == 0u), -1.0, 1.0));
+    vec4 below_1 = vec4(1.0, 1.0, 1.0, pick((cell.y == size_7.y), -1.0, 1.0));
+    vec4 _e49 = environmentTexel(left_1, upper_1);
+    vec4 _e51 = environmentTexel(right, upper_1);
+    vec4 _e53 = environmentTexel(left_1, lower_1);
+    vec4 _e55 = environmentTexel(right, lower_1);
+    return Corners((above_3 * _e49), (above_3 * _e51), (below_1 * _e53), (below_1 * _e55));
 }
 
 float linearSample(float u_18, float a_3, float b_5) {
@@ -3089,28 +3025,39 @@ float linearSample(float u_18, float a_3, float b_5) {
     return min((u_18 / max((ends_3.x + sqrt(mix((ends_3.x * ends_3.x), (ends_3.y * ends_3.y), u_18))), 1e-9)), 1.0);
 }
 
+EnvironmentLight lightWithin(Corners k, vec2 at, float sine) {
+    vec4 light_1 = mix(mix(k.a, k.b, at.x), mix(k.c, k.d, at.x), at.y);
+    return EnvironmentLight(light_1.xyz, (max(light_1.w, 0.0) / sine));
+}
+
 EnvironmentSample sampleEnvironment(vec2 u_19) {
-    vec2 size_9 = frame.environmentSize;
+    vec2 size_8 = frame.environmentSize;
     ChosenCell _e4 = chooseCell(u_19);
     Corners _e6 = environmentCorners(_e4.cell);
-    vec2 cell_2 = vec2(_e4.cell);
-    bvec2 atPole = bvec2((cell_2.y == 0.0), (cell_2.y == size_9.y));
+    vec2 cell_1 = vec2(_e4.cell);
+    bvec2 atPole = bvec2((cell_1.y == 0.0), (cell_1.y == size_8.y));
     float _e32 = linearSample(_e4.rest.y, max((_e6.a.w + _e6.b.w), 0.0), max((_e6.c.w + _e6.d.w), 0.0));
     float t_17 = ((_e32 * pick(any(atPole), 0.5, 1.0)) + pick(atPole.x, 0.5, 0.0));
     float _e55 = linearSample(_e4.rest.x, mix(_e6.a.w, _e6.c.w, t_17), mix(_e6.b.w, _e6.d.w, t_17));
-    bool isLower_1 = ((2.0 * cell_2.y) > size_9.y);
-    float fromPole_1 = pick(isLower_1, ((size_9.y - cell_2.y) + (0.5 - t_17)), (cell_2.y + (t_17 - 0.5)));
-    vec2 _e76 = cosineAndSine((fromPole_1 * (3.1415927 / size_9.y)));
+    bool isLower = ((2.0 * cell_1.y) > size_8.y);
+    float fromPole = pick(isLower, ((size_8.y - cell_1.y) + (0.5 - t_17)), (cell_1.y + (t_17 - 0.5)));
+    vec2 _e76 = cosineAndSine((fromPole * (3.1415927 / size_8.y)));
     float _e85 = frame.environmentTurn;
-    float halfTurns = (2.0 * (((cell_2.x + (_e55 - 0.5)) / size_9.x) - _e85));
+    float halfTurns = (2.0 * (((cell_1.x + (_e55 - 0.5)) / size_8.x) - _e85));
     float nearest_2 = floor((halfTurns + 0.5));
     bool back = (fract((0.5 * nearest_2)) > 0.0);
     vec2 _e100 = cosineAndSine(((halfTurns - nearest_2) * 3.1415927));
     vec2 phi_1 = (_e100 * pick(back, -1.0, 1.0));
-    float sine_5 = max(_e76.y, 1e-9);
-    vec3 direction_24 = vec3((sine_5 * phi_1.y), pick(isLower_1, -(_e76.x), _e76.x), (-(sine_5) * phi_1.x));
-    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_5);
+    float sine_4 = max(_e76.y, 1e-9);
+    vec3 direction_24 = vec3((sine_4 * phi_1.y), pick(isLower, -(_e76.x), _e76.x), (-(sine_4) * phi_1.x));
+    EnvironmentLight _e119 = lightWithin(_e6, vec2(_e55, t_17), sine_4);
     return EnvironmentSample(direction_24, _e119);
+}
+
+vec3 sky(vec3 direction_15) {
+    vec3 _e3 = frame.horizon;
+    vec3 _e6 = frame.zenith;
+    return mix(_e3, _e6, max(direction_15.y, 0.0));
 }
 
 LightSample sampleSky(vec2 u_20) {
@@ -3125,65 +3072,65 @@ LightSample sampleSky(vec2 u_20) {
     vec3 _e15 = s_10.direction;
     vec3 _e18 = s_10.light.radiance;
     vec3 _e20 = s_10.direction;
-    vec3 _e21 = sky0_(_e20);
+    vec3 _e21 = sky(_e20);
     float _e25 = s_10.light.pdf;
     return LightSample(_e15, 1e30, (_e18 * _e21), _e25, false);
 }
 
-LightSample sampleEmitter(Emitter e_25, vec3 point_19, vec2 u_21) {
+LightSample sampleEmitter(Emitter e_22, vec3 point_19, vec2 u_21) {
     LightSample s_11 = LightSample(vec3(0.0, 1.0, 0.0), 1e30, vec3(0.0), 0.0, true);
     const bool _e15 = hasSphereLights;
     if (_e15) {
-        if ((e_25.kind == 0.0)) {
-            LightSample _e19 = sampleSphere(e_25, point_19, u_21);
+        if ((e_22.kind == 0.0)) {
+            LightSample _e19 = sampleSphere(e_22, point_19, u_21);
             s_11 = _e19;
         }
     }
     const bool _e21 = hasQuadLights;
     if (_e21) {
-        if ((e_25.kind == 1.0)) {
-            LightSample _e25 = sampleQuad(e_25, point_19, u_21);
+        if ((e_22.kind == 1.0)) {
+            LightSample _e25 = sampleQuad(e_22, point_19, u_21);
             s_11 = _e25;
         }
     }
     const bool _e27 = hasBoxLights;
     if (_e27) {
-        if ((e_25.kind == 2.0)) {
-            LightSample _e31 = sampleBox(e_25, point_19, u_21);
+        if ((e_22.kind == 2.0)) {
+            LightSample _e31 = sampleBox(e_22, point_19, u_21);
             s_11 = _e31;
         }
     }
     const bool _e33 = hasMeshLamps;
     if (_e33) {
-        if ((e_25.kind == 7.0)) {
-            LightSample _e37 = sampleMesh(e_25, point_19, u_21);
+        if ((e_22.kind == 7.0)) {
+            LightSample _e37 = sampleMesh(e_22, point_19, u_21);
             s_11 = _e37;
         }
     }
     const bool _e39 = hasPointLights;
     if (_e39) {
-        if ((e_25.kind == 3.0)) {
-            LightSample _e43 = samplePoint(e_25, point_19);
+        if ((e_22.kind == 3.0)) {
+            LightSample _e43 = samplePoint(e_22, point_19);
             s_11 = _e43;
         }
     }
     const bool _e45 = hasPointLights;
     if (_e45) {
-        if ((e_25.kind == 4.0)) {
-            LightSample _e49 = sampleSpot(e_25, point_19);
+        if ((e_22.kind == 4.0)) {
+            LightSample _e49 = sampleSpot(e_22, point_19);
             s_11 = _e49;
         }
     }
     const bool _e51 = hasSuns;
     if (_e51) {
-        if ((e_25.kind == 5.0)) {
-            LightSample _e55 = sampleDirectional(e_25, u_21);
+        if ((e_22.kind == 5.0)) {
+            LightSample _e55 = sampleDirectional(e_22, u_21);
             s_11 = _e55;
         }
     }
     const bool _e57 = hasSky;
     if (_e57) {
-        if ((e_25.kind == 6.0)) {
+        if ((e_22.kind == 6.0)) {
             LightSample _e61 = sampleSky(u_21);
             s_11 = _e61;
         }
@@ -3199,8 +3146,8 @@ vec3 heroColor(vec3 throughput, float u_22) {
     vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
     bool isRed = (u_22 < share_7.x);
     bool isBlue = pick(pick(!(isRed), (u_22 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
-    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
+    vec3 chosen_3 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
+    return (chosen_3 / vec3(max(dot(chosen_3, share_7), 1e-6)));
 }
 
 float nextHash(inout Sampler s_12) {
@@ -3238,10 +3185,10 @@ float greatest(vec3 v_8) {
 float sheenAlbedo(float cosine_3, float roughness) {
     float u_29 = (((sqrt(sqrt(clamp(cosine_3, 0.0001, 1.0))) - 0.1) / 0.45) - 1.0);
     float v_13 = (((sqrt(max(roughness, 0.07)) - 0.264575) / 0.367712) - 1.0);
-    vec3 low_6 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
-    vec3 high_4 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
+    vec3 low_5 = (vec3(0.746962, 0.0397496, 0.224802) + (u_29 * (vec3(-0.448339, 0.3406, -0.509736) + (u_29 * (vec3(-0.196284, 0.0161825, -0.50469) + (u_29 * (vec3(0.0587112, 0.187983, 0.191769) + (u_29 * (vec3(-0.182064, 0.425384, 0.971703) + (u_29 * (vec3(0.0763965, -0.331055, 0.616069) + (u_29 * (vec3(0.0893496, -0.409073, -0.445006) + (u_29 * vec3(-0.0525425, 0.0277158, -0.421496)))))))))))))));
+    vec3 high_3 = (vec3(-0.0321953, -0.190573, 0.0715297) + (u_29 * (vec3(0.492365, -0.201291, -0.00570256) + (u_29 * (vec3(0.833264, 0.765625, -1.06831) + (u_29 * (vec3(-1.29238, 0.71056, 0.237437) + (u_29 * (vec3(-2.81818, -0.673857, 2.17806) + (u_29 * (vec3(0.500911, -0.777981, 0.0143213) + (u_29 * (vec3(1.97956, 0.108218, -1.28939) + (u_29 * vec3(0.324871, 0.21472, -0.194708)))))))))))))));
     float v2_ = (v_13 * v_13);
-    float root_1 = dot((low_6 + ((v2_ * v_13) * high_4)), vec3(1.0, v_13, v2_));
+    float root_1 = dot((low_5 + ((v2_ * v_13) * high_3)), vec3(1.0, v_13, v2_));
     float albedo = (root_1 * root_1);
     return (albedo + (0.005 * max(albedo, 1.0)));
 }
@@ -3255,8 +3202,8 @@ vec3 dielectricF0_() {
 }
 
 float singleScatteringAlbedo(float cosine_4, float alpha_1) {
-    float x_26 = (cosine_4 / (cosine_4 + alpha_1));
-    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_26 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_26 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_26 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_26 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
+    float x_27 = (cosine_4 / (cosine_4 + alpha_1));
+    vec4 byAlpha = (vec4(0.887807, 0.309386, -0.270728, 0.0252433) + (x_27 * (vec4(1.08526, -3.21434, -1.87718, 1.61195) + (x_27 * (vec4(-5.18071, 10.7648, 6.30913, -8.09265) + (x_27 * (vec4(7.80474, -12.743, -24.1046, 25.2536) + (x_27 * vec4(-3.60041, 4.60906, 23.1225, -22.9342)))))))));
     float a2_ = (alpha_1 * alpha_1);
     return min(dot(byAlpha, vec4(1.0, alpha_1, a2_, (a2_ * alpha_1))), 1.0);
 }
@@ -3399,11 +3346,11 @@ void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
     vec3 _e266 = layersHere.beyondColor;
     float _e267 = mean3_(_e266);
     float beyond = ((body * _e262) * _e267);
-    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    stackHere.ofCoat = (coat_1 / all_);
-    stackHere.ofFacets = (facets / all_);
-    stackHere.ofSheen = (fibres / all_);
-    stackHere.ofDiffuse = (diffuse / all_);
+    float all_1 = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    stackHere.ofCoat = (coat_1 / all_1);
+    stackHere.ofFacets = (facets / all_1);
+    stackHere.ofSheen = (fibres / all_1);
+    stackHere.ofDiffuse = (diffuse / all_1);
     return;
 }
 
@@ -3501,8 +3448,8 @@ vec3 sampleVisibleNormal(vec3 wo_2, float alpha_4, float bound, vec2 u_24) {
     vec3 w_7 = (vec3((alpha_4 * wo_2.xy), wo_2.z) / vec3(_e8));
     float phi_3 = ((6.2831855 * u_24.x) - 3.1415927);
     float drop = (u_24.y * (1.0 + (bound * w_7.z)));
-    float sine_6 = sqrt(max((drop * (2.0 - drop)), 0.0));
-    vec3 h_8 = (w_7 + vec3((sine_6 * cos(phi_3)), (sine_6 * sin(phi_3)), (1.0 - drop)));
+    float sine_5 = sqrt(max((drop * (2.0 - drop)), 0.0));
+    vec3 h_8 = (w_7 + vec3((sine_5 * cos(phi_3)), (sine_5 * sin(phi_3)), (1.0 - drop)));
     return normalize(vec3((alpha_4 * h_8.xy), max(h_8.z, 1e-7)));
 }
 
@@ -3611,8 +3558,8 @@ vec3 sampleEllipticNormal(vec3 wo_5, vec2 alpha_8, float bound_1, vec2 u_26) {
     vec3 w_8 = (vec3((alpha_8 * wo_5.xy), wo_5.z) / vec3(_e8));
     float phi_4 = ((6.2831855 * u_26.x) - 3.1415927);
     float drop_1 = (u_26.y * (1.0 + (bound_1 * w_8.z)));
-    float sine_7 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
-    vec3 h_9 = (w_8 + vec3((sine_7 * cos(phi_4)), (sine_7 * sin(phi_4)), (1.0 - drop_1)));
+    float sine_6 = sqrt(max((drop_1 * (2.0 - drop_1)), 0.0));
+    vec3 h_9 = (w_8 + vec3((sine_6 * cos(phi_4)), (sine_6 * sin(phi_4)), (1.0 - drop_1)));
     return normalize(vec3((alpha_8 * h_9.xy), max(h_9.z, 1e-7)));
 }
 
@@ -3736,9 +3683,9 @@ LayeredSample sampleLayered(Surface s_19, vec3 u_27) {
         float _e167 = stackHere.ofCoat;
         float _e171 = stackHere.ofFacets;
         float next_1 = ((u_27.z - _e167) - _e171);
-        float sine_8 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
+        float sine_7 = sqrt(max((u_27.x * (2.0 - u_27.x)), 0.0));
         float phi_5 = ((6.2831855 * u_27.y) - 3.1415927);
-        vec3 even = vec3((sine_8 * cos(phi_5)), (sine_8 * sin(phi_5)), (1.0 - u_27.x));
+        vec3 even = vec3((sine_7 * cos(phi_5)), (sine_7 * sin(phi_5)), (1.0 - u_27.x));
         vec3 _e195 = sampleCosine(u_27.xy);
         const bool _e201 = hasTransmission;
         float _e204 = stackHere.ofSheen;
@@ -3876,7 +3823,7 @@ FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
     bool _e82 = hidesApart(uint(s_22.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
-    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
+    float chosen_4 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
@@ -3884,7 +3831,7 @@ FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
-    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_4) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
 }
 
 vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
@@ -3929,9 +3876,9 @@ vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
 }
 
 BsdfSample completed(BsdfSample drawn_2, vec4 value_1) {
-    float pdf_6 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
-    vec3 weight_2 = pick((pdf_6 > 0.0), (value_1.xyz / vec3(max(pdf_6, 1e-30))), vec3(0.0));
-    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_6), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
+    float pdf_5 = pick((drawn_2.pdf <= 0.0), 0.0, value_1.w);
+    vec3 weight_2 = pick((pdf_5 > 0.0), (value_1.xyz / vec3(max(pdf_5, 1e-30))), vec3(0.0));
+    return BsdfSample(drawn_2.direction, pick(drawn_2.delta, drawn_2.pdf, pdf_5), pick(drawn_2.delta, drawn_2.weight, weight_2), drawn_2.delta);
 }
 
 float ellipticDensity(vec3 h_5, vec2 alpha_10) {
@@ -4009,8 +3956,8 @@ vec3 sensitivity(float difference, vec3 shift) {
     vec4 height_4 = vec4(0.84659, 1.000222, 1.001122, 0.153868);
     vec4 turns = ((mean * (phase * 0.15915494)) + vec4(shift, shift.x));
     vec4 lobes = ((height_4 * cos((6.2831855 * (turns - roundEven(turns))))) * exp((-(variance) * (phase * phase))));
-    float x_27 = (lobes.x + lobes.w);
-    return vec3((((3.2404542 * x_27) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_27) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_27) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
+    float x_28 = (lobes.x + lobes.w);
+    return vec3((((3.2404542 * x_28) - (1.5371385 * lobes.y)) - (0.4985314 * lobes.z)), (((-0.969266 * x_28) + (1.8760108 * lobes.y)) + (0.041556 * lobes.z)), (((0.0556434 * x_28) - (0.2040259 * lobes.y)) + (1.0572252 * lobes.z)));
 }
 
 vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17) {
@@ -4018,19 +3965,19 @@ vec3 filmReflectance(vec3 f0_2, float filmIor, float thickness, float cosine_17)
     vec3 amplitude = vec3(0.0);
     float order = 1.0;
     float sine2_3 = ((1.0 - (cosine_17 * cosine_17)) / (filmIor * filmIor));
-    float within_3 = sqrt(max((1.0 - sine2_3), 0.0));
+    float within_2 = sqrt(max((1.0 - sine2_3), 0.0));
     float first_3 = ((filmIor - 1.0) / (filmIor + 1.0));
     vec3 _e21 = schlick(vec3((first_3 * first_3)), cosine_17);
     float r12_ = _e21.x;
     float t121_ = (1.0 - r12_);
     vec3 _e28 = indexOf((f0_2 + vec3(0.0001)));
     vec3 second_1 = ((_e28 - vec3(filmIor)) / (_e28 + vec3(filmIor)));
-    vec3 _e35 = schlick((second_1 * second_1), within_3);
+    vec3 _e35 = schlick((second_1 * second_1), within_2);
     vec3 r123_ = clamp((r12_ * _e35), vec3(1e-5), vec3(0.9999));
     vec3 once = sqrt(r123_);
     vec3 rs = (((t121_ * t121_) * _e35) / (vec3(1.0) - r123_));
     vec3 shift_1 = (vec3(0.5) + mix(vec3(0.0), vec3(0.5), lessThan(_e28, vec3(filmIor))));
-    float difference_2 = (((2.0 * filmIor) * thickness) * within_3);
+    float difference_2 = (((2.0 * filmIor) * thickness) * within_2);
     sum = (vec3(r12_) + rs);
     amplitude = (rs - vec3(t121_));
     while(true) {
@@ -4108,9 +4055,9 @@ float shadowingExponent(float x_17, float alpha_11) {
 }
 
 float sheenShadowing(float cosine_19, float alpha_12) {
-    float x_28 = clamp(cosine_19, 1e-6, 1.0);
-    bool isLow = (x_28 < 0.5);
-    float _e12 = shadowingExponent(pick(isLow, x_28, max((1.0 - x_28), 1e-6)), alpha_12);
+    float x_29 = clamp(cosine_19, 1e-6, 1.0);
+    bool isLow = (x_29 < 0.5);
+    float _e12 = shadowingExponent(pick(isLow, x_29, max((1.0 - x_29), 1e-6)), alpha_12);
     float _e14 = shadowingExponent(0.5, alpha_12);
     return exp(pick(isLow, _e12, ((2.0 * _e14) - _e12)));
 }
@@ -4128,8 +4075,8 @@ float whiteSheen(vec3 wo_7, vec3 wi_4, float alpha_13) {
 }
 
 float sheenAlpha(float roughness_1) {
-    float r_7 = max(roughness_1, 0.07);
-    return (r_7 * r_7);
+    float r_6 = max(roughness_1, 0.07);
+    return (r_6 * r_6);
 }
 
 Cover0_ coverTowards(vec3 wi_5, bool crossing_1) {
@@ -4190,7 +4137,7 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     Reflectance r_3 = Reflectance(vec3(0.0), vec3(0.0));
-    float chosen_1 = 0.0;
+    float chosen_2 = 0.0;
     uint _e12 = frame.emitterCount;
     isLight = (_e12 > 0u);
     while(true) {
@@ -4247,17 +4194,17 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
             vec3 _e155 = stackHere.more;
             vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
             float _e165 = stackHere.ofFacets;
-            chosen_1 = _e165;
+            chosen_2 = _e165;
             const bool _e168 = hasTransmission;
             if (_e168) {
                 float _e169 = shareToward(s_25, _e116);
-                float _e170 = chosen_1;
+                float _e170 = chosen_2;
                 float _e176 = stackHere.ratio;
                 float _e179 = stackHere.ratio;
-                chosen_1 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
+                chosen_2 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
             }
             vec4 _e185 = sum_1;
-            float _e187 = chosen_1;
+            float _e187 = chosen_2;
             sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_2)));
             float _e193 = layersHere.beyond;
             float _e200 = layersHere.beyond;
@@ -4332,8 +4279,8 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     Basis basis = Basis(vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 hero_3 = vec3(1.0);
     RayPair rays_2 = p_12.rays;
-    bool escaped_1 = (hit_2.shape == noShape);
-    uint shape_1 = pick(escaped_1, 0u, hit_2.shape);
+    bool escaped = (hit_2.shape == noShape);
+    uint shape_1 = pick(escaped, 0u, hit_2.shape);
     SurfacePoint _e10 = surfaceAt(rays_2, hit_2, shape_1);
     surface_1 = _e10.surface;
     float _e14 = surface_1.code;
@@ -4360,7 +4307,7 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
     if (pick(_e52, true, _e54)) {
         float _e57 = surface_1.code;
         bool _e59 = isThin(uint(_e57));
-        bool inside_7 = pick(pick(pick(_e19, !(_e59), false), (_e50.z < 0.0), false), !(escaped_1), false);
+        bool inside_7 = pick(pick(pick(_e19, !(_e59), false), (_e50.z < 0.0), false), !(escaped), false);
         vec3 _e69 = p_12.throughput;
         vec3 _e71 = surface_1.absorption;
         p_12.throughput = (_e69 * exp((-(_e71) * pick(inside_7, hit_2.t, 0.0))));
@@ -4384,86 +4331,94 @@ void meetSurface(inout Path p_12, PairHit hit_2) {
         surface_1.emission = (_e101 * (1.0 - _e107));
     }
     Emitter _e112 = fetchEmitter(0u);
-    vec3 _e114 = p_12.radiance;
-    vec3 _e116 = p_12.throughput;
-    Path _e117 = p_12;
-    Surface _e118 = surface_1;
-    vec3 _e120 = foundLight(_e117, hit_2, _e118, _e10.geometric, _e112);
-    p_12.radiance = (_e114 + (_e116 * _e120));
-    const bool _e124 = hasMeshes;
-    if (_e124) {
-        if (escaped_1) {
+    p_12.escaped = escaped;
+    const bool _e115 = hasMeshes;
+    if (_e115) {
+        if (escaped) {
             p_12.alive = false;
             return;
         }
     }
+    Path _e118 = p_12;
+    Surface _e119 = surface_1;
+    vec3 _e121 = metLight(_e118, hit_2, _e119, _e10.geometric, _e112);
+    vec3 _e123 = p_12.radiance;
+    vec3 _e125 = p_12.throughput;
+    p_12.radiance = (_e123 + (_e125 * pick(escaped, vec3(0.0), _e121)));
     vec3 litSide = pick(_e19, vec3(0.0), normal_16);
-    vec3 _e131 = next3d(p_12.sampler_);
-    vec3 _e133 = next3d(p_12.sampler_);
-    EmitterChoice _e135 = chooseEmitter(point_20, litSide, _e131.z);
-    Emitter _e137 = emitterAt(_e135.index, _e112);
-    LightSample _e139 = sampleEmitter(_e137, point_20, _e131.xy);
-    float lightPdf = (_e139.pdf * _e135.probability);
-    const bool _e147 = hasTransmission;
-    if (_e147) {
-        float _e150 = layersHere.dispersion;
-        if (pick(_e19, (_e150 > 0.0), false)) {
-            vec3 _e155 = p_12.throughput;
-            float _e157 = nextHash(p_12.sampler_);
-            vec3 _e158 = heroColor(_e155, _e157);
-            hero_3 = _e158;
+    TwoPoints _e135 = nextTwo3d(p_12.sampler_);
+    EmitterChoice _e138 = chooseEmitter(point_20, litSide, _e135.first.z);
+    Emitter _e140 = emitterAt(_e138.index, _e112);
+    LightSample _e143 = sampleEmitter(_e140, point_20, _e135.first.xy);
+    float lightPdf = (_e143.pdf * _e138.probability);
+    const bool _e151 = hasTransmission;
+    if (_e151) {
+        float _e154 = layersHere.dispersion;
+        if (pick(_e19, (_e154 > 0.0), false)) {
+            vec3 _e159 = p_12.throughput;
+            float _e161 = nextHash(p_12.sampler_);
+            vec3 _e162 = heroColor(_e159, _e161);
+            hero_3 = _e162;
         }
     }
-    Surface _e159 = surface_1;
-    vec3 _e160 = hero_3;
-    Outgoing _e161 = outgoing(_e159, _e50, _e160);
-    Surface _e162 = surface_1;
-    BsdfSample _e163 = sampleLobe(_e162, _e161, _e133);
-    Surface _e164 = surface_1;
-    Basis _e165 = basis;
-    vec3 _e167 = toLocal(_e165, _e139.direction);
-    Pair _e168 = evaluatePair(_e164, _e161, _e167, _e163);
-    const bool _e170 = hasMeshes;
-    bool opaque = pick(_e170, !(_e19), false);
-    bool _e177 = crosses(_e10.geometric, _e139.direction, -(rays_2.direction));
-    bool lightLeaks = pick(opaque, _e177, false);
-    vec4 toLight_9 = pick(lightLeaks, vec4(0.0), _e168.toLight);
-    bool alone_1 = pick(_e139.delta, true, pick((_e137.shape < 0.0), (_e139.distance_ < 1e30), false));
-    float _e193 = misWeight(lightPdf, toLight_9.w);
-    float lightWeight = (pick(alone_1, 1.0, _e193) / lightPdf);
-    BsdfSample bsdf = _e168.drawn;
-    Basis _e198 = basis;
-    vec3 _e200 = toWorld(_e198, bsdf.direction);
-    bool _e204 = crosses(_e10.geometric, _e200, -(rays_2.direction));
-    bool leaks = pick(opaque, _e204, false);
-    uint _e208 = p_12.depth;
-    uint _e211 = frame.maxDepth;
-    bool goesOn = pick(!(escaped_1), (_e208 != _e211), false);
-    vec3 _e215 = p_12.throughput;
-    vec3 contribution = (((_e215 * toLight_9.xyz) * _e139.radiance) * lightWeight);
-    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_9.xyz * _e139.radiance), vec3(0.0))), false);
+    Surface _e163 = surface_1;
+    vec3 _e164 = hero_3;
+    Outgoing _e165 = outgoing(_e163, _e50, _e164);
+    Surface _e166 = surface_1;
+    BsdfSample _e168 = sampleLobe(_e166, _e165, _e135.second);
+    Surface _e169 = surface_1;
+    Basis _e170 = basis;
+    vec3 _e172 = toLocal(_e170, _e143.direction);
+    Pair _e173 = evaluatePair(_e169, _e165, _e172, _e168);
+    const bool _e175 = hasMeshes;
+    bool opaque = pick(_e175, !(_e19), false);
+    bool _e182 = crosses(_e10.geometric, _e143.direction, -(rays_2.direction));
+    bool lightLeaks = pick(opaque, _e182, false);
+    vec4 toLight_9 = pick(lightLeaks, vec4(0.0), _e173.toLight);
+    bool alone_1 = pick(_e143.delta, true, pick((_e140.shape < 0.0), (_e143.distance_ < 1e30), false));
+    float _e198 = misWeight(lightPdf, toLight_9.w);
+    float lightWeight = (pick(alone_1, 1.0, _e198) / lightPdf);
+    BsdfSample bsdf = _e173.drawn;
+    Basis _e203 = basis;
+    vec3 _e205 = toWorld(_e203, bsdf.direction);
+    bool _e209 = crosses(_e10.geometric, _e205, -(rays_2.direction));
+    bool leaks = pick(opaque, _e209, false);
+    uint _e213 = p_12.depth;
+    uint _e216 = frame.maxDepth;
+    bool goesOn = pick(!(escaped), (_e213 != _e216), false);
+    vec3 _e220 = p_12.throughput;
+    vec3 contribution = (((_e220 * toLight_9.xyz) * _e143.radiance) * lightWeight);
+    bool lit_2 = pick(pick(goesOn, (lightPdf > 0.0), false), any(greaterThan((toLight_9.xyz * _e143.radiance), vec3(0.0))), false);
     p_12.light = pick(lit_2, contribution, vec3(0.0));
-    vec3 _e237 = p_12.throughput;
-    vec3 throughput_1 = (_e237 * bsdf.weight);
-    float _e240 = max3_(throughput_1);
-    uint _e246 = p_12.depth;
-    float survival = pick((_e246 < rouletteDepth), 1.0, min((_e240 / 0.33333334), 0.95));
-    float _e258 = max3_(throughput_1);
-    float _e263 = nextHash(p_12.sampler_);
-    p_12.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e258 > 0.0), false), (_e263 < survival), false);
-    p_12.throughput = (throughput_1 / vec3(survival));
-    uint _e271 = p_12.depth;
-    p_12.depth = (_e271 + 1u);
-    p_12.pdf = pick(bsdf.delta, 0.0, bsdf.pdf);
-    p_12.litSide = litSide;
-    p_12.odds = _e135.odds;
-    bool _e281 = isFlat(shape_1);
-    bool solid = !(_e281);
-    uint lightShape = pick((_e137.shape >= 0.0), uint(max(_e137.shape, 0.0)), noShape);
-    bool _e298 = p_12.alive;
-    Sampler _e313 = p_12.sampler_;
-    uint _e314 = numberOfNext(_e313);
-    p_12.rays = RayPair(point_20, shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e298, _e200, pick(solid, (dot(_e200, outward_1) < 0.0), false), _e139.direction, pick(solid, (dot(_e139.direction, outward_1) < 0.0), false), pick(lit_2, _e139.distance_, -1.0), lightShape, _e314);
+    vec3 _e242 = p_12.throughput;
+    vec3 throughput_1 = (_e242 * bsdf.weight);
+    float _e245 = max3_(throughput_1);
+    uint _e251 = p_12.depth;
+    float survival = pick((_e251 < rouletteDepth), 1.0, min((_e245 / 0.33333334), 0.95));
+    float _e263 = max3_(throughput_1);
+    float _e268 = nextHash(p_12.sampler_);
+    p_12.alive = pick(pick(pick(pick(goesOn, (bsdf.pdf > 0.0), false), !(leaks), false), (_e263 > 0.0), false), (_e268 < survival), false);
+    uint _e273 = p_12.depth;
+    p_12.depth = (_e273 + 1u);
+    const bool _e276 = hasMeshes;
+    bool stays = pick(!(_e276), escaped, false);
+    vec3 _e283 = p_12.throughput;
+    p_12.throughput = pick(stays, _e283, (throughput_1 / vec3(survival)));
+    float _e291 = p_12.pdf;
+    p_12.pdf = pick(stays, _e291, pick(bsdf.delta, 0.0, bsdf.pdf));
+    vec3 _e295 = p_12.litSide;
+    p_12.litSide = pick(stays, _e295, litSide);
+    float _e303 = p_12.odds.total;
+    p_12.odds.total = pick(stays, _e303, _e138.odds.total);
+    float _e311 = p_12.odds.tree;
+    p_12.odds.tree = pick(stays, _e311, _e138.odds.tree);
+    bool _e313 = isFlat(shape_1);
+    bool solid = !(_e313);
+    uint lightShape = pick((_e140.shape >= 0.0), uint(max(_e140.shape, 0.0)), noShape);
+    bool _e332 = p_12.alive;
+    Sampler _e349 = p_12.sampler_;
+    uint _e350 = numberOfNext(_e349);
+    p_12.rays = RayPair(pick(stays, rays_2.point, point_20), shape_1, hit_2.triangle, (1e-5 * length(point_20)), _e332, pick(stays, rays_2.direction, _e205), pick(solid, (dot(_e205, outward_1) < 0.0), false), _e143.direction, pick(solid, (dot(_e143.direction, outward_1) < 0.0), false), pick(lit_2, _e143.distance_, -1.0), lightShape, _e350);
     return;
 }
 
@@ -4487,9 +4442,146 @@ bool isOver(Path p_14) {
     return pick(!(p_14.alive), (p_14.rays.lightDistance < 0.0), false);
 }
 
+vec2 quadrantAngles(vec2 x_18, vec2 y_7) {
+    vec2 low_6 = min(x_18, y_7);
+    vec2 high_4 = max(x_18, y_7);
+    bvec2 middle_3 = greaterThan(low_6, (0.41421357 * high_4));
+    vec2 r_7 = (mix(low_6, (low_6 - high_4), middle_3) / max(mix(high_4, (low_6 + high_4), middle_3), vec2(1e-30)));
+    vec2 z_7 = (r_7 * r_7);
+    vec2 series_1 = ((((((0.080537446 * z_7) - vec2(0.13877685)) * z_7) + vec2(0.19977711)) * z_7) - vec2(0.3333295));
+    vec2 angle_1 = (mix(vec2(0.0), vec2(0.7853982), middle_3) + (((series_1 * z_7) * r_7) + r_7));
+    return mix(angle_1, (vec2(1.5707964) - angle_1), greaterThan(y_7, x_18));
+}
+
+EnvironmentLight lookUpEnvironment(vec3 direction_16) {
+    vec2 size_9 = frame.environmentSize;
+    float sine_8 = max(length(direction_16.xz), 1e-9);
+    vec2 _e15 = quadrantAngles(abs(vec2(direction_16.z, direction_16.y)), vec2(abs(direction_16.x), sine_8));
+    float turn_2 = (pick((direction_16.z > 0.0), (3.1415927 - _e15.x), _e15.x) * pick((direction_16.x < 0.0), -1.0, 1.0));
+    float _e35 = frame.environmentTurn;
+    float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_9.x) + 0.5);
+    float fromPole_1 = ((_e15.y * (size_9.y / 3.1415927)) + 0.5);
+    float row_16 = floor(fromPole_1);
+    bool isLower_1 = (direction_16.y < 0.0);
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_9.y - row_16), row_16));
+    float within_3 = (fromPole_1 - row_16);
+    vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
+    Corners _e66 = environmentCorners(uvec2(cell_2));
+    EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_8);
+    return _e67;
+}
+
+EnvironmentLight skyLight(vec3 direction_17) {
+    EnvironmentLight light = white;
+    const bool _e4 = hasEnvironment;
+    if (_e4) {
+        EnvironmentLight _e5 = lookUpEnvironment(direction_17);
+        light = _e5;
+    }
+    vec3 _e7 = light.radiance;
+    vec3 _e8 = sky(direction_17);
+    float _e11 = light.pdf;
+    return EnvironmentLight((_e7 * _e8), _e11);
+}
+
+FarLight skySeen(vec3 direction_18) {
+    FarLight far_2 = FarLight(vec3(0.0), 0.0);
+    const bool _e7 = hasSky;
+    if (_e7) {
+        EnvironmentLight _e8 = skyLight(direction_18);
+        far_2 = FarLight(_e8.radiance, _e8.pdf);
+    }
+    FarLight _e12 = far_2;
+    return _e12;
+}
+
+bool isOnDisc(Emitter e_23, vec3 direction_19) {
+    vec3 chord = (direction_19 + e_23.u);
+    return ((3.1415927 * dot(chord, chord)) < e_23.area);
+}
+
+float directionalPdf(Emitter e_24, vec3 direction_20) {
+    bool _e7 = isOnDisc(e_24, direction_20);
+    return pick(_e7, (1.0 / max(e_24.area, 1e-31)), 0.0);
+}
+
+FarLight farLight(Emitter e_25, vec3 direction_21, FarLight sky_1) {
+    FarLight far_3 = FarLight(vec3(0.0), 0.0);
+    const bool _e9 = hasSuns;
+    if (_e9) {
+        bool _e13 = isOnDisc(e_25, direction_21);
+        bool seen_1 = pick((e_25.kind == 5.0), _e13, false);
+        float _e19 = directionalPdf(e_25, direction_21);
+        far_3 = FarLight(pick(seen_1, e_25.radiance, vec3(0.0)), pick(seen_1, _e19, 0.0));
+    }
+    const bool _e24 = hasSky;
+    if (_e24) {
+        if ((e_25.kind == 6.0)) {
+            far_3 = sky_1;
+        }
+    }
+    FarLight _e28 = far_3;
+    return _e28;
+}
+
+void addSkyAndSuns(inout Path p_15) {
+    vec3 found_9 = vec3(0.0);
+    uint i_26 = 0u;
+    vec3 direction_25 = p_15.rays.direction;
+    FarLight _e4 = skySeen(direction_25);
+    while(true) {
+        uint _e10 = i_26;
+        Emitter _e11 = fetchEmitter(_e10);
+        FarLight _e12 = farLight(_e11, direction_25, _e4);
+        vec3 _e16 = p_15.rays.point;
+        vec3 _e18 = p_15.litSide;
+        Odds _e20 = p_15.odds;
+        float _e21 = listedProbability(_e11, _e16, _e18, _e20);
+        float pdf_6 = (_e12.pdf * _e21);
+        vec3 _e23 = found_9;
+        float _e26 = p_15.pdf;
+        float _e27 = misWeight(_e26, pdf_6);
+        float _e29 = p_15.pdf;
+        found_9 = (_e23 + (_e12.radiance * pick((_e29 <= 0.0), 1.0, _e27)));
+        uint _e37 = i_26;
+        i_26 = (_e37 + 1u);
+        const bool _e40 = hasManyLights;
+        if (!(_e40)) {
+            break;
+        }
+        uint _e42 = i_26;
+        uint _e45 = frame.farEmitters;
+        if ((_e42 >= _e45)) {
+            break;
+        }
+    }
+    vec3 _e48 = p_15.radiance;
+    vec3 _e50 = p_15.throughput;
+    vec3 _e51 = found_9;
+    p_15.radiance = (_e48 + (_e50 * _e51));
+    return;
+}
+
+void addFarLight(inout Path p_16) {
+    const bool _e2 = hasSky;
+    const bool _e4 = hasSuns;
+    if (pick(_e2, true, _e4)) {
+        bool _e7 = p_16.escaped;
+        uint _e10 = frame.emitterCount;
+        if (pick(_e7, (_e10 > 0u), false)) {
+            addSkyAndSuns(p_16);
+            return;
+        } else {
+            return;
+        }
+    } else {
+        return;
+    }
+}
+
 void main() {
     vec4 fragment = gl_FragCoord;
-    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
+    Path p = Path(RayPair(vec3(0.0), 0u, LeftTriangle(0u, 0u), 0.0, false, vec3(0.0), false, vec3(0.0), false, 0.0, 0u, 0u), vec3(0.0), false, vec3(0.0), false, 0u, vec3(0.0), 0.0, vec3(0.0), Odds(0.0, 0.0), Sampler(0u, 0u, 0u, 0u));
     Film film = Film(vec4(0.0), vec4(0.0));
     uvec2 texel_2 = uvec2(fragment.xy);
     uvec2 _e5 = frame.origin;
@@ -4504,6 +4596,7 @@ void main() {
             break;
         }
     }
+    addFarLight(p);
     uint _e22 = frame.sampleIndex;
     if ((_e22 > 0u)) {
         vec4 _e27 = texelFetch(previousFilm, ivec2(texel_2), 0);
