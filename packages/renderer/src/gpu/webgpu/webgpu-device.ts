@@ -347,7 +347,7 @@ class WebGpuDevice implements Device {
 
   #dispatch(pass: WebGpuPass, film: FilmTexture, resources: readonly Resource[], region: Region): void {
     const { width, firstRow, rowCount, tile = [8, 8], shares = 1 } = region;
-    const rowBytes = width * shares * pass.handedRows * 16;
+    const rowBytes = shares > 1 ? width * shares * pass.handedRows * 16 : 0;
     // Whole rows of workgroups.
     const most = Math.max(Math.floor(HANDED_BYTES / rowBytes / tile[1]), 1) * tile[1];
     for (let row = 0; row < rowCount; row += most) {
@@ -372,14 +372,14 @@ class WebGpuDevice implements Device {
     return this.#region;
   }
 
-  /** Grows with what is asked for. */
+  /** Grows with what is asked for; where a pixel has one thread it is not used. */
   #roomFor(bytes: number): GPUBuffer {
     if (this.#handed && this.#handed.size >= bytes) return this.#handed;
     if (this.#handed) this.#handed.destroy();
     else this.counts.buffers++;
     this.#handed = this.#device.createBuffer({
       label: 'handed',
-      size: bytes,
+      size: Math.max(bytes, 16),
       usage: GPUBufferUsage.STORAGE,
     });
     return this.#handed;

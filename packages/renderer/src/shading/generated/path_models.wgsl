@@ -47,19 +47,6 @@ var<private> ownSquares: array<vec3f, 8>;
 // that sets it to zero element by element takes Windows' compiler (FXC) longer than all the rest.
 @group(0) @binding(10) var<storage, read_write> handed: array<vec4f>;
 
-struct Share {
-  sum: vec3f,
-  square: vec3f,
-}
-
-
-// By the thread `i` of the pixel whose threads' room begins at `first`; nothing by one that is not there.
-fn handedBy(first: u32, i: u32, shares: u32) -> Share {
-  let row = 2u * (first + min(i, shares - 1u));
-  let counts = i < shares;
-  return Share(select(vec3f(0.0), handed[row].xyz, counts), select(vec3f(0.0), handed[row + 1u].xyz, counts));
-}
-
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let shares = frame.shares;
   let tile = frame.tile;
@@ -101,26 +88,17 @@ fn handedBy(first: u32, i: u32, shares: u32) -> Share {
   let first = (inRegion.y * region.y + inRegion.x) * shares;
   let own = 2u * (first + thread % shares);
   for (var g = 0u; g < groups; g++) {
-    if (inside) {
+    if (inside & !adds) {
       handed[own] = vec4f(ownSums[g], 0.0);
       handed[own + 1u] = vec4f(ownSquares[g], 0.0);
     }
     storageBarrier();
     if (adds) {
-      var groupSum = vec3f(0.0);
-      var groupSquare = vec3f(0.0);
-      // Several at a time, so that a GPU waits for them together.
-      for (var i = 0u; i < shares; i += 8u) {
-        let a = handedBy(first, i, shares);
-        let b = handedBy(first, i + 1u, shares);
-        let c = handedBy(first, i + 2u, shares);
-        let d = handedBy(first, i + 3u, shares);
-        let e = handedBy(first, i + 4u, shares);
-        let f = handedBy(first, i + 5u, shares);
-        let h = handedBy(first, i + 6u, shares);
-        let k = handedBy(first, i + 7u, shares);
-        groupSum = groupSum + a.sum + b.sum + c.sum + d.sum + e.sum + f.sum + h.sum + k.sum;
-        groupSquare = groupSquare + a.square + b.square + c.square + d.square + e.square + f.square + h.square + k.square;
+      var groupSum = ownSums[g];
+      var groupSquare = ownSquares[g];
+      for (var i = first + 1u; i < first + shares; i++) {
+        groupSum += handed[2u * i].xyz;
+        groupSquare += handed[2u * i + 1u].xyz;
       }
       sum += vec4f(groupSum, 0.0);
       square += vec4f(groupSquare, 0.0);
