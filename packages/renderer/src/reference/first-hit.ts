@@ -3,6 +3,7 @@
  * backend takes its AOVs from it.
  */
 import type { PixelFilter } from '../packed-scene/pack-filter.ts';
+import { AFFINE_LENGTH } from '../scene/affine.ts';
 import { emissionOf, lampsAsShapes } from '../scene/lamps.ts';
 import type { Camera, Color, Integrator, Material, Scene, Vec3 } from '../scene/scene.ts';
 import { sceneSeenBy } from '../scene/seen-by.ts';
@@ -67,7 +68,9 @@ export function prepareFirstHit(scene: Scene, settings: FirstHitSettings): First
     const oneSided = shape.type === 'quad' && lightOfShape.has(name);
     const front = albedoOf(material);
     const back = oneSided ? albedoOf(material, [0, 0, 0]) : front;
-    shapes.set(kinds[shape.type].shift()!, { id: index + 1, front, back });
+    // A mesh stands there once for each of its instances.
+    const count = shape.type === 'mesh' && shape.instances ? shape.instances.length / AFFINE_LENGTH : 1;
+    for (const one of kinds[shape.type].splice(0, count)) shapes.set(one, { id: index + 1, front, back });
   });
   const frame = cameraFrame(camera, settings.width, settings.height);
   return { ...settings, camera, cameraFrame: frame, scene: prepared, shapes };

@@ -128,7 +128,7 @@ export function prepareScene(scene: Scene): PreparedScene {
     else if (shape.type === 'box') boxes.push(prepareBox(shape, material));
     else if (shape.type === 'plane') planes.push(preparePlane(shape, material));
     else if (shape.type === 'quad') quads.push(prepareQuad(shape, material));
-    else meshes.push(prepareMesh(shape, material, scene));
+    else meshes.push(...prepareMesh(shape, material, scene));
   }
   const lights = sphereLights(scene);
   const visibleLights = lights.filter((light) => light.visible);

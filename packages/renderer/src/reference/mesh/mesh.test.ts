@@ -43,6 +43,26 @@ function bruteForce(mesh: Mesh, origin: Vec3, direction: Vec3): { t: number; cou
   return { t, count };
 }
 
+test('a mesh with instances is met where each of them stands, and seen as one shape', () => {
+  const mesh = cubeMesh();
+  const at = [
+    [-3, 0, 0],
+    [4, 1, 0],
+  ] as const;
+  const instances = Float32Array.from(at.flatMap(([x, y, z]) => [1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z]));
+  const scene = sceneOf(mesh, { scale: [2, 2, 2], instances });
+  const prepared = prepareScene(scene);
+  expect(prepared.meshes).toHaveLength(2);
+  const inMiddle = closestHit(prepareScene(sceneOf(mesh, { scale: [2, 2, 2] })), cameraRay([0, 0, 9], [0, 0, -1])).t;
+  expect(inMiddle).toBeLessThan(9);
+  for (const [x, y] of at) expect(closestHit(prepared, cameraRay([x, y, 9], [0, 0, -1])).t).toBeCloseTo(inMiddle, 12);
+  expect(closestHit(prepared, cameraRay([0, 0, 9], [0, 0, -1])).t).toBe(Infinity);
+  const size = { width: 32, height: 32, integrator: 'path', seed: 1 } as const;
+  const tracer = prepareFirstHit({ ...scene, camera: { ...scene.camera, eye: [0, 0, 12], target: [0, 0, 0] } }, size);
+  const seen = Array.from({ length: 32 }, (_, x) => traceFirstHit(tracer, x, 16, 0).hit?.id);
+  expect(new Set(seen)).toEqual(new Set([undefined, 1]));
+});
+
 test.each([
   ['soup', triangleSoup(500), 3000],
   ['a dented ball', displacedSphere({ triangles: 800 }), 3000],

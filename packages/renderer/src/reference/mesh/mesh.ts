@@ -1,8 +1,16 @@
 /** A placed mesh: where a ray meets it, and what its surface is like there. */
-import { invertAffine, type Numbers, transformDirection, transformNormal, transformPoint } from '../../scene/affine.ts';
+import {
+  AFFINE_LENGTH,
+  IDENTITY,
+  invertAffine,
+  type Numbers,
+  transformDirection,
+  transformNormal,
+  transformPoint,
+} from '../../scene/affine.ts';
 import { emissionOf } from '../../scene/lamps.ts';
 import type { Mesh } from '../../scene/mesh.ts';
-import { placementOf } from '../../scene/placed.ts';
+import { meshMatrices } from '../../scene/placed.ts';
 import type { Color, MeshShape, Scene, Vec3 } from '../../scene/scene.ts';
 import { add, cross, dot, negate, normalize, scale, subtract } from '../../scene/vec3.ts';
 import type { PreparedMaterial } from '../prepare.ts';
@@ -24,13 +32,17 @@ export interface PreparedMesh {
   readonly presence: Presence | null;
 }
 
-export function prepareMesh(shape: MeshShape, material: PreparedMaterial, scene: Scene): PreparedMesh {
+/** The mesh at each place where the shape has it. */
+export function prepareMesh(shape: MeshShape, material: PreparedMaterial, scene: Scene): PreparedMesh[] {
   const mesh = scene.meshes?.[shape.mesh]?.data;
   if (mesh === undefined) throw new TypeError(`The mesh "${shape.mesh}" has not been loaded.`);
   const textures = prepareTextures(scene, material);
   const presence = presenceOf(mesh, material, textures.baseColor);
-  const back = invertAffine(placementOf(shape))!;
-  return { type: 'mesh', mesh, tree: treeOf(mesh), back, material, textures, presence };
+  const matrices = meshMatrices(shape, IDENTITY);
+  return Array.from({ length: matrices.length / AFFINE_LENGTH }, (_, i) => {
+    const back = invertAffine(matrices, AFFINE_LENGTH * i)!;
+    return { type: 'mesh', mesh, tree: treeOf(mesh), back, material, textures, presence };
+  });
 }
 
 /** The ray's rule of start: of the mesh that it leaves only the one triangle is left out, which is flat. */
