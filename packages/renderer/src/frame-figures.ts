@@ -74,7 +74,9 @@ export class FrameFigures {
 
   /** News of a film between two frames, or after the last one. */
   note(record: DrawnFrame['record'], samples: number): void {
-    this.stats = { ...this.stats, ...figuresOf(record), samples };
+    const news = { ...figuresOf(record), samples };
+    const known = Object.entries(news).every(([key, value]) => this.stats[key as keyof typeof news] === value);
+    if (!known) this.stats = { ...this.stats, ...news };
   }
 
   #averages(): Pick<FrameStats, 'fps' | 'frameMs' | 'mraysPerSecond'> {

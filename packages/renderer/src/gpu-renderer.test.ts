@@ -499,6 +499,18 @@ describe('a long picture by paths', () => {
     expect([renderer.stats.relativeError, device.count('film error')]).toEqual([null, 3]);
   });
 
+  test('has its own figures when it is back, though a frame of the other view is finished after that', async () => {
+    const device = new FakeDevice();
+    const renderer = await long(device);
+    const { samples, relativeError } = renderer.stats;
+    device.submitMs = 100;
+    renderer.set({ view: 'depth' });
+    await pass(40);
+    renderer.set({ view: 'picture' });
+    await pass(500);
+    expect(renderer.stats).toMatchObject({ samples, relativeError, fps: 0 });
+  });
+
   test('outlasts a look at another view, and goes on where it was', async () => {
     const device = new FakeDevice();
     const renderer = await long(device);

@@ -265,6 +265,8 @@ export class Painter {
     if (view.shownRevision !== this.#shownRevision) this.#show();
     this.#shownRevision = view.shownRevision;
     this.#measure(true);
+    // A frame of another view may have been finished after this film was taken up again.
+    if (this.#inFlight === 0) this.#note(this.#record);
     figures.rest(canvas);
   }
 
