@@ -282,7 +282,8 @@ test('a scene opens with its map of the sky when both files come together, and s
   const input = page.locator('#scene-file');
   await input.setInputFiles([file('sky.json', scene)]);
   const dialog = page.getByRole('dialog', { name: /sky\.json/ });
-  await expect(dialog).toContainText('open sky.npy together with sky.json');
+  await expect(dialog).toContainText('did not come with it');
+  await expect(dialog.getByRole('listitem')).toHaveText('sky.npy');
   await page.keyboard.press('Escape');
   const map = writeNpy(fromInterleaved(2, 1, ['R', 'G', 'B'], [1, 2, 3, 4, 5, 6]));
   await input.setInputFiles([file('sky.npy', map), file('sky.json', scene)]);

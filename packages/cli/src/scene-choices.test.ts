@@ -118,9 +118,12 @@ describe('convert', () => {
     expect(JSON.parse(readFileSync(inFolder('b.json'), 'utf8')).models.model.file).toBe('model.glb');
   });
 
-  test('other formats, and nowhere to write', async () => {
+  test('other formats, a folder that is made, and nowhere to write', async () => {
     await expect(write('materials', 'm.obj')).rejects.toThrow('.glb, .xml or .json');
-    await expect(write('materials', 'none/m.glb')).rejects.toThrow(CommandError);
+    await write('materials', 'made/for/m.glb');
+    expect(readFileSync(inFolder('made/for/m.glb')).length).toBeGreaterThan(0);
+    await expect(write('materials', 'made/for/m.glb/m.glb')).rejects.toThrow(CommandError);
+    await expect(write('materials', 'made/for/m.glb/deep/m.glb')).rejects.toThrow('m.glb is no folder');
   });
 });
 

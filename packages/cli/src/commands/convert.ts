@@ -30,7 +30,9 @@ export async function convert(
   const write = WRITERS[extname(output).toLowerCase()];
   if (write === undefined) throw usage(`${output}: a scene is written as .glb, .xml or .json.`);
   // Files for Mitsuba are many: they may go into a folder of their own, which is made.
-  if (existsSync(dirname(output))) await checkWritable(output);
+  let made = output;
+  while (!existsSync(dirname(made))) made = dirname(made);
+  await checkWritable(made);
   const scene = await chosen(await requireSceneFile(file, terminal), options, terminal);
   const packing = startPreparation(terminal, output, 'images', 'packing images');
   const { files, report } = write(scene, { file, output, options, onProgress: (share) => packing.update(share) });
