@@ -1219,8 +1219,8 @@ vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_28 = (t_2.first + pair);
-    uint row_12 = (i_28 / width_2);
-    vec4 _e12 = environmentTexel((i_28 - (row_12 * width_2)), row_12);
+    uint row_11 = (i_28 / width_2);
+    vec4 _e12 = environmentTexel((i_28 - (row_11 * width_2)), row_11);
     return _e12;
 }
 
@@ -1229,111 +1229,66 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-ChosenCell chooseCell(vec2 u_12) {
-    Table t_3 = Table(0u, 0u);
-    uint digits_1 = 0u;
-    uint fine_1 = 0u;
-    bool isRow = true;
-    bool begins = true;
-    uint pairs = 0u;
+Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
     uint low = 0u;
     uint high = 0u;
-    uint step_ = 0u;
     vec2 ends = vec2(1.0);
-    Choice row_10 = Choice(0u, 0.0);
-    Choice chosen_1 = Choice(0u, 0.0);
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size_1 = uvec2(_e3);
-    uvec2 all_ = uvec2((u_12 * 16777216.0));
-    uint _e13 = mixBits((all_.x ^ (all_.y * 2654435761u)));
-    uint tables = (size_1.x * size_1.y);
-    t_3 = Table(tables, (size_1.y + 1u));
-    digits_1 = all_.y;
-    fine_1 = (_e13 & 4095u);
+    uint step_ = 0u;
+    uint pairs = ((t_3.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_3.entries) + (((digits_1 & 4095u) * t_3.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_3, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
     while(true) {
-        bool _e50 = begins;
-        if (_e50) {
-            uint _e52 = t_3.entries;
-            pairs = ((_e52 + 1u) / 2u);
-            uint _e57 = digits_1;
-            uint _e61 = t_3.entries;
-            uint _e63 = digits_1;
-            uint _e67 = t_3.entries;
-            uint part = ((((_e57 >> 12u) * _e61) + (((_e63 & 4095u) * _e67) >> 12u)) >> 12u);
-            Table _e74 = t_3;
-            vec4 _e77 = fetchEntries(_e74, (part / 2u));
-            low = (uint(pick(((part & 1u) == 1u), _e77.w, _e77.y)) >> 12u);
-            uint _e88 = pairs;
-            high = _e88;
-            ends = vec2(1.0);
-            step_ = 0u;
-            begins = false;
-        }
-        uint _e93 = low;
-        uint _e94 = step_;
-        uint _e96 = pairs;
-        uint _e100 = low;
-        uint _e101 = high;
-        uint _e105 = high;
-        uint _e106 = pairs;
-        uint next = pick((_e105 < _e106), ((_e100 + _e101) / 2u), min((_e93 + _e94), (_e96 - 1u)));
-        Table _e109 = t_3;
-        vec4 _e110 = fetchEntries(_e109, next);
-        uint _e111 = digits_1;
-        uint _e112 = fine_1;
-        vec2 _e113 = sharesBeyond(_e110, _e111, _e112);
-        bool found_8 = (_e113.y > 0.0);
-        vec2 _e117 = ends;
-        ends = pick(found_8, _e113, _e117);
-        uint _e119 = high;
-        high = pick(found_8, next, _e119);
-        uint _e123 = low;
-        low = pick(found_8, _e123, (next + 1u));
-        uint _e126 = step_;
-        step_ = ((2u * _e126) + 1u);
-        uint _e130 = low;
-        uint _e131 = high;
-        if ((_e130 >= _e131)) {
-            uint _e133 = high;
-            uint _e134 = pairs;
-            uint pair_3 = min(_e133, (_e134 - 1u));
-            Table _e138 = t_3;
-            vec4 _e143 = fetchEntries(_e138, (max(pair_3, 1u) - 1u));
-            uint _e144 = digits_1;
-            uint _e145 = fine_1;
-            vec2 _e146 = sharesBeyond(_e143, _e144, _e145);
-            float before_2 = _e146.y;
-            uint _e148 = digits_1;
-            uint _e150 = fine_1;
-            float none = -((float(_e148) + (float(_e150) * 0.00024414063)));
-            float _e157 = ends.x;
-            bool isFirst = (_e157 > 0.0);
-            float _e161 = ends.x;
-            float start = pick(isFirst, pick((pair_3 == 0u), none, before_2), _e161);
-            float _e167 = ends.y;
-            float _e169 = ends.x;
-            float end = pick(isFirst, _e169, _e167);
-            uint _e178 = t_3.entries;
-            chosen_1 = Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (_e178 - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
-            bool _e191 = isRow;
-            if (!(_e191)) {
-                break;
-            }
-            Choice _e193 = chosen_1;
-            row_10 = _e193;
-            uint _e201 = row_10.entry;
-            t_3 = Table(((tables + ((size_1.y + 2u) / 2u)) + (_e201 * ((size_1.x + 1u) / 2u))), size_1.x);
-            digits_1 = all_.x;
-            fine_1 = (_e13 >> 20u);
-            isRow = false;
-            begins = true;
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_3, next);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_8 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_8, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_8, next, _e62);
+        uint _e66 = low;
+        low = pick(found_8, _e66, (next + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
         }
     }
-    uint _e217 = chosen_1.entry;
-    uint _e219 = row_10.entry;
-    float _e222 = chosen_1.rest;
-    float _e224 = row_10.rest;
-    return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
+    uint _e76 = high;
+    uint pair_3 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_3, (max(pair_3, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before_2 = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst, pick((pair_3 == 0u), none, before_2), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst, _e106, _e104);
+    return Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (t_3.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_12) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_1 = uvec2(_e3);
+    uvec2 digits_2 = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((digits_2.x ^ (digits_2.y * 2654435761u)));
+    uint columns = ((size_1.x + 1u) / 2u);
+    uint tables = (size_1.x * size_1.y);
+    Choice _e29 = chooseEntry(Table(tables, (size_1.y + 1u)), digits_2.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_1.y + 2u) / 2u)) + (_e29.entry * columns)), size_1.x), digits_2.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
 Corners environmentCorners(uvec2 cell) {
@@ -1599,8 +1554,8 @@ vec4 larger(vec4 a_1, vec4 b_2) {
     return intBitsToFloat(max(floatBitsToInt(a_1), floatBitsToInt(b_2)));
 }
 
-vec4 planes(uint row_11, float inverse_, float offset_1) {
-    uvec4 _e3 = geometryRow(row_11);
+vec4 planes(uint row_10, float inverse_, float offset_1) {
+    uvec4 _e3 = geometryRow(row_10);
     return ((uintBitsToFloat(_e3) * inverse_) + vec4(offset_1));
 }
 
@@ -1667,12 +1622,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_13 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_13);
+    uint row_12 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_12);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity_1 = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_13 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
         float _e43 = opacity_1;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity_1 = (_e43 * _e54.w);
@@ -2143,9 +2098,9 @@ float boxPdf(Emitter e_21, vec3 point_19, vec3 direction_10, float distance_3, v
 
 float meshPdf(Emitter e_22, vec3 direction_11, float distance_4, vec3 normal_10, uint place_2) {
     uint _e7 = frame.lampTables;
-    uint row_14 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
+    uint row_13 = ((_e7 + uint(e_22.table)) + (place_2 & ((1u << uint(e_22.radius)) - 1u)));
     float _e23 = areaPdf(e_22.area, (distance_4 * abs(dot(direction_11, normal_10))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_14);
+    LampTriangle _e24 = fetchLampTriangle(row_13);
     return (_e23 * _e24.density);
 }
 
@@ -2358,10 +2313,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_18) {
     float _e35 = frame.environmentTurn;
     float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_6.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_6.y / 3.1415927)) + 0.5);
-    float row_15 = floor(fromPole_1);
+    float row_14 = floor(fromPole_1);
     bool isLower_1 = (direction_18.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_6.y - row_15), row_15));
-    float within_2 = (fromPole_1 - row_15);
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_6.y - row_14), row_14));
+    float within_2 = (fromPole_1 - row_14);
     vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_5);

@@ -2214,65 +2214,16 @@ fn sampleEnvironment(u: vec2f) -> EnvironmentSample {
   return EnvironmentSample(direction, lightWithin(k, vec2f(s, t), sine));
 }
 
-// First the row, then the column in its table, both in one loop: a compiler writes out each. A number is digits + fine / 4096, in steps of
-// 2^-24. From the guide's pair of entries on in steps that double, until the share is beyond it; then by halves.
 fn chooseCell(u: vec2f) -> ChosenCell {
   let size = vec2u(frame.environmentSize);
-  let all = vec2u(u * 16777216.0);
+  let digits = vec2u(u * 16777216.0);
   // Further digits, hashed: shares in a table may be small.
-  let hash = mixBits(all.x ^ (all.y * 0x9e3779b1u));
+  let hash = mixBits(digits.x ^ (digits.y * 0x9e3779b1u));
+  let columns = (size.x + 1u) / 2u;
   let tables = size.x * size.y;
-  var t = Table(tables, size.y + 1u);
-  var digits = all.y;
-  var fine = hash & 4095u;
-  var isRow = true;
-  var begins = true;
-  var pairs = 0u;
-  var low = 0u;
-  var high = 0u;
-  var step = 0u;
-  var ends = vec2f(1.0);
-  var row = Choice(0u, 0.0);
-  var chosen = Choice(0u, 0.0);
-  loop {
-    if (begins) {
-      pairs = (t.entries + 1u) / 2u;
-      // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
-      let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
-      let guide = fetchEntries(t, part / 2u);
-      low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
-      high = pairs;
-      ends = vec2f(1.0);
-      step = 0u;
-      begins = false;
-    }
-    let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
-    let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
-    let found = beyond.y > 0.0;
-    ends = select(ends, beyond, found);
-    high = select(high, next, found);
-    low = select(next + 1u, low, found);
-    step = 2u * step + 1u;
-    if (low >= high) {
-      let pair = min(high, pairs - 1u);
-      let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
-      let none = -(f32(digits) + f32(fine) * 0.000244140625);
-      let isFirst = ends.x > 0.0;
-      let start = select(ends.x, select(before, none, pair == 0u), isFirst);
-      let end = select(ends.y, ends.x, isFirst);
-      chosen = Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
-      if (!isRow) {
-        break;
-      }
-      row = chosen;
-      t = Table(tables + (size.y + 2u) / 2u + row.entry * ((size.x + 1u) / 2u), size.x);
-      digits = all.x;
-      fine = hash >> 20u;
-      isRow = false;
-      begins = true;
-    }
-  }
-  return ChosenCell(vec2u(chosen.entry, row.entry), vec2f(chosen.rest, row.rest));
+  let y = chooseEntry(Table(tables, size.y + 1u), digits.y, hash & 4095u);
+  let x = chooseEntry(Table(tables + (size.y + 2u) / 2u + y.entry * columns, size.x), digits.x, hash >> 20u);
+  return ChosenCell(vec2u(x.entry, y.entry), vec2f(x.rest, y.rest));
 }
 
 fn environmentCorners(cell: vec2u) -> Corners {
@@ -2297,17 +2248,42 @@ fn lightWithin(k: Corners, at: vec2f, sine: f32) -> EnvironmentLight {
   return EnvironmentLight(light.rgb, max(light.a, 0.0) / sine);
 }
 
+// The number is digits + fine / 4096, in steps of 2^-24. From the guide's pair of entries on in steps that double, until the share is
+// beyond it; then by halves.
+fn chooseEntry(t: Table, digits: u32, fine: u32) -> Choice {
+  let pairs = (t.entries + 1u) / 2u;
+  // digits n / 2^24 for n up to 4096: 32 bits do not hold the product.
+  let part = ((digits >> 12u) * t.entries + (((digits & 4095u) * t.entries) >> 12u)) >> 12u;
+  let guide = fetchEntries(t, part / 2u);
+  var low = u32(select(guide.y, guide.w, (part & 1u) == 1u)) >> 12u;
+  var high = pairs;
+  var ends = vec2f(1.0);
+  var step = 0u;
+  loop {
+    let next = select(min(low + step, pairs - 1u), (low + high) / 2u, high < pairs);
+    let beyond = sharesBeyond(fetchEntries(t, next), digits, fine);
+    let found = beyond.y > 0.0;
+    ends = select(ends, beyond, found);
+    high = select(high, next, found);
+    low = select(next + 1u, low, found);
+    step = 2u * step + 1u;
+    if (low >= high) {
+      break;
+    }
+  }
+  let pair = min(high, pairs - 1u);
+  let before = sharesBeyond(fetchEntries(t, max(pair, 1u) - 1u), digits, fine).y;
+  let none = -(f32(digits) + f32(fine) * 0.000244140625);
+  let isFirst = ends.x > 0.0;
+  let start = select(ends.x, select(before, none, pair == 0u), isFirst);
+  let end = select(ends.y, ends.x, isFirst);
+  return Choice(min(2u * pair + select(1u, 0u, isFirst), t.entries - 1u), clamp(-start / max(end - start, 1e-37), 0.0, 1.0));
+}
+
 // packed-scene/inversion-table.ts says what is in a table: two entries a texel, from this texel on, row after row.
 struct Table {
   first: u32,
   entries: u32,
-}
-
-
-// The entry that was chosen, and where in its share the number lies, in [0, 1].
-struct Choice {
-  entry: u32,
-  rest: f32,
 }
 
 
@@ -2318,17 +2294,24 @@ struct ChosenCell {
 }
 
 
-// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
-fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
-  let further = vec2u(pair.yw) & vec2u(4095u);
-  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
-}
-
 fn fetchEntries(t: Table, pair: u32) -> vec4f {
   let width = u32(frame.environmentSize.x);
   let i = t.first + pair;
   let row = i / width;
   return environmentTexel(i - row * width, row);
+}
+
+// The entry that was chosen, and where in its share the number lies, in [0, 1].
+struct Choice {
+  entry: u32,
+  rest: f32,
+}
+
+
+// Shares up to and with two entries, less the number, in steps of 2^-24: exact near 0, and of the right sign anywhere.
+fn sharesBeyond(pair: vec4f, digits: u32, fine: u32) -> vec2f {
+  let further = vec2u(pair.yw) & vec2u(4095u);
+  return (pair.xz - f32(digits)) + (vec2f(further) - f32(fine)) * 0.000244140625;
 }
 
 fn environmentTexel(column: u32, row: u32) -> vec4f {

@@ -1432,8 +1432,8 @@ vec4 fetchEntries(Table t_2, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_19 = (t_2.first + pair);
-    uint row_3 = (i_19 / width_2);
-    vec4 _e12 = environmentTexel((i_19 - (row_3 * width_2)), row_3);
+    uint row_2 = (i_19 / width_2);
+    vec4 _e12 = environmentTexel((i_19 - (row_2 * width_2)), row_2);
     return _e12;
 }
 
@@ -1442,111 +1442,66 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-ChosenCell chooseCell(vec2 u_12) {
-    Table t_3 = Table(0u, 0u);
-    uint digits_1 = 0u;
-    uint fine_1 = 0u;
-    bool isRow = true;
-    bool begins = true;
-    uint pairs = 0u;
+Choice chooseEntry(Table t_3, uint digits_1, uint fine_1) {
     uint low = 0u;
     uint high = 0u;
-    uint step_ = 0u;
     vec2 ends = vec2(1.0);
-    Choice row_2 = Choice(0u, 0.0);
-    Choice chosen_1 = Choice(0u, 0.0);
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size = uvec2(_e3);
-    uvec2 all_ = uvec2((u_12 * 16777216.0));
-    uint _e13 = mixBits((all_.x ^ (all_.y * 2654435761u)));
-    uint tables = (size.x * size.y);
-    t_3 = Table(tables, (size.y + 1u));
-    digits_1 = all_.y;
-    fine_1 = (_e13 & 4095u);
+    uint step_ = 0u;
+    uint pairs = ((t_3.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_3.entries) + (((digits_1 & 4095u) * t_3.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_3, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
     while(true) {
-        bool _e50 = begins;
-        if (_e50) {
-            uint _e52 = t_3.entries;
-            pairs = ((_e52 + 1u) / 2u);
-            uint _e57 = digits_1;
-            uint _e61 = t_3.entries;
-            uint _e63 = digits_1;
-            uint _e67 = t_3.entries;
-            uint part = ((((_e57 >> 12u) * _e61) + (((_e63 & 4095u) * _e67) >> 12u)) >> 12u);
-            Table _e74 = t_3;
-            vec4 _e77 = fetchEntries(_e74, (part / 2u));
-            low = (uint(pick(((part & 1u) == 1u), _e77.w, _e77.y)) >> 12u);
-            uint _e88 = pairs;
-            high = _e88;
-            ends = vec2(1.0);
-            step_ = 0u;
-            begins = false;
-        }
-        uint _e93 = low;
-        uint _e94 = step_;
-        uint _e96 = pairs;
-        uint _e100 = low;
-        uint _e101 = high;
-        uint _e105 = high;
-        uint _e106 = pairs;
-        uint next = pick((_e105 < _e106), ((_e100 + _e101) / 2u), min((_e93 + _e94), (_e96 - 1u)));
-        Table _e109 = t_3;
-        vec4 _e110 = fetchEntries(_e109, next);
-        uint _e111 = digits_1;
-        uint _e112 = fine_1;
-        vec2 _e113 = sharesBeyond(_e110, _e111, _e112);
-        bool found_8 = (_e113.y > 0.0);
-        vec2 _e117 = ends;
-        ends = pick(found_8, _e113, _e117);
-        uint _e119 = high;
-        high = pick(found_8, next, _e119);
-        uint _e123 = low;
-        low = pick(found_8, _e123, (next + 1u));
-        uint _e126 = step_;
-        step_ = ((2u * _e126) + 1u);
-        uint _e130 = low;
-        uint _e131 = high;
-        if ((_e130 >= _e131)) {
-            uint _e133 = high;
-            uint _e134 = pairs;
-            uint pair_3 = min(_e133, (_e134 - 1u));
-            Table _e138 = t_3;
-            vec4 _e143 = fetchEntries(_e138, (max(pair_3, 1u) - 1u));
-            uint _e144 = digits_1;
-            uint _e145 = fine_1;
-            vec2 _e146 = sharesBeyond(_e143, _e144, _e145);
-            float before = _e146.y;
-            uint _e148 = digits_1;
-            uint _e150 = fine_1;
-            float none = -((float(_e148) + (float(_e150) * 0.00024414063)));
-            float _e157 = ends.x;
-            bool isFirst = (_e157 > 0.0);
-            float _e161 = ends.x;
-            float start = pick(isFirst, pick((pair_3 == 0u), none, before), _e161);
-            float _e167 = ends.y;
-            float _e169 = ends.x;
-            float end = pick(isFirst, _e169, _e167);
-            uint _e178 = t_3.entries;
-            chosen_1 = Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (_e178 - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
-            bool _e191 = isRow;
-            if (!(_e191)) {
-                break;
-            }
-            Choice _e193 = chosen_1;
-            row_2 = _e193;
-            uint _e201 = row_2.entry;
-            t_3 = Table(((tables + ((size.y + 2u) / 2u)) + (_e201 * ((size.x + 1u) / 2u))), size.x);
-            digits_1 = all_.x;
-            fine_1 = (_e13 >> 20u);
-            isRow = false;
-            begins = true;
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_3, next);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_8 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_8, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_8, next, _e62);
+        uint _e66 = low;
+        low = pick(found_8, _e66, (next + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
         }
     }
-    uint _e217 = chosen_1.entry;
-    uint _e219 = row_2.entry;
-    float _e222 = chosen_1.rest;
-    float _e224 = row_2.rest;
-    return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
+    uint _e76 = high;
+    uint pair_3 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_3, (max(pair_3, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst, pick((pair_3 == 0u), none, before), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst, _e106, _e104);
+    return Choice(min(((2u * pair_3) + pick(isFirst, 0u, 1u)), (t_3.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_12) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size = uvec2(_e3);
+    uvec2 digits_4 = uvec2((u_12 * 16777216.0));
+    uint _e13 = mixBits((digits_4.x ^ (digits_4.y * 2654435761u)));
+    uint columns = ((size.x + 1u) / 2u);
+    uint tables = (size.x * size.y);
+    Choice _e29 = chooseEntry(Table(tables, (size.y + 1u)), digits_4.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size.y + 2u) / 2u)) + (_e29.entry * columns)), size.x), digits_4.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
 Corners environmentCorners(uvec2 cell) {
@@ -1985,7 +1940,7 @@ FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
     bool _e82 = hidesApart(uint(s_15.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_3.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
-    float chosen_2 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
+    float chosen_1 = (pick(_e6, _e88, 1.0) * pick(crossing_1, (o_3.ratio * o_3.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
@@ -1993,7 +1948,7 @@ FacetLobe evaluateFacets(Surface s_15, Outgoing o_3, vec3 wi_1) {
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
-    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_2) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_1) / ((o_3.bound * zo) + o_3.stretched)), abs(oh_1));
 }
 
 vec4 evaluateBsdf(Surface s_16, Outgoing o_4, vec3 wi_2) {
@@ -2225,10 +2180,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_11) {
     float _e35 = frame.environmentTurn;
     float column_2 = ((fract(((turn_1 * 0.15915494) + _e35)) * size_3.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_3.y / 3.1415927)) + 0.5);
-    float row_4 = floor(fromPole_1);
+    float row_3 = floor(fromPole_1);
     bool isLower_1 = (direction_11.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_3.y - row_4), row_4));
-    float within_2 = (fromPole_1 - row_4);
+    vec2 cell_2 = vec2(floor(column_2), pick(isLower_1, (size_3.y - row_3), row_3));
+    float within_2 = (fromPole_1 - row_3);
     vec2 at_2 = vec2((column_2 - cell_2.x), pick(isLower_1, (1.0 - within_2), within_2));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_2, sine_6);

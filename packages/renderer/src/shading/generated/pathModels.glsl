@@ -1265,12 +1265,12 @@ bool isThere(uint instance, uint place, vec2 weights_1, uint number_1) {
     uint _e6 = frame.instances;
     Instance _e10 = fetchInstance((_e6 + (instance * instanceRows)));
     Triangle _e15 = fetchTriangle((_e10.triangles + (place * triangleRows)));
-    uint row_12 = (_e10.cover & coverRow);
-    MaterialTextures _e19 = fetchMaterialTextures(row_12);
+    uint row_11 = (_e10.cover & coverRow);
+    MaterialTextures _e19 = fetchMaterialTextures(row_11);
     Cover _e30 = coverAt((uvec3(_e10.vertices) + (uvec3(_e15.vertexA, _e15.vertexB, _e15.vertexC) * _e10.vertexRows)), _e10.vertexRows, weights_1);
     opacity = (_e19.opacity * _e30.opacity);
     if (((_e19.flags & hasOpacityTexture) != 0u)) {
-        TextureUse _e42 = fetchTextureUse((row_12 + materialTexturesRows));
+        TextureUse _e42 = fetchTextureUse((row_11 + materialTexturesRows));
         float _e43 = opacity;
         vec4 _e54 = lookUp(_e42, pick(((_e42.flags & usesSecondSet) != 0u), _e30.uv.zw, _e30.uv.xy));
         opacity = (_e43 * _e54.w);
@@ -1892,8 +1892,8 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     uint i_17 = 0u;
     vec2 place_2 = vec2(0.0);
     float _e4 = s_6.textures;
-    uint row_13 = uint(_e4);
-    MaterialTextures _e6 = fetchMaterialTextures(row_13);
+    uint row_12 = uint(_e4);
+    MaterialTextures _e6 = fetchMaterialTextures(row_12);
     bool unlit = ((_e6.flags & isUnlit) != 0u);
     vec3 _e13 = s_6.baseColor;
     s_6.baseColor = (_e13 * color);
@@ -1902,7 +1902,7 @@ Bumps takeUpTextures(inout Surface s_6, vec4 uv_1, vec3 color) {
     if ((_e6.count > 0u)) {
         while(true) {
             uint _e38 = i_17;
-            TextureUse _e42 = fetchTextureUse(((row_13 + materialTexturesRows) + (_e38 * textureUseRows)));
+            TextureUse _e42 = fetchTextureUse(((row_12 + materialTexturesRows) + (_e38 * textureUseRows)));
             place_2 = uv_1.xy;
             const bool _e46 = hasVertexMore;
             if (_e46) {
@@ -2267,9 +2267,9 @@ LampTriangle fetchLampTriangle(uint row_8) {
 
 float meshPdf(Emitter e_7, vec3 direction_13, float distance_4, vec3 normal_5, uint place_3) {
     uint _e7 = frame.lampTables;
-    uint row_14 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
+    uint row_13 = ((_e7 + uint(e_7.table)) + (place_3 & ((1u << uint(e_7.radius)) - 1u)));
     float _e23 = areaPdf(e_7.area, (distance_4 * abs(dot(direction_13, normal_5))), distance_4);
-    LampTriangle _e24 = fetchLampTriangle(row_14);
+    LampTriangle _e24 = fetchLampTriangle(row_13);
     return (_e23 * _e24.density);
 }
 
@@ -2887,8 +2887,8 @@ vec4 fetchEntries(Table t_5, uint pair) {
     float _e5 = frame.environmentSize.x;
     uint width_2 = uint(_e5);
     uint i_27 = (t_5.first + pair);
-    uint row_15 = (i_27 / width_2);
-    vec4 _e12 = environmentTexel((i_27 - (row_15 * width_2)), row_15);
+    uint row_14 = (i_27 / width_2);
+    vec4 _e12 = environmentTexel((i_27 - (row_14 * width_2)), row_14);
     return _e12;
 }
 
@@ -2897,111 +2897,66 @@ vec2 sharesBeyond(vec4 pair_1, uint digits, uint fine) {
     return ((pair_1.xz - vec2(float(digits))) + ((vec2(further) - vec2(float(fine))) * 0.00024414063));
 }
 
-ChosenCell chooseCell(vec2 u_17) {
-    Table t_6 = Table(0u, 0u);
-    uint digits_1 = 0u;
-    uint fine_1 = 0u;
-    bool isRow = true;
-    bool begins = true;
-    uint pairs = 0u;
+Choice chooseEntry(Table t_6, uint digits_1, uint fine_1) {
     uint low = 0u;
     uint high = 0u;
-    uint step_ = 0u;
     vec2 ends = vec2(1.0);
-    Choice row_11 = Choice(0u, 0.0);
-    Choice chosen_1 = Choice(0u, 0.0);
-    vec2 _e3 = frame.environmentSize;
-    uvec2 size_6 = uvec2(_e3);
-    uvec2 all_ = uvec2((u_17 * 16777216.0));
-    uint _e13 = mixBits((all_.x ^ (all_.y * 2654435761u)));
-    uint tables = (size_6.x * size_6.y);
-    t_6 = Table(tables, (size_6.y + 1u));
-    digits_1 = all_.y;
-    fine_1 = (_e13 & 4095u);
+    uint step_ = 0u;
+    uint pairs = ((t_6.entries + 1u) / 2u);
+    uint part = ((((digits_1 >> 12u) * t_6.entries) + (((digits_1 & 4095u) * t_6.entries) >> 12u)) >> 12u);
+    vec4 _e23 = fetchEntries(t_6, (part / 2u));
+    low = (uint(pick(((part & 1u) == 1u), _e23.w, _e23.y)) >> 12u);
+    high = pairs;
     while(true) {
-        bool _e50 = begins;
-        if (_e50) {
-            uint _e52 = t_6.entries;
-            pairs = ((_e52 + 1u) / 2u);
-            uint _e57 = digits_1;
-            uint _e61 = t_6.entries;
-            uint _e63 = digits_1;
-            uint _e67 = t_6.entries;
-            uint part = ((((_e57 >> 12u) * _e61) + (((_e63 & 4095u) * _e67) >> 12u)) >> 12u);
-            Table _e74 = t_6;
-            vec4 _e77 = fetchEntries(_e74, (part / 2u));
-            low = (uint(pick(((part & 1u) == 1u), _e77.w, _e77.y)) >> 12u);
-            uint _e88 = pairs;
-            high = _e88;
-            ends = vec2(1.0);
-            step_ = 0u;
-            begins = false;
-        }
-        uint _e93 = low;
-        uint _e94 = step_;
-        uint _e96 = pairs;
-        uint _e100 = low;
-        uint _e101 = high;
-        uint _e105 = high;
-        uint _e106 = pairs;
-        uint next = pick((_e105 < _e106), ((_e100 + _e101) / 2u), min((_e93 + _e94), (_e96 - 1u)));
-        Table _e109 = t_6;
-        vec4 _e110 = fetchEntries(_e109, next);
-        uint _e111 = digits_1;
-        uint _e112 = fine_1;
-        vec2 _e113 = sharesBeyond(_e110, _e111, _e112);
-        bool found_10 = (_e113.y > 0.0);
-        vec2 _e117 = ends;
-        ends = pick(found_10, _e113, _e117);
-        uint _e119 = high;
-        high = pick(found_10, next, _e119);
-        uint _e123 = low;
-        low = pick(found_10, _e123, (next + 1u));
-        uint _e126 = step_;
-        step_ = ((2u * _e126) + 1u);
-        uint _e130 = low;
-        uint _e131 = high;
-        if ((_e130 >= _e131)) {
-            uint _e133 = high;
-            uint _e134 = pairs;
-            uint pair_5 = min(_e133, (_e134 - 1u));
-            Table _e138 = t_6;
-            vec4 _e143 = fetchEntries(_e138, (max(pair_5, 1u) - 1u));
-            uint _e144 = digits_1;
-            uint _e145 = fine_1;
-            vec2 _e146 = sharesBeyond(_e143, _e144, _e145);
-            float before_2 = _e146.y;
-            uint _e148 = digits_1;
-            uint _e150 = fine_1;
-            float none = -((float(_e148) + (float(_e150) * 0.00024414063)));
-            float _e157 = ends.x;
-            bool isFirst_1 = (_e157 > 0.0);
-            float _e161 = ends.x;
-            float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e161);
-            float _e167 = ends.y;
-            float _e169 = ends.x;
-            float end = pick(isFirst_1, _e169, _e167);
-            uint _e178 = t_6.entries;
-            chosen_1 = Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (_e178 - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
-            bool _e191 = isRow;
-            if (!(_e191)) {
-                break;
-            }
-            Choice _e193 = chosen_1;
-            row_11 = _e193;
-            uint _e201 = row_11.entry;
-            t_6 = Table(((tables + ((size_6.y + 2u) / 2u)) + (_e201 * ((size_6.x + 1u) / 2u))), size_6.x);
-            digits_1 = all_.x;
-            fine_1 = (_e13 >> 20u);
-            isRow = false;
-            begins = true;
+        uint _e41 = low;
+        uint _e42 = step_;
+        uint _e47 = low;
+        uint _e48 = high;
+        uint _e52 = high;
+        uint next = pick((_e52 < pairs), ((_e47 + _e48) / 2u), min((_e41 + _e42), (pairs - 1u)));
+        vec4 _e55 = fetchEntries(t_6, next);
+        vec2 _e56 = sharesBeyond(_e55, digits_1, fine_1);
+        bool found_10 = (_e56.y > 0.0);
+        vec2 _e60 = ends;
+        ends = pick(found_10, _e56, _e60);
+        uint _e62 = high;
+        high = pick(found_10, next, _e62);
+        uint _e66 = low;
+        low = pick(found_10, _e66, (next + 1u));
+        uint _e69 = step_;
+        step_ = ((2u * _e69) + 1u);
+        uint _e73 = low;
+        uint _e74 = high;
+        if ((_e73 >= _e74)) {
+            break;
         }
     }
-    uint _e217 = chosen_1.entry;
-    uint _e219 = row_11.entry;
-    float _e222 = chosen_1.rest;
-    float _e224 = row_11.rest;
-    return ChosenCell(uvec2(_e217, _e219), vec2(_e222, _e224));
+    uint _e76 = high;
+    uint pair_5 = min(_e76, (pairs - 1u));
+    vec4 _e84 = fetchEntries(t_6, (max(pair_5, 1u) - 1u));
+    vec2 _e85 = sharesBeyond(_e84, digits_1, fine_1);
+    float before_2 = _e85.y;
+    float none = -((float(digits_1) + (float(fine_1) * 0.00024414063)));
+    float _e94 = ends.x;
+    bool isFirst_1 = (_e94 > 0.0);
+    float _e98 = ends.x;
+    float start = pick(isFirst_1, pick((pair_5 == 0u), none, before_2), _e98);
+    float _e104 = ends.y;
+    float _e106 = ends.x;
+    float end = pick(isFirst_1, _e106, _e104);
+    return Choice(min(((2u * pair_5) + pick(isFirst_1, 0u, 1u)), (t_6.entries - 1u)), clamp((-(start) / max((end - start), 1e-37)), 0.0, 1.0));
+}
+
+ChosenCell chooseCell(vec2 u_17) {
+    vec2 _e3 = frame.environmentSize;
+    uvec2 size_6 = uvec2(_e3);
+    uvec2 digits_4 = uvec2((u_17 * 16777216.0));
+    uint _e13 = mixBits((digits_4.x ^ (digits_4.y * 2654435761u)));
+    uint columns = ((size_6.x + 1u) / 2u);
+    uint tables = (size_6.x * size_6.y);
+    Choice _e29 = chooseEntry(Table(tables, (size_6.y + 1u)), digits_4.y, (_e13 & 4095u));
+    Choice _e44 = chooseEntry(Table(((tables + ((size_6.y + 2u) / 2u)) + (_e29.entry * columns)), size_6.x), digits_4.x, (_e13 >> 20u));
+    return ChosenCell(uvec2(_e44.entry, _e29.entry), vec2(_e44.rest, _e29.rest));
 }
 
 Corners environmentCorners(uvec2 cell) {
@@ -3146,8 +3101,8 @@ vec3 heroColor(vec3 throughput, float u_22) {
     vec3 share_7 = (throughput / vec3(max(dot(throughput, vec3(1.0)), 1e-30)));
     bool isRed = (u_22 < share_7.x);
     bool isBlue = pick(pick(!(isRed), (u_22 >= (share_7.x + share_7.y)), false), (share_7.z > 0.0), false);
-    vec3 chosen_3 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
-    return (chosen_3 / vec3(max(dot(chosen_3, share_7), 1e-6)));
+    vec3 chosen_2 = pick(isRed, vec3(1.0, 0.0, 0.0), pick(isBlue, vec3(0.0, 0.0, 1.0), vec3(0.0, 1.0, 0.0)));
+    return (chosen_2 / vec3(max(dot(chosen_2, share_7), 1e-6)));
 }
 
 float nextHash(inout Sampler s_12) {
@@ -3346,11 +3301,11 @@ void meetLayers(Surface s_14, vec3 given, vec3 hero_1) {
     vec3 _e266 = layersHere.beyondColor;
     float _e267 = mean3_(_e266);
     float beyond = ((body * _e262) * _e267);
-    float all_1 = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
-    stackHere.ofCoat = (coat_1 / all_1);
-    stackHere.ofFacets = (facets / all_1);
-    stackHere.ofSheen = (fibres / all_1);
-    stackHere.ofDiffuse = (diffuse / all_1);
+    float all_ = max(((((coat_1 + facets) + fibres) + diffuse) + beyond), 1e-20);
+    stackHere.ofCoat = (coat_1 / all_);
+    stackHere.ofFacets = (facets / all_);
+    stackHere.ofSheen = (fibres / all_);
+    stackHere.ofDiffuse = (diffuse / all_);
     return;
 }
 
@@ -3823,7 +3778,7 @@ FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
     bool _e82 = hidesApart(uint(s_22.code));
     float masked = (zi / max(pick(_e82, apart, ((zi * o_5.stretched) + (zo * _e69))), 1e-20));
     float _e88 = passes.x;
-    float chosen_4 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
+    float chosen_3 = (pick(_e6, _e88, 1.0) * pick(crossing_3, (o_5.ratio * o_5.ratio), 1.0));
     const bool _e98 = hasCompensation;
     if (_e98) {
         vec3 _e99 = passes;
@@ -3831,7 +3786,7 @@ FacetLobe evaluateFacets(Surface s_22, Outgoing o_5, vec3 wi_1) {
         passes = (_e99 * _e100);
     }
     vec3 _e102 = passes;
-    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_4) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
+    return FacetLobe(((_e102 * spread) * masked), ((spread * chosen_3) / ((o_5.bound * zo) + o_5.stretched)), abs(oh_2));
 }
 
 vec4 evaluateBsdf(Surface s_23, Outgoing o_6, vec3 wi_2) {
@@ -4137,7 +4092,7 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
     vec4 sum_1 = vec4(0.0);
     float intoBody = 0.0;
     Reflectance r_3 = Reflectance(vec3(0.0), vec3(0.0));
-    float chosen_2 = 0.0;
+    float chosen_1 = 0.0;
     uint _e12 = frame.emitterCount;
     isLight = (_e12 > 0u);
     while(true) {
@@ -4194,17 +4149,17 @@ LayeredPair evaluateLayers(Surface s_25, vec3 toLight_2, vec3 toSample, bool byM
             vec3 _e155 = stackHere.more;
             vec3 lobe = (_e148.left * pick(crossing_4, _e150.beyond, (_e150.toward * pick(isMirror_1, vec3(1.0), _e155))));
             float _e165 = stackHere.ofFacets;
-            chosen_2 = _e165;
+            chosen_1 = _e165;
             const bool _e168 = hasTransmission;
             if (_e168) {
                 float _e169 = shareToward(s_25, _e116);
-                float _e170 = chosen_2;
+                float _e170 = chosen_1;
                 float _e176 = stackHere.ratio;
                 float _e179 = stackHere.ratio;
-                chosen_2 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
+                chosen_1 = (_e170 * (pick(crossing_4, (1.0 - _e169), _e169) * pick(bends_1, (_e176 * _e179), 1.0)));
             }
             vec4 _e185 = sum_1;
-            float _e187 = chosen_2;
+            float _e187 = chosen_1;
             sum_1 = (_e185 + vec4((lobe * value_2), (_e187 * density_2)));
             float _e193 = layersHere.beyond;
             float _e200 = layersHere.beyond;
@@ -4461,10 +4416,10 @@ EnvironmentLight lookUpEnvironment(vec3 direction_16) {
     float _e35 = frame.environmentTurn;
     float column_3 = ((fract(((turn_2 * 0.15915494) + _e35)) * size_9.x) + 0.5);
     float fromPole_1 = ((_e15.y * (size_9.y / 3.1415927)) + 0.5);
-    float row_16 = floor(fromPole_1);
+    float row_15 = floor(fromPole_1);
     bool isLower_1 = (direction_16.y < 0.0);
-    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_9.y - row_16), row_16));
-    float within_3 = (fromPole_1 - row_16);
+    vec2 cell_2 = vec2(floor(column_3), pick(isLower_1, (size_9.y - row_15), row_15));
+    float within_3 = (fromPole_1 - row_15);
     vec2 at_4 = vec2((column_3 - cell_2.x), pick(isLower_1, (1.0 - within_3), within_3));
     Corners _e66 = environmentCorners(uvec2(cell_2));
     EnvironmentLight _e67 = lightWithin(_e66, at_4, sine_8);
