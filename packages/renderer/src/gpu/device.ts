@@ -208,7 +208,7 @@ export interface Device {
   createFilm(width: number, height: number, layers?: number): FilmTexture;
   /** Draws over the whole canvas, or a region of a film. Returns at once; see `finished`. */
   draw(pass: Pass, target: FilmTexture | 'canvas', resources: readonly Resource[], region?: Region): void;
-  /** Resolves when all that was drawn so far is done. */
+  /** Resolves when all that was drawn so far is done, and not before an earlier call does. */
   finished(): Promise<void>;
   /** RGBA float32 of the first columns and rows of a layer, row 0 first. */
   read(layer: FloatTexture, width: number, height: number): Promise<Float32Array<ArrayBuffer>>;

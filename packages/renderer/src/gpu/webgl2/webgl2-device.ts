@@ -116,6 +116,8 @@ class WebGl2Device implements Device {
   readonly #isSoftware: boolean;
   readonly #onLost: (event: Event) => void;
   #closed = false;
+  /** The last answer that `finished` owes. */
+  #finishing: Promise<unknown> = Promise.resolve();
 
   constructor(gl: WebGL2RenderingContext, canvas: HTMLCanvasElement, filmFormat: number) {
     this.#gl = gl;
@@ -285,7 +287,14 @@ class WebGl2Device implements Device {
     gl.flush();
   }
 
-  async finished(): Promise<void> {
+  /** Fences are asked in turn, so a later one may be seen to have been passed before the one in front of it is asked again. */
+  finished(): Promise<void> {
+    const finishing = Promise.all([this.#finishing, this.#passed()]).then(() => {});
+    this.#finishing = finishing;
+    return finishing;
+  }
+
+  async #passed(): Promise<void> {
     const gl = this.#gl;
     const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
