@@ -24,7 +24,7 @@ const finished = async (page: Page, seed: number) => {
   });
 };
 
-// Alone: on a crowded machine the figures of a picture that is kept may stay those of the view before.
+// Alone: it has failed beside other programs, before figures of a kept picture were made its own and once after, for reasons not found.
 for (const backend of backends)
   test(`the error that is said is the one there is; another view keeps the picture (${backend})`, {
     tag: '@alone',
