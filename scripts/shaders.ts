@@ -23,6 +23,7 @@ const source = join(repository, 'packages/renderer/src');
 const harness = join(repository, 'tests/browser/harness');
 const bench = join(repository, 'bench/gpu/traversal');
 const RENDERER_OUTPUT = 'packages/renderer/src/shading/generated';
+const RELAY_OUTPUT = 'packages/renderer/src/integrator/path/generated';
 const TESTS_OUTPUT = 'tests/browser/harness/generated';
 const BENCH_OUTPUT = 'bench/gpu/traversal/generated';
 
@@ -48,6 +49,18 @@ const PROGRAMS: readonly Program[] = [
     root: 'integrator/path/path_entries',
     entries: [{ entry: 'path', stage: 'fragment' }],
     models: true,
+  },
+  {
+    name: 'path_relay',
+    root: 'integrator/path/path_relay',
+    entries: [
+      { entry: 'pathBegin', stage: 'fragment' },
+      { entry: 'pathTrace', stage: 'fragment' },
+      { entry: 'pathLight', stage: 'fragment' },
+      { entry: 'pathScatter', stage: 'fragment' },
+      { entry: 'pathEnd', stage: 'fragment' },
+    ],
+    output: RELAY_OUTPUT,
   },
   {
     name: 'aov',
