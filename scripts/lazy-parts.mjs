@@ -73,7 +73,7 @@ const PARTS = [
   },
   {
     name: 'path-relay',
-    importer: join(source, 'integrator/path/path.ts'),
+    importer: join(source, 'integrator/path/path-programs.ts'),
     asked: './path-relay.ts',
     entry: join(source, 'integrator/path/path-relay.ts'),
   },

@@ -298,6 +298,7 @@ export class Stages {
     const program = this.#programs.get(shot);
     this.#pass = program ?? this.#preview;
     this.#content = program ? contentOfSubject(shot) : null;
+    if (!isRelay(this.#pass)) this.#relayRoom.release();
     const { camera } = shot;
     const scene = isAov(this.#content) ? sceneSeenBy(integrator, shot.scene) : shot.scene;
     const reach = viewReach(camera, width / height, shot.settings.framing);
@@ -348,6 +349,8 @@ export class Stages {
   ): Promise<boolean> {
     const { film, device } = this;
     const { width, height } = film;
+    // The whole program may have come meanwhile.
+    if (isRelay(this.#pass)) this.#pass = this.#programs.get(this.#shot!) ?? this.#pass;
     const pass = this.#pass;
     if (pass.addsMany && groupsOf(film.nextSample, count) > MOST_GROUPS)
       throw new RangeError(`${count} samples from ${film.nextSample} on are more than one call can add.`);

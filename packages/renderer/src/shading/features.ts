@@ -68,22 +68,8 @@ export const MODEL_FEATURES: readonly Feature[] = [
 export const drawsModels = (features: ReadonlySet<Feature>): boolean =>
   MODEL_FEATURES.some((feature) => features.has(feature));
 
-/**
- * Programs with one of these are long: Windows' shader compiler takes more than half a second for each second that it takes for the whole
- * course-style page of bench/. See docs/path.md, "In several passes".
- */
-const LONG_FEATURES: readonly Feature[] = [
-  'hasNormalMaps',
-  'hasVertexMore',
-  'hasOtherLookups',
-  'hasCutouts',
-  'hasEnvironment',
-  'hasLightTree',
-  'hasVariedLamps',
-  'hasLayers',
-];
-export const isLong = (features: ReadonlySet<Feature>): boolean =>
-  LONG_FEATURES.some((feature) => features.has(feature));
+/** Enough for meshes with one colour each under a sky. */
+export const PLAIN_MODEL_FEATURES: readonly Feature[] = ['hasMeshes', 'hasSky', 'hasMetallicRoughness'];
 
 /** Of a program that draws all but models. */
 export const SHAPE_FEATURES: readonly Feature[] = FEATURES.filter((feature) => !MODEL_FEATURES.includes(feature));

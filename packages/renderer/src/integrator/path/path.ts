@@ -11,7 +11,7 @@ import type {
   UniformBuffer,
 } from '../../gpu/device.ts';
 import { GEOMETRY, SCENE_TABLE, TEXELS } from '../../packed-scene/layout.ts';
-import { type Feature, isLong } from '../../shading/features.ts';
+import type { Feature } from '../../shading/features.ts';
 import fullScreenWgsl from '../../shading/generated/full_screen.wgsl?raw';
 import fullScreenGlsl from '../../shading/generated/fullScreen.glsl?raw';
 import pathGlsl from '../../shading/generated/path.glsl?raw';
@@ -87,9 +87,6 @@ export const isRelay = (pass: Pass): pass is RelayPass => 'addSample' in pass;
 
 /** A program for films that ask for no more than these features. */
 export async function createPathPass(device: Device, features: ReadonlySet<Feature>): Promise<Pass> {
-  const { relay } = device;
-  if (relay?.pays && isLong(features))
-    return (await import('./path-relay.ts')).createPathRelay(device, relay, features);
   return device.createPass(await sourceFor(PATH, 'path', features));
 }
 

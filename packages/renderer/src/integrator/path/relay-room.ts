@@ -4,8 +4,8 @@
  */
 import type { Device, FilmTexture } from '../../gpu/device.ts';
 
-/** Paths of both halves: 36 MiB, and enough at once for a large GPU. */
-const PATHS = 2 ** 17;
+/** Paths of both halves: 72 MiB, and enough at once for a large GPU. */
+const PATHS = 2 ** 18;
 /** Layers, as path_relay.wesl has them. */
 const LAYERS = { path: 8, hit: 2, choice: 8 };
 

@@ -519,6 +519,7 @@ const uint aliveFlag = 1u;
 const uint inwardsFlag = 2u;
 const uint lightInwardsFlag = 4u;
 const uint escapedFlag = 8u;
+const uint overFlag = 16u;
 const uint depthShift = 8u;
 const uint isHidden = 1u;
 const uint isDone = 2u;
@@ -695,8 +696,13 @@ vec3 vectorOf(uvec4 words_2) {
     return uintBitsToFloat(words_2.xyz);
 }
 
-uint flagsOf(Path p_3) {
-    return ((((pick(p_3.alive, aliveFlag, 0u) | pick(p_3.rays.inwards, inwardsFlag, 0u)) | pick(p_3.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_3.escaped, escapedFlag, 0u)) | (p_3.depth << depthShift));
+bool isOver(Path p_3) {
+    return pick(!(p_3.alive), (p_3.rays.lightDistance < 0.0), false);
+}
+
+uint flagsOf(Path p_4) {
+    bool _e24 = isOver(p_4);
+    return (((((pick(p_4.alive, aliveFlag, 0u) | pick(p_4.rays.inwards, inwardsFlag, 0u)) | pick(p_4.rays.lightInwards, lightInwardsFlag, 0u)) | pick(p_4.escaped, escapedFlag, 0u)) | pick(_e24, overFlag, 0u)) | (p_4.depth << depthShift));
 }
 
 uvec2 pixelOf(uvec2 texel) {
@@ -784,17 +790,17 @@ Sampler samplerAt(uvec2 texel_1, uint key) {
     return _e12;
 }
 
-PathWords written(Path p_4) {
-    RayPair rays_2 = p_4.rays;
+PathWords written(Path p_5) {
+    RayPair rays_2 = p_5.rays;
     uvec4 _e4 = words_1(rays_2.point, rays_2.shape);
-    uint _e6 = flagsOf(p_4);
+    uint _e6 = flagsOf(p_5);
     uvec4 _e7 = words_1(rays_2.direction, _e6);
     uvec4 _e10 = wordsOf(rays_2.lightDirection, rays_2.lightDistance);
-    uvec4 _e13 = words_1(p_4.light, rays_2.lightShape);
-    uvec4 _e16 = wordsOf(p_4.throughput, p_4.pdf);
-    uvec4 _e20 = wordsOf(p_4.litSide, p_4.odds.total);
-    uvec4 _e24 = wordsOf(p_4.radiance, p_4.odds.tree);
-    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_4.sampler_.key, 0u));
+    uvec4 _e13 = words_1(p_5.light, rays_2.lightShape);
+    uvec4 _e16 = wordsOf(p_5.throughput, p_5.pdf);
+    uvec4 _e20 = wordsOf(p_5.litSide, p_5.odds.total);
+    uvec4 _e24 = wordsOf(p_5.radiance, p_5.odds.tree);
+    return PathWords(_e4, _e7, _e10, _e13, _e16, _e20, _e24, uvec4(rays_2.left.instance, rays_2.left.triangle, p_5.sampler_.key, 0u));
 }
 
 float tMinAt(vec3 point, uint flags) {
@@ -960,10 +966,6 @@ vec2 concentricDisc(vec2 u_2) {
 
 RayPair oneRay(vec3 origin, vec3 direction, uint number) {
     return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
-bool isOver(Path p_5) {
-    return pick(!(p_5.alive), (p_5.rays.lightDistance < 0.0), false);
 }
 
 vec4 tableTexel(uint column, uint row) {

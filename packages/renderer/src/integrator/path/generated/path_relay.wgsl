@@ -91,6 +91,8 @@ const lightInwardsFlag = 4u;
 
 const escapedFlag = 8u;
 
+const overFlag = 16u;
+
 const depthShift = 8u;
 
 // Of HitWords.more.z
@@ -111,7 +113,7 @@ fn vectorOf(words: vec4u) -> vec3f {
 }
 
 fn flagsOf(p: Path) -> u32 {
-  return select(0u, aliveFlag, p.alive) | select(0u, inwardsFlag, p.rays.inwards) | select(0u, lightInwardsFlag, p.rays.lightInwards) | select(0u, escapedFlag, p.escaped) | (p.depth << depthShift);
+  return select(0u, aliveFlag, p.alive) | select(0u, inwardsFlag, p.rays.inwards) | select(0u, lightInwardsFlag, p.rays.lightInwards) | select(0u, escapedFlag, p.escaped) | select(0u, overFlag, isOver(p)) | (p.depth << depthShift);
 }
 
 // Of the picture: where the texel of a path belongs.
@@ -167,10 +169,10 @@ fn wasOver(texel: vec2u) -> bool {
 }
 
 @fragment fn pathTrace(@builtin(position) fragment: vec4f) -> HitWords {
-  let p = pathAt(vec2u(fragment.xy));
+  let texel = vec2u(fragment.xy);
   var words = HitWords(vec4u(0u), vec4u(0u, 0u, isDone, 0u));
-  if (!isOver(p)) {
-    let hit = tracePair(p.rays);
+  if ((textureLoad(path1, texel, 0).w & overFlag) == 0u) {
+    let hit = tracePair(pathAt(texel).rays);
     words = HitWords(vec4u(bitcast<u32>(hit.t), hit.shape, hit.triangle.instance, hit.triangle.triangle), vec4u(bitcast<vec2u>(hit.weights), select(0u, isHidden, hit.blocked), 0u));
   }
   return words;
@@ -232,6 +234,11 @@ fn wasOver(texel: vec2u) -> bool {
     film = Film(textureLoad(previousFilm, texel, 0), textureLoad(previousSquares, texel, 0));
   }
   return Film(film.sums + vec4f(p.radiance, 1.0), film.squares + vec4f(p.radiance * p.radiance, 0.0));
+}
+
+// Whether there is a ray left to trace.
+fn isOver(p: Path) -> bool {
+  return !p.alive & (p.rays.lightDistance < 0.0);
 }
 
 struct Path {
@@ -650,11 +657,6 @@ const noShape = 0xffffffffu;
 const noTriangle = LeftTriangle(noInstance, 0u);
 
 const noInstance = 0xffffffffu;
-
-// Whether there is a ray left to trace.
-fn isOver(p: Path) -> bool {
-  return !p.alive & (p.rays.lightDistance < 0.0);
-}
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
 fn tracePair(p: RayPair) -> PairHit {
