@@ -419,7 +419,7 @@ fn spread(x: u32) -> u32 {
 }
 
 fn reversed(x: vec2u) -> vec2u {
-  return reverseBits(x) >> vec2u(16u);
+  return reversedHigh(x) >> vec2u(15u);
 }
 
 fn mixBits(x: u32) -> u32 {
@@ -432,6 +432,17 @@ fn pcg(x: u32) -> u32 {
   let s = x * 747796405u + 2891336453u;
   let w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
   return (w >> 22u) ^ w;
+}
+
+// What the sampler does to the bits of its numbers. docs/sampler.md says why.
+// A software rasteriser takes its lanes apart for a shift, so what can be a product is one here; GPUs make shifts of products with powers of 2.
+// Sixteen bits in reverse order, times 2^15, below which there are zeros: what comes last of two neighbours, pairs, nibbles and bytes stays
+// where it is, and what comes first goes past it. Only WebGL2 needs it: WGSL has reverseBits.
+fn reversedHigh(x: vec2u) -> vec2u {
+  var y = x + (x & vec2u(0x5555u)) * 3u;
+  y += (y & vec2u(0x6666u)) * 15u;
+  y += (y & vec2u(0x7878u)) * 255u;
+  return y + (y & vec2u(0x7f80u)) * 65535u;
 }
 
 // A hash without the shift by a variable of pcg, which takes a software rasteriser longer than all the rest of it:
@@ -590,8 +601,11 @@ fn timesW2(x: vec2u) -> vec2u {
   return ((x * 2u) & vec2u(0xaaaau)) | ((x ^ (x >> vec2u(1u))) & vec2u(0x5555u));
 }
 
+// Scrambled numbers in [0, 1): their first 16 digits, which lie in reverse order, and the 8 highest bits, which need none. Both ways are
+// exact.
 fn toUnit(scrambled: vec2u) -> vec2f {
-  return vec2f(((reverseBits(scrambled) >> vec2u(8u)) & vec2u(0xffff00u)) | (scrambled >> vec2u(24u))) * 5.9604644775390625e-8;
+  let digits = vec2f(vec2i(reversedHigh(scrambled & vec2u(0xffffu)))) * 4.656612873077392578125e-10;
+  return digits + vec2f(scrambled & vec2u(0xff000000u)) * 3.552713678800501e-15;
 }
 
 // Second dimension of the Sobol sequence: Pascal's triangle modulo 2, which is a product of four sparse matrices.
@@ -767,7 +781,7 @@ fn meet(found: PairHit, p: RayPair, i: u32, t: vec2f) -> PairHit {
 }
 
 fn tableTexel(column: u32, row: u32) -> vec4f {
-  return textureSampleLevel(sceneTable, nearest, vec2f((f32(i32(column)) + 0.5) / tableWidth, (f32(i32(row)) + 0.5) * frame.rowHeight), 0.0);
+  return textureLoad(sceneTable, vec2u(column, row), 0);
 }
 
 struct Bounds {
@@ -779,13 +793,6 @@ struct Bounds {
 
 
 @group(0) @binding(1) var sceneTable: texture_2d<f32>;
-
-// How the scene table is read: table_texel.wesl; and, where `sampled`, geometry and texels. Its number is that of packed-scene/layout.ts, far from those of the inputs.
-@group(0) @binding(15) var nearest: sampler;
-
-// Written by `npm run shaders` from packed-scene/layout.ts. Do not edit.
-// Texels in a row of the scene table.
-const tableWidth = 20.0;
 
 fn meetBox(found: PairHit, p: RayPair, i: u32) -> PairHit {
   let b = fetchBounds(i);
@@ -912,22 +919,21 @@ fn meetMeshes(found: PairHit, p: RayPair) -> PairHit {
   return result;
 }
 
+// The same where programs draw, for a software rasteriser, which goes through both sides of every `if` and skips only loops and, where no
+// ray asks, fetches. So what happens among the instances stands outside of the loop over nodes and triangles, what a triangle changes is
+// selected, and the stack is read once a turn: docs/bvh.md. The other one is made for GPUs.
 fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   var found = MeshHit(rays.most, noInstance, 0u, vec2f(0.0), false);
   var toLight = !(rays.most > 0.0);
-  // Of the present ray.
   var most = select(rays.most, rays.lightMost, toLight);
   var instance = noInstance;
   var nodes = 0u;
   var triangles = 0u;
-  // Of the present instance: its cover, and which of its triangles no ray meets.
   var cover = 0u;
   var own = placeMask;
   var slabs = SlabRay(vec3f(0.0), vec3f(0.0), vec3u(0u));
   var ray = MeshRay(vec3f(0.0), 0u, vec3f(0.0));
-  // A triangle that may not be there.
   var doubted = found;
-  // The only instance needs no tree above it, and no way back.
   let alone = frame.instanceCount == 1u;
   let first = select(beginning, instances, alone);
   if ((frame.instanceCount == 0u) | !(most > 0.0)) {
@@ -936,56 +942,68 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
   stack[0] = ending;
   var top = 1u;
   var current = first;
-  // A leaf waits while the ray goes on to the next node, so that each turn has work for both.
   var waiting = noLeaf;
-  // Once, and once more for each triangle that may not be there: it is looked at when all rays side by side have come as far.
   loop {
-    loop {
-      if (current < instances) {
-        let node = nodes + current * nodeRows;
-        let r = geometryRow(node + childrenRow);
-        let t = enterChildren(node, slabs, most);
-        // Farthest first onto the stack: a sorting network of five exchanges.
-        let a = t.x < t.z;
-        let b = t.y < t.w;
-        let t0 = select(vec2f(t.x, t.z), vec2f(t.z, t.x), a);
-        let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
-        let t1 = select(vec2f(t.y, t.w), vec2f(t.w, t.y), b);
-        let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
-        let c = t0.x < t1.x;
-        let d = t0.y < t1.y;
-        let ta = select(vec2f(t0.x, t1.x), vec2f(t1.x, t0.x), c);
-        let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), c);
-        let tb = select(vec2f(t0.y, t1.y), vec2f(t1.y, t0.y), d);
-        let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), d);
-        let e = ta.y < tb.x;
-        let tm = select(vec2f(ta.y, tb.x), vec2f(tb.x, ta.y), e);
-        let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), e);
-        if (ta.x < 1e30) {
-          stack[top] = ra.x;
+    if (!hasCutouts | ((waiting == noLeaf) & isAmongInstances(current))) {
+      let toWorld = current >= beginning;
+      instance = select(current & placeMask, noInstance, toWorld);
+      var o = rays.origin;
+      var d = select(rays.direction, rays.lightDirection, toLight);
+      nodes = 0u;
+      if (!toWorld) {
+        let i = fetchInstance(frame.instances + instance * instanceRows);
+        let p = vec4f(o, 1.0);
+        o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
+        d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
+        nodes = i.nodes;
+        triangles = i.triangles;
+        cover = i.cover;
+        own = select(placeMask, left.triangle, instance == left.instance);
+        if (!alone) {
+          stack[top] = leaving;
           top++;
-        }
-        if (tm.x < 1e30) {
-          stack[top] = rm.x;
-          top++;
-        }
-        if (tm.y < 1e30) {
-          stack[top] = rm.y;
-          top++;
-        }
-        current = rb.y;
-        if (tb.y >= 1e30) {
-          top--;
-          current = stack[top];
         }
       }
-      if ((waiting == noLeaf) & (current >= leaves)) {
-        waiting = current;
+      slabs = slabRay(o, d);
+      ray = meshRay(o, d);
+      current = select(0u, unread, current == leaving);
+    }
+    loop {
+      if (current == unread) {
         top--;
         current = stack[top];
       }
+      if (current < instances) {
+        let node = nodes + current * nodeRows;
+        let r = geometryRow(node + childrenRow);
+        let t = bitcast<vec4i>(enterChildren(node, slabs, most));
+        // Farthest first onto the stack: a sorting network of five exchanges.
+        let a = t.x < t.z;
+        let b = t.y < t.w;
+        let r0 = select(vec2u(r.x, r.z), vec2u(r.z, r.x), a);
+        let r1 = select(vec2u(r.y, r.w), vec2u(r.w, r.y), b);
+        let far0 = max(t.x, t.z);
+        let far1 = max(t.y, t.w);
+        let near0 = min(t.x, t.z);
+        let near1 = min(t.y, t.w);
+        let ra = select(vec2u(r0.x, r1.x), vec2u(r1.x, r0.x), far0 < far1);
+        let rb = select(vec2u(r0.y, r1.y), vec2u(r1.y, r0.y), near0 < near1);
+        let far2 = min(far0, far1);
+        let near2 = max(near0, near1);
+        let rm = select(vec2u(ra.y, rb.x), vec2u(rb.x, ra.y), far2 < near2);
+        // What lies above the top does not count.
+        stack[top] = ra.x;
+        top += select(0u, 1u, max(far0, far1) < notEntered);
+        stack[top] = rm.x;
+        top += select(0u, 1u, max(far2, near2) < notEntered);
+        stack[top] = rm.y;
+        top += select(0u, 1u, min(far2, near2) < notEntered);
+        current = select(unread, rb.y, min(near0, near1) < notEntered);
+      }
+      let takes = (waiting == noLeaf) & (current >= leaves);
+      waiting = select(waiting, current, takes);
+      current = select(current, unread, takes);
       if (waiting != noLeaf) {
-        // One triangle a turn, so that lanes with short leaves do not wait.
         let place = waiting & placeMask;
         waiting = waiting + 1u - (1u << countShift);
         waiting = select(waiting, noLeaf, waiting < leaves);
@@ -994,79 +1012,53 @@ fn traverse(rays: MeshRays, left: LeftTriangle) -> MeshHit {
         if (hasOneSided) {
           nearer = nearer & (hit.front | ((cover & isOneSided) == 0u));
         }
-        if (nearer) {
-          let inverse = 1.0 / hit.sum;
-          let met = MeshHit(hit.depth * inverse, instance, place, hit.weights * inverse, false);
-          if (hasCutouts) {
-            if ((cover & coverRow) != 0u) {
-              doubted = met;
-              break;
-            }
-          }
-          if (toLight) {
-            found.blocked = true;
-            break;
-          }
-          most = met.t;
-          found = met;
-        }
-      } else if (current >= instances) {
-        if (current == ending) {
-          if (toLight | !(rays.lightMost > 0.0)) {
-            break;
-          }
-          toLight = true;
-          most = rays.lightMost;
-          top = 1u;
-          current = first;
-        }
-        // Into an instance, or back into the world.
-        let toWorld = current >= beginning;
-        instance = select(current & placeMask, noInstance, toWorld);
-        var o = rays.origin;
-        var d = select(rays.direction, rays.lightDirection, toLight);
-        nodes = 0u;
-        if (!toWorld) {
-          let i = fetchInstance(frame.instances + instance * instanceRows);
-          let p = vec4f(o, 1.0);
-          o = vec3f(dot(i.toMeshX, p), dot(i.toMeshY, p), dot(i.toMeshZ, p));
-          d = vec3f(dot(i.toMeshX.xyz, d), dot(i.toMeshY.xyz, d), dot(i.toMeshZ.xyz, d));
-          nodes = i.nodes;
-          triangles = i.triangles;
-          cover = i.cover;
-          own = select(placeMask, left.triangle, instance == left.instance);
-          if (!alone) {
-            stack[top] = leaving;
-            top++;
+        let inverse = 1.0 / hit.sum;
+        let t = hit.depth * inverse;
+        let weights = hit.weights * inverse;
+        if (hasCutouts) {
+          if (nearer & ((cover & coverRow) != 0u)) {
+            doubted = MeshHit(t, instance, place, weights, false);
+            nearer = false;
           }
         }
-        slabs = slabRay(o, d);
-        ray = meshRay(o, d);
-        // The root of either tree, or what else there is to do in the world.
-        let goesOn = current == leaving;
-        current = 0u;
-        if (goesOn) {
-          top--;
-          current = stack[top];
+        let blocks = nearer & toLight;
+        let counts = nearer & !toLight;
+        most = select(most, t, nearer);
+        found.t = select(found.t, t, counts);
+        found.instance = select(found.instance, instance, counts);
+        found.triangle = select(found.triangle, place, counts);
+        found.weights = select(found.weights, weights, counts);
+        found.blocked = found.blocked | blocks;
+        waiting = select(waiting, noLeaf, blocks);
+        current = select(current, ending, blocks);
+      }
+      if (((waiting == noLeaf) & isAmongInstances(current)) | (hasCutouts & (doubted.instance != noInstance))) {
+        break;
+      }
+    }
+    if (hasCutouts) {
+      if (doubted.instance != noInstance) {
+        let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
+        let instead = doubted;
+        doubted.instance = noInstance;
+        if (there & toLight) {
+          found.blocked = true;
+          break;
+        }
+        if (there) {
+          most = instead.t;
+          found = instead;
         }
       }
     }
-    if (!hasCutouts) {
+    let ended = (current == ending) & (waiting == noLeaf);
+    if (ended & (toLight | !(rays.lightMost > 0.0))) {
       break;
     }
-    if (doubted.instance == noInstance) {
-      break;
-    }
-    let there = isThere(doubted.instance, doubted.triangle, doubted.weights, rays.number + u32(toLight));
-    if (there & toLight) {
-      found.blocked = true;
-      break;
-    }
-    if (there) {
-      most = doubted.t;
-      found = doubted;
-    }
-    doubted.instance = noInstance;
+    toLight = toLight | ended;
+    most = select(most, rays.lightMost, ended);
+    top = select(top, 1u, ended);
+    current = select(current, first, ended);
   }
   return found;
 }
@@ -1102,7 +1094,7 @@ fn fetchInstance(row: u32) -> Instance {
 const instanceRows = 5u;
 
 fn geometryRow(i: u32) -> vec4u {
-  return geometry[i];
+  return textureLoad(geometry, vec2i(i32(i & 2047u), i32(f32(i32(i & 0x7ffff800u)) / 2048.0)), 0);
 }
 
 struct Instance {
@@ -1131,8 +1123,7 @@ struct Instance {
 }
 
 
-// Triangles and the trees over them: packed-scene/pack-geometry.ts. Read by geometryRow.
-@group(0) @binding(5) var<storage, read> geometry: array<vec4u>;
+@group(0) @binding(5) var geometry: texture_2d<u32>;
 
 struct MeshHit {
   t: f32,
@@ -1182,20 +1173,34 @@ const ending = 0x8fffffffu;
 // A leaf that is none.
 const noLeaf = 0u;
 
-// `number`: of the ray.
-fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
-  let i = fetchInstance(frame.instances + instance * instanceRows);
-  let triangle = fetchTriangle(i.triangles + place * triangleRows);
-  let row = i.cover & coverRow;
-  let material = fetchMaterialTextures(row);
-  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
-  var opacity = material.opacity * c.opacity;
-  if ((material.flags & hasOpacityTexture) != 0u) {
-    let t = fetchTextureUse(row + materialTexturesRows);
-    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
-  }
-  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
-  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
+override hasCutouts = false;
+
+fn isAmongInstances(reference: u32) -> bool {
+  return (reference >= instances) & (reference < leaves) & (reference != unread);
+}
+
+fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
+  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
+  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+}
+
+fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
+  let size = abs(direction);
+  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
+  let d = turnedTo(axis, direction);
+  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
+}
+
+// What comes next is on top of the stack.
+const unread = 0x8ffffffcu;
+
+const leaving = 0x8ffffffeu;
+
+const leastToGreatest = 3u;
+
+// The axis comes last.
+fn turnedTo(axis: u32, v: vec3f) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
 }
 
 const leaves = 0x90000000u;
@@ -1214,12 +1219,11 @@ fn enterChildren(node: u32, r: SlabRay, t: f32) -> vec4f {
   return select(vec4f(1e30), near4, near4 <= smaller(far4 * slabRounding, vec4f(t)));
 }
 
-const leastToGreatest = 3u;
+// The bits of 1e30, the distance to a child that is not entered.
+const notEntered = 0x7149f2cai;
 
-// Of floats above 0 the order is that of their bits, and all below 0 are less; where WGSL's own `max` and `min` are asked for what may be
-// no number, a software rasteriser looks for that, with some twenty operations. What comes out below 0 is not exact, and does not count.
 fn larger(a: vec4f, b: vec4f) -> vec4f {
-  return max(a, b);
+  return bitcast<vec4f>(max(bitcast<vec4i>(a), bitcast<vec4i>(b)));
 }
 
 fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
@@ -1227,7 +1231,7 @@ fn planes(row: u32, inverse: f32, offset: f32) -> vec4f {
 }
 
 fn smaller(a: vec4f, b: vec4f) -> vec4f {
-  return min(a, b);
+  return bitcast<vec4f>(min(bitcast<vec4i>(a), bitcast<vec4i>(b)));
 }
 
 // Rounding of the distances to a box, relative; of the box itself the encoder takes care.
@@ -1266,14 +1270,7 @@ override hasOneSided = false;
 
 const isOneSided = 2147483648u;
 
-override hasCutouts = false;
-
 const coverRow = 2147483647u;
-
-// The axis comes last.
-fn turnedTo(axis: u32, v: vec3f) -> vec3f {
-  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
-}
 
 fn edge(a: vec2f, b: vec2f) -> f32 {
   let p = a.x * b.y;
@@ -1281,9 +1278,8 @@ fn edge(a: vec2f, b: vec2f) -> f32 {
   return fma(a.x, b.y, -q) - fma(a.y, b.x, -p);
 }
 
-// No two of them on different sides. A software rasteriser has more to do for WGSL's `min` and `max` than for all these comparisons.
 fn isWithin(u: f32, v: f32, w: f32) -> bool {
-  return (min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0);
+  return ((u >= 0.0) & (v >= 0.0) & (w >= 0.0)) | ((u <= 0.0) & (v <= 0.0) & (w <= 0.0));
 }
 
 // Where the ray's line crosses the triangle's plane. Distance and weights are still to be divided by `sum`, which most triangles that a ray
@@ -1316,19 +1312,21 @@ struct Triangle {
 }
 
 
-fn slabRay(origin: vec3f, direction: vec3f) -> SlabRay {
-  let inverse = 1.0 / select(direction, vec3f(1e-18), abs(direction) < vec3f(1e-18));
-  return SlabRay(inverse, -origin * inverse, vec3u(0u, 1u, 2u) + leastToGreatest * vec3u(direction < vec3f(0.0)));
+// `number`: of the ray.
+fn isThere(instance: u32, place: u32, weights: vec2f, number: u32) -> bool {
+  let i = fetchInstance(frame.instances + instance * instanceRows);
+  let triangle = fetchTriangle(i.triangles + place * triangleRows);
+  let row = i.cover & coverRow;
+  let material = fetchMaterialTextures(row);
+  let c = coverAt(i.vertices + vec3u(triangle.vertexA, triangle.vertexB, triangle.vertexC) * i.vertexRows, i.vertexRows, weights);
+  var opacity = material.opacity * c.opacity;
+  if ((material.flags & hasOpacityTexture) != 0u) {
+    let t = fetchTextureUse(row + materialTexturesRows);
+    opacity *= lookUp(t, select(c.uv.xy, c.uv.zw, (t.flags & usesSecondSet) != 0u)).a;
+  }
+  let chance = unitFloat(pcg(place + pcg(instance + pcg(number))));
+  return select(opacity >= material.cutoff, chance < opacity, material.cutoff < 0.0);
 }
-
-fn meshRay(origin: vec3f, direction: vec3f) -> MeshRay {
-  let size = abs(direction);
-  let axis = select(select(0u, 1u, size.y > size.x), 2u, size.z >= max(size.x, size.y));
-  let d = turnedTo(axis, direction);
-  return MeshRay(origin, axis, vec3f(-d.xy / d.z, 1.0 / d.z));
-}
-
-const leaving = 0x8ffffffeu;
 
 fn fetchMaterialTextures(row: u32) -> MaterialTextures {
   let r0 = texelRow(row + 0u);
@@ -1387,7 +1385,7 @@ fn lookUp(t: TextureUse, uv: vec2f) -> vec4f {
 const usesSecondSet = 1u;
 
 fn texelRow(i: u32) -> vec4u {
-  return texels[i];
+  return textureLoad(texels, vec2i(i32(i & 2047u), i32(f32(i32(i & 0x7ffff800u)) / 2048.0)), 0);
 }
 
 struct TextureUse {
@@ -1410,8 +1408,7 @@ struct TextureUse {
 }
 
 
-// Images, and before them what materials use them for: packed-scene/pack-textures.ts. Read by texelRow.
-@group(0) @binding(6) var<storage, read> texels: array<vec4u>;
+@group(0) @binding(6) var texels: texture_2d<u32>;
 
 override hasOtherLookups = false;
 
