@@ -1,5 +1,5 @@
 /** Opening what a person gives: files become the scene on show, pictures of all around its light. */
-import { adoptScene, isSkyName, type Problem } from 'mirrorball';
+import { adoptScene, isSkyName, type Problem, type ReportEntry } from 'mirrorball';
 import { refusedFile, show } from '../actions.ts';
 import { takeSkyFile } from '../environment.ts';
 import { readyToReport } from '../i18n.ts';
@@ -74,8 +74,9 @@ async function openSky(file: File, words: Promise<void>, signal: AbortSignal): P
   if (!opened.ok) return refuse(opened.file, opened.problems);
   takeSkyFile(opened.file, opened.map);
   const waits = integrator.peek() !== 'path';
-  if (waits || opened.notes.length > 0)
-    notify('file', (t) => [...opened.notes, ...(waits ? [t.skyWaits] : [])].join('\n'));
+  const notes = opened.notes.map((message): ReportEntry => ({ kind: 'changed', what: opened.file, message, places: [], count: 1 })); // biome-ignore format: one entry
+  if (waits || notes.length > 0)
+    notify('file', (t) => [...notes.map(t.reportEntry), ...(waits ? [t.skyWaits] : [])].join('\n'));
 }
 
 function refuse(name: string, problems: readonly Problem[]): void {
