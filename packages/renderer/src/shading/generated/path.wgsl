@@ -8,7 +8,8 @@ struct Film {
 
 @fragment fn path(@builtin(position) fragment: vec4f) -> Film {
   let texel = vec2u(fragment.xy);
-  var p = startPath(frame.origin + texel, frame.sampleIndex);
+  var p = noPath();
+  startPath(&p, frame.origin + texel, frame.sampleIndex);
   loop {
     extendPath(&p);
     if (isOver(p)) {
@@ -58,15 +59,14 @@ var<private> ownSquares: array<vec3f, 8>;
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
   let firstGroup = frame.sampleIndex / group;
   var index = frame.sampleIndex + thread % shares;
-  // Over before it has begun: a path starts at one place only, or it would stand in the program twice.
-  var p: Path;
-  p.rays.lightDistance = -1.0;
+  // A path starts at one place only, or it would stand in the program twice.
+  var p = noPath();
   loop {
     if (isOver(p)) {
       if (index >= end) {
         break;
       }
-      p = startPath(pixel, index);
+      startPath(&p, pixel, index);
     }
     extendPath(&p);
     if (isOver(p)) {
@@ -112,12 +112,32 @@ var<private> ownSquares: array<vec3f, 8>;
   textureStore(filmSquares, texel, square);
 }
 
-fn startPath(pixel: vec2u, sampleIndex: u32) -> Path {
-  var s = startSampler(pixel, sampleIndex, frame.seed);
-  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&s));
-  let camera = cameraRay(filmPosition, lensPoint(&s));
-  let rays = oneRay(camera.origin, camera.direction, numberOfNext(s));
-  return Path(rays, vec3f(0.0), true, vec3f(1.0), false, 1u, vec3f(0.0), 0.0, vec3f(0.0), Odds(1.0, 0.0), s);
+// Over before it has begun.
+fn noPath() -> Path {
+  var p: Path;
+  p.rays.lightDirection = vec3f(0.0, 1.0, 0.0);
+  p.rays.lightDistance = -1.0;
+  return p;
+}
+
+// In place of a path that is over. What its first step does not ask for stays as it was: Windows' shader compiler takes the longer for a
+// loop the more values there are that one branch in it sets.
+fn startPath(p: ptr<function, Path>, pixel: vec2u, sampleIndex: u32) {
+  (*p).sampler = startSampler(pixel, sampleIndex, frame.seed);
+  let filmPosition = vec2f(pixel) + 0.5 + filterOffset(next2d(&(*p).sampler));
+  let camera = cameraRay(filmPosition, lensPoint(&(*p).sampler));
+  (*p).rays.point = camera.origin;
+  (*p).rays.shape = noShape;
+  (*p).rays.left = noTriangle;
+  (*p).rays.tMin = 0.0;
+  (*p).rays.goesOn = true;
+  (*p).rays.direction = camera.direction;
+  (*p).rays.number = numberOfNext((*p).sampler);
+  (*p).light = vec3f(0.0);
+  (*p).throughput = vec3f(1.0);
+  (*p).depth = 1u;
+  (*p).radiance = vec3f(0.0);
+  (*p).pdf = 0.0;
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -137,14 +157,14 @@ fn extendPath(p: ptr<function, Path>) {
   let hit = tracePair((*p).rays);
   (*p).radiance += select((*p).light, vec3f(0.0), hit.blocked);
   (*p).rays.lightDistance = -1.0;
-  if ((*p).alive) {
+  if ((*p).rays.goesOn) {
     meetSurface(p, hit);
   }
 }
 
 // Whether there is a ray left to trace.
 fn isOver(p: Path) -> bool {
-  return !p.alive & (p.rays.lightDistance < 0.0);
+  return !p.rays.goesOn & (p.rays.lightDistance < 0.0);
 }
 
 // Loops end with their condition: ARCHITECTURE.md, "No loop in a kernel that asks at its head".
@@ -204,8 +224,6 @@ struct Path {
   rays: RayPair,
   // What the light ray brings to the pixel if nothing is in its way.
   light: vec3f,
-  // Whether the path's own ray goes on.
-  alive: bool,
   throughput: vec3f,
   // Whether its ray has met nothing: addFarLight.
   escaped: bool,
@@ -245,7 +263,7 @@ struct RayPair {
 }
 
 
-// What `probabilityOf` has to know of the point.
+// What `listedProbability` has to know of the point.
 struct Odds {
   // The sum of the estimates of all emitters that are looked at one by one.
   total: f32,
@@ -327,7 +345,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).light = select(vec3f(0.0), contribution, lit);
   let throughput = (*p).throughput * bsdf.weight;
   let survival = select(min(max3(throughput) / rouletteShare, 0.95), 1.0, (*p).depth < rouletteDepth);
-  (*p).alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
+  let alive = goesOn & (bsdf.pdf > 0.0) & !leaks & (max3(throughput) > 0.0) & (nextHash(&(*p).sampler) < survival);
   (*p).depth++;
   // A ray that escaped is still asked for.
   let stays = !hasMeshes & escaped;
@@ -338,7 +356,7 @@ fn meetSurface(p: ptr<function, Path>, hit: PairHit) {
   (*p).odds.tree = select(choice.odds.tree, (*p).odds.tree, stays);
   let solid = !isFlat(shape);
   let lightShape = select(noShape, u32(max(emitter.shape, 0.0)), emitter.shape >= 0.0);
-  (*p).rays = RayPair(select(point, rays.point, stays), shape, hit.triangle, relativeTMin * length(point), (*p).alive, select(direction, rays.direction, stays), solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
+  (*p).rays = RayPair(select(point, rays.point, stays), shape, hit.triangle, relativeTMin * length(point), alive, select(direction, rays.direction, stays), solid & (dot(direction, outward) < 0.0), light.direction, solid & (dot(light.direction, outward) < 0.0), select(-1.0, light.distance, lit), lightShape, numberOfNext((*p).sampler));
 }
 
 // A ray knows where it comes from, so that a surface is never met by its own ray again: no offset along the normal,
@@ -1154,8 +1172,7 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
   let distance2 = dot(toLight, toLight);
   let distance = sqrt(distance2);
   let grown = max(distance + e.reach, 1e-15);
-  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
-  let cosine = select(above, 1.0, dot(normal, normal) == 0.0);
+  let cosine = cosineTowards(e, toLight, grown, normal);
   // On the axis of a disc the first is exact, outside of a sphere the second.
   let square = select(max(distance2, e.area / (4.0 * pi)), distance2 + e.area / pi, isQuad);
   var estimate = e.power * cosine / select(max(square, 1e-15), 1.0, isFar);
@@ -1178,6 +1195,12 @@ fn estimatedIrradiance(e: Emitter, point: vec3f, normal: vec3f) -> f32 {
 override hasSuns = false;
 
 const directionalKind = 5.0;
+
+// The largest from the normal to where the light may be, grown to its bounding sphere; `grown`: how far its far end is.
+fn cosineTowards(e: Emitter, toLight: vec3f, grown: f32, normal: vec3f) -> f32 {
+  let above = clamp((dot(normal, toLight) + e.reach) / grown, 0.0, 1.0);
+  return select(above, 1.0, dot(normal, normal) == 0.0);
+}
 
 override hasPointLights = false;
 
@@ -2054,11 +2077,6 @@ fn lensPoint(s: ptr<function, Sampler>) -> vec2f {
   return u;
 }
 
-// A ray that starts on no shape, without one to a light.
-fn oneRay(origin: vec3f, direction: vec3f, number: u32) -> RayPair {
-  return RayPair(origin, noShape, noTriangle, 0.0, true, direction, false, direction, false, -1.0, noShape, number);
-}
-
 fn pixelHash(pixel: vec2u, sampleIndex: u32, seed: u32) -> u32 {
   return pcg(pixel.x + pcg(pixel.y + pcg(sampleIndex + pcg(seed))));
 }
@@ -2225,10 +2243,11 @@ fn addSkyAndSuns(p: ptr<function, Path>) {
   loop {
     let e = fetchEmitter(i);
     let far = farLight(e, direction, sky);
-    let pdf = far.pdf * listedProbability(e, (*p).rays.point, (*p).litSide, (*p).odds);
+    let pdf = far.pdf * farProbability(e, (*p).litSide, (*p).odds);
     found += far.radiance * select(misWeight((*p).pdf, pdf), 1.0, (*p).pdf <= 0.0);
     i++;
-    if (!hasManyLights) {
+    // Only one of them is the sky.
+    if (!hasSuns | !hasManyLights) {
       break;
     }
     if (i >= frame.farEmitters) {
@@ -2261,6 +2280,23 @@ fn farLight(e: Emitter, direction: vec3f, sky: FarLight) -> FarLight {
     }
   }
   return far;
+}
+
+// The same of one that is infinitely far.
+fn farProbability(e: Emitter, normal: vec3f, odds: Odds) -> f32 {
+  var probability = f32(min(frame.emitterCount, 1u));
+  if (hasManyLights) {
+    if (frame.emitterCount > 1u) {
+      var estimate = e.power;
+      if (hasSuns) {
+        let grown = max(sqrt(dot(e.u, e.u)) + e.reach, 1e-15);
+        estimate *= select(1.0, cosineTowards(e, -e.u, grown, normal), e.kind == directionalKind);
+      }
+      probability = estimate / max(odds.total, 1e-37);
+      
+    }
+  }
+  return probability;
 }
 
 // What a ray that meets no shape sees of this emitter, and the density with which sampleEmitter gives that direction. Suns are discs
