@@ -47,7 +47,7 @@ const PATH: PassSource = {
     TEXELS,
   ],
   target: 'film',
-  compute: { wgsl: pathWgsl, entry: 'pathCompute', handedRows: 2 },
+  compute: { wgsl: pathWgsl, entry: 'pathCompute', adding: 'addHanded' },
   layers: PATH_LAYERS,
 };
 

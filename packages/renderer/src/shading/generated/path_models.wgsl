@@ -25,8 +25,8 @@ struct Film {
 }
 
 // A thread takes up its next sample as soon as a path is over, so that no lane waits for the longest path beside it. The samples of a
-// pixel are dealt out to several threads of one workgroup. Groups of samples are summed up apart, the threads' shares of each in a
-// fixed order, and then added to the film one after the other: so the film is the same however many groups a dispatch has.
+// pixel are dealt out to several threads of one workgroup. What they bring is summed up by another pass, `addHanded`: in groups, the
+// threads' shares of each in a fixed order, and then group after group to the film. So the film is the same however many groups there are.
 // First row, columns and rows of the part of the film that is traced.
 @group(0) @binding(7) var<uniform> region: vec3u;
 
@@ -34,30 +34,26 @@ struct Film {
 
 @group(0) @binding(9) var filmSquares: texture_storage_2d<rgba32float, write>;
 
-// A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
-// are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
-// Samples of a group, which begins at a multiple of it. A dispatch touches 8 groups at most: path.ts.
-const group = 32u;
-
-// A thread's share of each group.
-var<private> ownSums: array<vec3f, 8>;
-
-var<private> ownSquares: array<vec3f, 8>;
-
-// Shares of one group, sum and squares one after the other, which a pixel's threads hand to the first of them. Not in shared memory: code
-// that sets it to zero element by element takes Windows' compiler (FXC) longer than all the rest.
+// Every sample of the region, those of a pixel side by side. Sums in the loop over paths, or after it, would take Windows' shader
+// compiler (FXC) a fifth longer, and a GPU too.
 @group(0) @binding(10) var<storage, read_write> handed: array<vec4f>;
 
+// Where the first sample of all lies, or would, for a place in the region.
+fn handedAt(inRegion: vec2u) -> u32 {
+  return (inRegion.y * region.y + inRegion.x) * frame.sampleCount - frame.sampleIndex;
+}
+
+// A workgroup of 128 threads is a tile of pixels times the threads that share a pixel's samples. Those lie side by side, since their rays
+// are alike. How many of each there are depends on how many samples there are to share: packed-scene/workgroup.ts.
 @compute @workgroup_size(128) fn pathCompute(@builtin(workgroup_id) tileIndex: vec3u, @builtin(local_invocation_index) thread: u32) {
   let shares = frame.shares;
   let tile = frame.tile;
   let place = thread / shares;
   let inRegion = tileIndex.xy * tile + vec2u(place % tile.x, place / tile.x);
-  let texel = vec2u(inRegion.x, region.x + inRegion.y);
-  let pixel = frame.origin + texel;
+  let pixel = frame.origin + vec2u(inRegion.x, region.x + inRegion.y);
   let inside = all(inRegion < region.yz);
   let end = frame.sampleIndex + select(0u, frame.sampleCount, inside);
-  let firstGroup = frame.sampleIndex / group;
+  let first = handedAt(inRegion);
   var index = frame.sampleIndex + thread % shares;
   // A path starts at one place only, or it would stand in the program twice.
   var p = noPath();
@@ -71,42 +67,49 @@ var<private> ownSquares: array<vec3f, 8>;
     extendPath(&p);
     if (isOver(p)) {
       addFarLight(&p);
-      let i = index / group - firstGroup;
-      ownSums[i] += p.radiance;
-      ownSquares[i] += p.radiance * p.radiance;
+      handed[first + index] = vec4f(p.radiance, 0.0);
       index += shares;
     }
   }
-  let adds = (thread % shares == 0u) & inside;
+}
+
+// Samples of a group, which begins at a multiple of it.
+const group = 32u;
+
+// Of each group, the samples of a thread of pathCompute one after the other, and then those sums.
+@compute @workgroup_size(8, 8) fn addHanded(@builtin(global_invocation_id) inRegion: vec3u) {
+  if (any(inRegion.xy >= region.yz)) {
+    return;
+  }
+  let texel = vec2u(inRegion.x, region.x + inRegion.y);
+  let first = handedAt(inRegion.xy);
+  let shares = frame.shares;
+  let end = frame.sampleIndex + frame.sampleCount;
   var sum = vec4f(0.0);
   var square = vec4f(0.0);
-  if (adds & (frame.sampleIndex > 0u)) {
+  if (frame.sampleIndex > 0u) {
     sum = textureLoad(previousFilm, texel, 0);
     square = textureLoad(previousSquares, texel, 0);
   }
-  let groups = (frame.sampleIndex + frame.sampleCount - 1u) / group - firstGroup + 1u;
-  let first = (inRegion.y * region.y + inRegion.x) * shares;
-  let own = 2u * (first + thread % shares);
-  for (var g = 0u; g < groups; g++) {
-    if (inside & !adds) {
-      handed[own] = vec4f(ownSums[g], 0.0);
-      handed[own + 1u] = vec4f(ownSquares[g], 0.0);
-    }
-    storageBarrier();
-    if (adds) {
-      var groupSum = ownSums[g];
-      var groupSquare = ownSquares[g];
-      for (var i = first + 1u; i < first + shares; i++) {
-        groupSum += handed[2u * i].xyz;
-        groupSquare += handed[2u * i + 1u].xyz;
+  var begin = frame.sampleIndex;
+  while (begin < end) {
+    let groupEnd = min((begin / group + 1u) * group, end);
+    var groupSum = vec3f(0.0);
+    var groupSquare = vec3f(0.0);
+    for (var share = 0u; share < shares; share++) {
+      var ownSum = vec3f(0.0);
+      var ownSquare = vec3f(0.0);
+      for (var i = begin + (share + frame.sampleIndex - begin) % shares; i < groupEnd; i += shares) {
+        let radiance = handed[first + i].xyz;
+        ownSum += radiance;
+        ownSquare += radiance * radiance;
       }
-      sum += vec4f(groupSum, 0.0);
-      square += vec4f(groupSquare, 0.0);
+      groupSum += ownSum;
+      groupSquare += ownSquare;
     }
-    storageBarrier();
-  }
-  if (!adds) {
-    return;
+    sum += vec4f(groupSum, 0.0);
+    square += vec4f(groupSquare, 0.0);
+    begin = groupEnd;
   }
   textureStore(film, texel, sum + vec4f(vec3f(0.0), f32(frame.sampleCount)));
   textureStore(filmSquares, texel, square);
